@@ -1,0 +1,27 @@
+# Install rules and the CMake package: find_package(cairn) with the components physics, engine and scripting.
+include(CMakePackageConfigHelpers)
+
+set(cairn_components physics)
+if(CAIRN_ENGINE)
+  list(APPEND cairn_components engine)
+endif()
+if(CAIRN_SCRIPTING)
+  list(APPEND cairn_components scripting)
+endif()
+
+foreach(component IN LISTS cairn_components)
+  install(TARGETS cairn_${component} EXPORT cairn-targets
+          ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+          LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
+          FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+endforeach()
+
+set(cairn_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/cairn)
+install(EXPORT cairn-targets NAMESPACE cairn:: DESTINATION ${cairn_package_dir})
+configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/cairn-config.cmake.in
+                              ${CMAKE_CURRENT_BINARY_DIR}/cairn-config.cmake
+                              INSTALL_DESTINATION ${cairn_package_dir})
+write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/cairn-config-version.cmake
+                                 COMPATIBILITY SameMinorVersion)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/cairn-config.cmake ${CMAKE_CURRENT_BINARY_DIR}/cairn-config-version.cmake
+        DESTINATION ${cairn_package_dir})

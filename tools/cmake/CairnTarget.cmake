@@ -1,0 +1,29 @@
+# What every Cairn target has in common: the language level, warnings, sanitizers, and the floating-point rules that
+# make one source give one result on every compiler.
+
+# cairn_compile_options(TARGET): applies them, privately.
+function(cairn_compile_options target)
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF VERIFY_INTERFACE_HEADER_SETS ${PROJECT_IS_TOP_LEVEL})
+  # Contracting a * b + c to one rounding changes bits between compilers and processors, so it is off everywhere.
+  target_compile_options(${target} PRIVATE -ffp-contract=off -Wall -Wextra -Wpedantic -Wshadow -Wconversion
+                                           -Wno-sign-conversion -Wnon-virtual-dtor -Woverloaded-virtual)
+  if(CAIRN_SANITIZE)
+    # Public: a program that links a sanitized library must link the sanitizer's run-time library too.
+    target_compile_options(${target} PUBLIC -fsanitize=${CAIRN_SANITIZE} -fno-omit-frame-pointer)
+    target_compile_options(${target} PRIVATE -fno-sanitize-recover=all)
+    target_link_options(${target} PUBLIC -fsanitize=${CAIRN_SANITIZE})
+  endif()
+endfunction()
+
+# cairn_library(NAME HEADERS... SOURCES...): the library cairn_NAME, known as cairn::NAME, with its public headers
+# under include/ as a file set and its own folder as the private include root.
+function(cairn_library name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "HEADERS;SOURCES")
+  add_library(cairn_${name} ${arg_SOURCES})
+  add_library(cairn::${name} ALIAS cairn_${name})
+  set_target_properties(cairn_${name} PROPERTIES EXPORT_NAME ${name})
+  target_sources(cairn_${name} PUBLIC FILE_SET HEADERS BASE_DIRS include FILES ${arg_HEADERS})
+  target_include_directories(cairn_${name} PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}")
+  cairn_compile_options(cairn_${name})
+endfunction()
