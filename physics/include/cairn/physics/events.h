@@ -1,0 +1,40 @@
+// What happened in the last step, as plain data. The handles of an event may be stale when it is read (a body destroyed
+// since): ask the world.
+#pragma once
+
+#include <cairn/physics/ids.h>
+#include <cairn/physics/math.h>
+
+namespace cairn::physics {
+
+/// Two shapes began to touch.
+struct ContactBegin {
+    ShapeId shape_a;
+    ShapeId shape_b;
+    BodyId body_a;
+    BodyId body_b;
+    Position point_m;  ///< middle of the contact points
+    Vec2 normal;       ///< unit, from a to b
+};
+
+/// Two shapes ceased to touch, or one of them was destroyed.
+struct ContactEnd {
+    ShapeId shape_a;
+    ShapeId shape_b;
+    BodyId body_a;
+    BodyId body_b;
+};
+
+/// Two shapes met faster than WorldDef::hit_speed_m_s.
+struct ContactHit {
+    ShapeId shape_a;
+    ShapeId shape_b;
+    BodyId body_a;
+    BodyId body_b;
+    Position point_m;  ///< where they met fastest
+    Vec2 normal;       ///< unit, from a to b
+    float approach_speed_m_s = 0;
+    float impulse_ns = 0;  ///< sum of the normal impulses of the contact over the step
+};
+
+}  // namespace cairn::physics

@@ -1,0 +1,35 @@
+// Typed generational handles. Invariant: the zero handle is null; a handle whose object is gone, or that belongs to
+// another world, is recognised as such for as long as the program runs (a slot retires before its generation wraps).
+#pragma once
+
+#include <compare>
+#include <cstdint>
+
+namespace cairn::physics {
+
+/// Names one object of one world: 8 bytes, freely copied, stored and compared.
+/// The fields are the world's business; ask `World` what a handle stands for.
+template <class Tag>
+struct Handle {
+    std::uint64_t index1 : 24 = 0;      ///< slot number plus one; 0 is null
+    std::uint64_t generation : 24 = 0;  ///< how often the slot was used before
+    std::uint64_t world : 16 = 0;       ///< which world made it
+
+    /// True for a handle that a world once gave out; it may still be stale.
+    explicit constexpr operator bool() const { return index1 != 0; }
+    friend constexpr bool operator==(const Handle&, const Handle&) = default;
+
+    /// The handle as one number, for storing it elsewhere (a script, a user-data field).
+    [[nodiscard]] constexpr std::uint64_t bits() const {
+        return index1 | static_cast<std::uint64_t>(generation) << 24 | static_cast<std::uint64_t>(world) << 48;
+    }
+    [[nodiscard]] static constexpr Handle from_bits(std::uint64_t bits) {
+        return {.index1 = bits & 0xffffff, .generation = bits >> 24 & 0xffffff, .world = bits >> 48};
+    }
+};
+
+using BodyId = Handle<struct BodyTag>;
+using ShapeId = Handle<struct ShapeTag>;
+using JointId = Handle<struct JointTag>;
+
+}  // namespace cairn::physics

@@ -1,0 +1,82 @@
+// What a body is made of: geometry in the body's frame, material and filter.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <variant>
+
+#include <cairn/physics/math.h>
+
+namespace cairn::physics {
+
+inline constexpr int kMaxPolygonVertices = 8;
+
+/// A disc. radius_m > 0.
+struct Circle {
+    Vec2 center_m;
+    float radius_m = 0.5f;
+};
+
+/// All points within radius_m of the segment from a_m to b_m. radius_m > 0; a_m and b_m apart by more than 5 mm
+/// (for one point take a Circle).
+struct Capsule {
+    Vec2 a_m{-0.5f, 0};
+    Vec2 b_m{0.5f, 0};
+    float radius_m = 0.25f;
+};
+
+/// A rectangle, turned by angle_rad about its centre; corners rounded outward by radius_m >= 0.
+struct Box {
+    float half_width_m = 0.5f;
+    float half_height_m = 0.5f;
+    Vec2 center_m;
+    float angle_rad = 0;
+    float radius_m = 0;
+};
+
+/// The convex hull of the points, in any order, with 3 to kMaxPolygonVertices corners, rounded outward by
+/// radius_m >= 0. The points are copied when the shape is made.
+struct Polygon {
+    std::span<const Vec2> points_m;
+    float radius_m = 0;
+};
+
+using Geometry = std::variant<Circle, Capsule, Box, Polygon>;
+
+enum class ShapeKind : std::uint8_t { Circle, Capsule, Polygon };
+
+/// How a surface rubs and bounces. Two materials mix as sqrt(f_a f_b) and max(e_a, e_b).
+struct Material {
+    float friction = 0.6f;    ///< Coulomb coefficient, >= 0
+    float restitution = 0;    ///< share of the approach speed given back, 0..1
+};
+
+/// Who collides with whom. A pair collides when each one's categories meet the other's mask. Two shapes of the same
+/// non-zero group ignore the masks: they collide when it is positive, and never when it is negative.
+struct Filter {
+    std::uint64_t categories = 1;
+    std::uint64_t mask = ~std::uint64_t{0};
+    std::int32_t group = 0;
+};
+
+/// Everything about a shape besides its geometry.
+struct ShapeDef {
+    float density_kg_m2 = 1;  ///< mass per area, >= 0
+    Material material{};
+    Filter filter{};
+    bool contact_events = false;  ///< report begin and end of touching; either shape of a pair is enough
+    bool hit_events = false;      ///< report impacts faster than WorldDef::hit_speed_m_s; either shape is enough
+    std::uint64_t user_data = 0;
+};
+
+/// A shape as the world keeps it: the hull of `count` points (1: circle, 2: capsule, else polygon, anticlockwise),
+/// rounded by radius_m, in the body's frame.
+struct Outline {
+    ShapeKind kind = ShapeKind::Circle;
+    std::uint8_t count = 0;
+    float radius_m = 0;
+    std::array<Vec2, kMaxPolygonVertices> points_m{};
+};
+
+}  // namespace cairn::physics

@@ -1,0 +1,121 @@
+// The world: owns bodies, shapes, joints and contacts, and moves them on step by step.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include <cairn/physics/body.h>
+#include <cairn/physics/events.h>
+#include <cairn/physics/ids.h>
+#include <cairn/physics/joint.h>
+#include <cairn/physics/query.h>
+#include <cairn/physics/result.h>
+#include <cairn/physics/shape.h>
+
+namespace cairn::physics {
+
+struct WorldDef {
+    Vec2 gravity_m_s2{0, -10};
+    int substeps = 4;                    ///< per step, 1..64
+    bool enable_sleep = true;
+    float hit_speed_m_s = 1;             ///< least approach speed that makes a ContactHit, >= 0
+    float restitution_speed_m_s = 1;     ///< slower approaches do not bounce, >= 0
+    float max_push_out_speed_m_s = 3;    ///< cap on how fast overlap is undone, > 0
+};
+
+/// What the world holds at the moment.
+struct Counts {
+    int bodies = 0;
+    int awake_bodies = 0;  ///< dynamic and kinematic
+    int shapes = 0;
+    int joints = 0;
+    int contacts = 0;   ///< pairs of shapes that are near each other
+    int touching = 0;   ///< of those, the pairs that touch
+    int islands = 0;    ///< awake groups of bodies joined by contacts and joints, in the last step
+};
+
+/// A shape of a world, found with `World::shape`. A view, as `Body` is: keep the ShapeId instead.
+class Shape {
+  public:
+    [[nodiscard]] ShapeId id() const { return id_; }
+    [[nodiscard]] BodyId body() const;
+    [[nodiscard]] const Outline& outline() const;
+    [[nodiscard]] float density() const;
+    [[nodiscard]] Material material() const;
+    Result<void> set_material(Material material);  ///< from the next step on
+    [[nodiscard]] Filter filter() const;
+    void set_filter(Filter filter);  ///< ends touching that the new filter forbids
+    [[nodiscard]] std::uint64_t user_data() const;
+    void set_user_data(std::uint64_t data);
+
+  private:
+    friend class World;
+    Shape(WorldState& world, ShapeId id) : world_(&world), id_(id) {}
+
+    WorldState* world_;
+    ShapeId id_;
+};
+
+/// A world of rigid bodies. Movable, not copyable. One thread at a time may use it; different worlds are independent.
+/// Every function that takes a handle or a number from outside gives an error for a null, stale or foreign handle and
+/// for a bad number, naming it, and then changes nothing.
+class World {
+  public:
+    /// Ends the program for a bad definition, as `create(def).value()` does.
+    explicit World(const WorldDef& def = {});
+    static Result<World> create(const WorldDef& def);
+    World(World&&) noexcept;
+    World& operator=(World&&) noexcept;
+    ~World();
+
+    /// Advances by dt_s (0 < dt_s <= 1; the design point is 1/60) and replaces the events by those of this step.
+    Result<void> step(float dt_s);
+
+    Result<BodyId> create_body(const BodyDef& def);
+    /// With its shapes and joints. What rested on it wakes.
+    Result<void> destroy_body(BodyId id);
+    Result<Body> body(BodyId id);
+    Result<const Body> body(BodyId id) const;
+    [[nodiscard]] bool contains(BodyId id) const;
+    [[nodiscard]] std::vector<BodyId> bodies() const;
+
+    Result<ShapeId> create_shape(BodyId body, const Geometry& geometry, const ShapeDef& def = {});
+    Result<void> destroy_shape(ShapeId id);
+    Result<Shape> shape(ShapeId id);
+    Result<const Shape> shape(ShapeId id) const;
+    [[nodiscard]] bool contains(ShapeId id) const;
+
+    Result<JointId> create_joint(const RevoluteJointDef& def);
+    Result<JointId> create_joint(const DistanceJointDef& def);
+    Result<void> destroy_joint(JointId id);
+    Result<Joint> joint(JointId id);
+    Result<const Joint> joint(JointId id) const;
+    [[nodiscard]] bool contains(JointId id) const;
+
+    /// Of the last step, in an order that depends only on the history of the world. Valid until the next step.
+    [[nodiscard]] std::span<const ContactBegin> contact_begins() const;
+    [[nodiscard]] std::span<const ContactEnd> contact_ends() const;
+    [[nodiscard]] std::span<const ContactHit> contact_hits() const;
+
+    /// The first shape met from origin_m to origin_m + translation_m.
+    Result<std::optional<RayHit>> cast_ray(Position origin_m, Vec2 translation_m, QueryFilter filter = {}) const;
+    /// A shape that contains the point; of several, the one made last.
+    Result<std::optional<ShapeId>> shape_at(Position point_m, QueryFilter filter = {}) const;
+
+    [[nodiscard]] Vec2 gravity() const;
+    Result<void> set_gravity(Vec2 gravity_m_s2);  ///< wakes every body
+    [[nodiscard]] Counts counts() const;
+    [[nodiscard]] std::uint64_t step_count() const;
+    /// 64 bits over everything that decides the future of the bodies: equal hashes, equal worlds.
+    [[nodiscard]] std::uint64_t state_hash() const;
+
+  private:
+    explicit World(std::unique_ptr<WorldState> state);
+
+    std::unique_ptr<WorldState> state_;
+};
+
+}  // namespace cairn::physics
