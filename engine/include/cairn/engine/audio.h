@@ -1,0 +1,91 @@
+// Sounds and music: what plays, how loud, how often at most.
+// Invariant: which voices play depends only on the calls made here and on the time given to advance(), never
+// on the sound card, so that a game behaves the same headlessly, without a device, and in a replay.
+//
+// No device is opened before the first sound or music is played. Without a device a warning is logged once
+// and all goes on silently.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include <cairn/engine/handle.h>
+#include <cairn/engine/result.h>
+
+namespace cairn::engine {
+
+class AudioBackend;
+class Files;
+
+enum class AudioGroup { Sound, Music };
+
+struct SoundPlay {
+    float volume = 1;   ///< 0 .. 1, clamped; multiplied by the group's volume
+    float pan = 0;      ///< -1 left .. 1 right, clamped
+    float pitch = 1;    ///< 0.25 .. 4, clamped; speed and pitch change together, in steps of 1/48 octave
+    bool loop = false;  ///< plays until stopped
+};
+
+/// Keeps a heap of crates from sounding like a machine gun.
+struct SoundLimit {
+    double min_interval_s = 0.03;  ///< the same sound starts again no sooner than this
+    int max_voices = 8;            ///< of the same sound at a time
+};
+
+struct AudioStats {
+    long plays = 0;         ///< voices started
+    long refused = 0;       ///< plays that a limit swallowed
+    int active_voices = 0;  ///< playing now
+    long music_plays = 0;
+    bool device_open = false;
+};
+
+class Audio {
+  public:
+    /// Of all sounds together.
+    static constexpr int kMaxVoices = 32;
+
+    /// Platform::create_audio makes them.
+    Audio(const Files& files, std::unique_ptr<AudioBackend> backend);
+    ~Audio();
+    Audio(const Audio&) = delete;
+    Audio& operator=(const Audio&) = delete;
+
+    /// Ogg Vorbis or WAV (PCM). The file's header is checked now, its samples are decoded by the first play.
+    /// The same path gives the same handle. The error names the path and the reason.
+    Result<SoundId> load_sound(std::string_view path);
+    bool is_valid(SoundId sound) const;
+    double duration_s(SoundId sound) const;
+    void set_limit(SoundId sound, const SoundLimit& limit);
+
+    /// The null handle when a limit refuses it. A null or stale sound plays nothing and logs an error.
+    VoiceId play(SoundId sound, const SoundPlay& play = {});
+    /// Of a voice that has ended: nothing.
+    void stop(VoiceId voice);
+    void set_voice_volume(VoiceId voice, float volume);
+    bool is_playing(VoiceId voice) const;
+    void stop_all_sounds();
+
+    /// Replaces the music that plays, if any.
+    Result<void> play_music(std::string_view path, float volume = 1, bool loop = true);
+    void stop_music();
+    void set_music_volume(float volume);
+    /// The path of the music that plays; empty: none.
+    const std::string& music() const;
+
+    /// 0 .. 1, clamped; for a settings page.
+    void set_group_volume(AudioGroup group, float volume);
+    float group_volume(AudioGroup group) const;
+
+    /// Lets time pass: call it once per update with the step. Voices end and limits run by this clock.
+    void advance(double elapsed_s);
+
+    AudioStats stats() const;
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace cairn::engine

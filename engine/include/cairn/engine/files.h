@@ -1,0 +1,86 @@
+// The files that a game may see: read-only mounts and one save folder, under virtual paths with forward
+// slashes. Invariant: no virtual path reaches outside the mounts: "..", ".", absolute paths, back-slashes,
+// colons, control characters and symbolic links are refused. Only paths below "save/" can be written.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <cairn/engine/result.h>
+
+namespace cairn::engine {
+
+struct FilesDef {
+    /// The program's argv[0], which PhysFS wants to see on some systems.
+    std::string program_path;
+    /// Names the save folder: letters, digits, '-', '_' and '.', not starting with '.'. Empty: there is no
+    /// save folder.
+    std::string identity;
+    /// The native folder that holds the save folders; empty: the user's data folder, which is
+    /// $XDG_DATA_HOME/cairn or ~/.local/share/cairn on Linux. The folder is made by the first write.
+    std::string save_root;
+    /// A larger file is refused, so that an archive that unpacks to gigabytes cannot fill the memory.
+    std::uint64_t max_file_bytes = 256ull << 20;
+};
+
+/// Where in the order of mounts a new one goes; the first mount that has a path wins.
+enum class MountOrder { First, Last };
+
+enum class FileKind { File, Folder };
+
+/// At most one may exist at a time, because PhysFS keeps one state per process; a second one is refused.
+class Files {
+  public:
+    static Result<std::unique_ptr<Files>> create(const FilesDef& def);
+    ~Files();
+    Files(const Files&) = delete;
+    Files& operator=(const Files&) = delete;
+
+    /// Makes the contents of a native folder or archive (.zip, .cairn) readable below `mount_point` ("" is
+    /// the root).
+    Result<void> mount(const std::string& native_path, std::string_view mount_point = "",
+                       MountOrder order = MountOrder::Last);
+    Result<void> unmount(const std::string& native_path);
+
+    bool exists(std::string_view path) const;
+    Result<FileKind> kind(std::string_view path) const;
+    Result<std::string> read_text(std::string_view path) const;
+    Result<std::vector<std::byte>> read_bytes(std::string_view path) const;
+
+    /// Names, not paths, of what a folder holds, sorted by byte value; "" is the root.
+    Result<std::vector<std::string>> list(std::string_view folder) const;
+
+    /// A number that changes whenever the file is saved: nanoseconds since some fixed time.
+    Result<std::int64_t> modified_ns(std::string_view path) const;
+
+    /// The native file behind a virtual path, for messages that a person's editor understands. A file inside
+    /// an archive gives ARCHIVE/PATH.
+    Result<std::string> native_path(std::string_view path) const;
+
+    /// Replaces a file below "save/" in one stroke: after a crash the old or the new contents are there,
+    /// never a mix. Missing folders are made.
+    Result<void> write(std::string_view path, std::string_view contents);
+    Result<void> write(std::string_view path, std::span<const std::byte> contents);
+    Result<void> remove(std::string_view path);
+
+    /// The native save folder, empty without an identity.
+    const std::string& save_folder() const { return save_folder_; }
+
+  private:
+    explicit Files(const FilesDef& def, std::string save_folder);
+    Result<void> open_save_folder();
+
+    std::string save_folder_;
+    std::uint64_t max_file_bytes_;
+    bool save_mounted_ = false;
+};
+
+/// The rule about virtual paths, as used by every function of Files; the error names the path and the rule.
+Result<void> check_virtual_path(std::string_view path);
+
+}  // namespace cairn::engine

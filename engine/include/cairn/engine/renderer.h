@@ -1,0 +1,163 @@
+// Draws shapes, images and text into a window, into memory, or nowhere, with one interface and one geometry.
+// Invariant: all geometry is made here, in output pixels after the transform, so the back-ends see only
+// triangles and the null back-end measures and counts exactly what the others draw.
+//
+// A frame: begin_frame, drawing, (capture,) end_frame. Coordinates are logical pixels, y down, moved by the
+// transform on top of the stack. Edges are anti-aliased by a rim one output pixel wide whose outer vertices
+// are transparent. Coordinates that are not finite draw nothing. A null or stale handle draws nothing and
+// logs an error once.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include <cairn/engine/geometry.h>
+#include <cairn/engine/handle.h>
+#include <cairn/engine/image.h>
+#include <cairn/engine/result.h>
+
+namespace cairn::engine {
+
+class Files;
+class RenderBackend;
+
+enum class BlendMode {
+    Alpha,  ///< covers by its alpha
+    Add,    ///< adds light: sparks, glows
+};
+
+enum class LineCap {
+    Butt,   ///< ends at the end point
+    Round,  ///< ends in a half circle around the end point
+};
+
+enum class TextAlign { Left, Center, Right };
+
+struct MeshVertex {
+    Vec2 position;
+    Color color;
+    Vec2 uv;  ///< (0, 0) is the texture's top left, (1, 1) its bottom right; values outside are clamped
+};
+
+struct ImageDraw {
+    Vec2 position;               ///< where the origin lands
+    float rotation_rad = 0;      ///< from x towards y: clockwise on a screen with y down
+    Vec2 scale = {1, 1};         ///< negative mirrors
+    Vec2 origin;                 ///< in pixels of the source rectangle, from its top left
+    std::optional<Rect> source;  ///< in pixels of the image; absent: the whole image
+    Color tint = {1, 1, 1, 1};   ///< multiplies the image's colors
+};
+
+struct TextDraw {
+    /// Top left of the text with TextAlign::Left. Without wrap_width, Center and Right put the middle or the
+    /// right end of each line at position.x; with it, the lines are aligned inside position.x .. position.x +
+    /// wrap_width.
+    Vec2 position;
+    Color color = {1, 1, 1, 1};
+    TextAlign align = TextAlign::Left;
+    float wrap_width = 0;  ///< lines are broken at spaces to be no wider than this; 0: only at '\n'
+};
+
+/// The work of the last finished frame.
+struct RenderStats {
+    int draw_calls = 0;
+    int vertices = 0;
+    int triangles = 0;
+};
+
+class Renderer {
+  public:
+    /// Platform::create_renderer makes them.
+    Renderer(const Files& files, std::unique_ptr<RenderBackend> backend);
+    ~Renderer();
+    Renderer(const Renderer&) = delete;
+    Renderer& operator=(const Renderer&) = delete;
+
+    // ---- Assets
+
+    /// The same path gives the same handle. The error names the path and the reason.
+    Result<TextureId> load_texture(std::string_view path);
+    Result<TextureId> create_texture(const Image& image);
+    /// The size in the image's pixels; {0, 0} for a null or stale handle.
+    Size texture_size(TextureId texture) const;
+    bool is_valid(TextureId texture) const;
+    void destroy_texture(TextureId texture);
+
+    /// The same path and size give the same handle. Size is the height of a line's letters, in logical
+    /// pixels, in 4 .. 256.
+    Result<FontId> load_font(std::string_view path, float size);
+    bool is_valid(FontId font) const;
+    /// From one line's top to the next one's, in logical pixels.
+    float line_height(FontId font) const;
+
+    // ---- Frame
+
+    Size logical_size() const;
+    /// How many output pixels one logical pixel is wide.
+    float pixel_scale() const;
+    void begin_frame(Color clear);
+    void end_frame();
+    /// The picture as drawn so far, between begin_frame and end_frame. The null renderer has none: an error.
+    Result<Image> capture();
+    const RenderStats& stats() const;
+
+    // ---- State; begin_frame resets it
+
+    /// At most 64 deep.
+    Result<void> push_transform();
+    Result<void> pop_transform();
+    int transform_depth() const;
+    void translate(Vec2 offset);
+    void rotate(float angle_rad);
+    void scale(Vec2 factors);
+    /// Multiplies the current transform from the right: what is drawn next goes through `local` first.
+    void apply_transform(const Affine2& local);
+    /// Forgets all transforms of this level of the stack: drawing is in logical pixels again.
+    void reset_transform();
+    /// From drawing coordinates to logical pixels.
+    Affine2 transform() const;
+    void set_blend_mode(BlendMode mode);
+    /// In logical pixels, not moved by the transform; absent: the whole picture.
+    void set_scissor(std::optional<Rect> area);
+
+    // ---- Shapes; widths and radii are in the coordinates of the current transform
+
+    void fill_rectangle(const Rect& rect, Color color);
+    void fill_circle(Vec2 center, float radius, Color color);
+    void fill_capsule(Vec2 a, Vec2 b, float radius, Color color);
+    /// Either winding; fewer than 3 points draw nothing.
+    void fill_convex_polygon(std::span<const Vec2> points, Color color);
+    /// uv = uv_from_local applied to each point, as in MeshVertex::uv.
+    void fill_convex_polygon(std::span<const Vec2> points, TextureId texture, const Affine2& uv_from_local,
+                             Color tint = {});
+
+    /// Outlines lie half inside and half outside of the true edge.
+    void outline_rectangle(const Rect& rect, float width, Color color);
+    void outline_circle(Vec2 center, float radius, float width, Color color);
+    void outline_capsule(Vec2 a, Vec2 b, float radius, float width, Color color);
+    void outline_polygon(std::span<const Vec2> points, float width, Color color);
+    void draw_polyline(std::span<const Vec2> points, float width, Color color, LineCap cap = LineCap::Round);
+    void draw_line(Vec2 a, Vec2 b, float width, Color color, LineCap cap = LineCap::Round);
+
+    /// Plain triangles without anti-aliasing. Every three indices are a triangle; a null texture draws plain
+    /// colors. Asserts that the indices lie inside the vertices and that their number is a multiple of 3.
+    void draw_mesh(std::span<const MeshVertex> vertices, std::span<const std::uint32_t> indices,
+                   TextureId texture = {});
+
+    // ---- Images and text
+
+    void draw_image(TextureId texture, const ImageDraw& draw);
+    /// UTF-8; a byte that is not, and a character that the font lacks, draw a replacement mark.
+    void draw_text(FontId font, std::string_view text, const TextDraw& draw);
+    /// The width of the longest line and the height of all lines, the same numbers in every back-end.
+    Vec2 measure_text(FontId font, std::string_view text, float wrap_width = 0) const;
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace cairn::engine
