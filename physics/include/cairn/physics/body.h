@@ -32,17 +32,18 @@ struct BodyDef {
     std::uint64_t user_data = 0;
 };
 
-/// Mass, inertia about the centre of mass, and that centre in the body's frame. All 0 unless the body is dynamic.
+/// Mass, inertia about the centre of mass, and that centre in the body's frame. All 0 unless the body is
+/// dynamic.
 struct MassData {
     float mass_kg = 0;
     float inertia_kg_m2 = 0;
     Vec2 center_m;
 };
 
-/// A body of a world, found with `World::body`. A view: cheap to make, meant to be used at once and not kept (keep the
-/// BodyId). Using a view after its body was destroyed ends the program with a message.
-/// Setters that take numbers give an error for NaN and infinity and then change nothing; setters wake the body
-/// (and what it touches) when they change its motion.
+/// A body of a world, found with `World::body`. A view: cheap to make, meant to be used at once and not kept
+/// (keep the BodyId). Using a view after its body was destroyed ends the program with a message. Setters that
+/// take numbers give an error for NaN and infinity and then change nothing; setters wake the body (and what
+/// it touches) when they change its motion.
 class Body {
   public:
     [[nodiscard]] BodyId id() const { return id_; }
@@ -57,8 +58,8 @@ class Body {
     [[nodiscard]] Position world_center() const;
     Result<void> set_transform(Position position_m, double angle_rad);
 
-    [[nodiscard]] Vec2 linear_velocity() const;       ///< of the centre of mass, m/s
-    [[nodiscard]] float angular_velocity() const;     ///< rad/s
+    [[nodiscard]] Vec2 linear_velocity() const;    ///< of the centre of mass, m/s
+    [[nodiscard]] float angular_velocity() const;  ///< rad/s
     [[nodiscard]] Vec2 velocity_at(Position point_m) const;
     Result<void> set_linear_velocity(Vec2 velocity_m_s);
     Result<void> set_angular_velocity(float velocity_rad_s);

@@ -1,5 +1,5 @@
-// What happened in the last step, as plain data. The handles of an event may be stale when it is read (a body destroyed
-// since): ask the world.
+// What happened in the last step, as plain data. The handles of an event may be stale when it is read (a body
+// destroyed since): ask the world.
 #pragma once
 
 #include <cairn/physics/ids.h>

@@ -1,5 +1,6 @@
-// Typed generational handles. Invariant: the zero handle is null; a handle whose object is gone, or that belongs to
-// another world, is recognised as such for as long as the program runs (a slot retires before its generation wraps).
+// Typed generational handles. Invariant: the zero handle is null; a handle whose object is gone, or that
+// belongs to another world, is recognised as such for as long as the program runs (a slot retires before its
+// generation wraps).
 #pragma once
 
 #include <compare>
@@ -21,10 +22,16 @@ struct Handle {
 
     /// The handle as one number, for storing it elsewhere (a script, a user-data field).
     [[nodiscard]] constexpr std::uint64_t bits() const {
-        return index1 | static_cast<std::uint64_t>(generation) << 24 | static_cast<std::uint64_t>(world) << 48;
+        return index1 | static_cast<std::uint64_t>(generation) << 24 |
+               static_cast<std::uint64_t>(world) << 48;
     }
     [[nodiscard]] static constexpr Handle from_bits(std::uint64_t bits) {
-        return {.index1 = bits & 0xffffff, .generation = bits >> 24 & 0xffffff, .world = bits >> 48};
+        return make(bits, bits >> 24, bits >> 48);
+    }
+    /// From the lowest bits of each.
+    [[nodiscard]] static constexpr Handle make(std::uint64_t index1, std::uint64_t generation,
+                                               std::uint64_t world) {
+        return {.index1 = index1 & 0xffffff, .generation = generation & 0xffffff, .world = world & 0xffff};
     }
 };
 

@@ -14,15 +14,16 @@ struct WorldState;
 
 enum class JointKind : std::uint8_t { Revolute, Distance };
 
-/// Pins a point of one body to a point of another; they turn freely about it, within limits, driven by a motor.
+/// Pins a point of one body to a point of another; they turn freely about it, within limits, driven by a
+/// motor.
 struct RevoluteJointDef {
     BodyId body_a;
     BodyId body_b;
-    Vec2 local_anchor_a_m;     ///< in the frame of body a
-    Vec2 local_anchor_b_m;     ///< in the frame of body b
+    Vec2 local_anchor_a_m;           ///< in the frame of body a
+    Vec2 local_anchor_b_m;           ///< in the frame of body b
     double reference_angle_rad = 0;  ///< angle of b minus angle of a that counts as 0
     bool enable_limit = false;
-    float lower_rad = 0;             ///< -pi < lower <= upper < pi
+    float lower_rad = 0;  ///< -pi < lower <= upper < pi
     float upper_rad = 0;
     bool enable_motor = false;
     float motor_speed_rad_s = 0;     ///< of b relative to a
@@ -37,7 +38,7 @@ struct DistanceJointDef {
     BodyId body_b;
     Vec2 local_anchor_a_m;
     Vec2 local_anchor_b_m;
-    float length_m = 1;     ///< > 5 mm; the rest length
+    float length_m = 1;  ///< > 5 mm; the rest length
     bool enable_spring = false;
     float frequency_hz = 1;   ///< of the spring, > 0
     float damping_ratio = 0;  ///< >= 0; 1 is critical

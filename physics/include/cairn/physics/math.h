@@ -1,5 +1,5 @@
-// Vectors, rotations and transforms of the plane. World positions are double, everything relative to a body is float,
-// so that a scene far from the origin behaves as at the origin.
+// Vectors, rotations and transforms of the plane. World positions are double, everything relative to a body
+// is float, so that a scene far from the origin behaves as at the origin.
 #pragma once
 
 #include <cmath>
@@ -24,22 +24,40 @@ struct Vec2 {
     friend constexpr Vec2 operator*(Vec2 a, float s) { return {s * a.x, s * a.y}; }
 };
 
-constexpr float dot(Vec2 a, Vec2 b) { return a.x * b.x + a.y * b.y; }
-constexpr float cross(Vec2 a, Vec2 b) { return a.x * b.y - a.y * b.x; }
+constexpr float dot(Vec2 a, Vec2 b) {
+    return a.x * b.x + a.y * b.y;
+}
+constexpr float cross(Vec2 a, Vec2 b) {
+    return a.x * b.y - a.y * b.x;
+}
 /// w x r: the velocity of a point at r on a body that turns at w.
-constexpr Vec2 cross(float w, Vec2 r) { return {-w * r.y, w * r.x}; }
+constexpr Vec2 cross(float w, Vec2 r) {
+    return {-w * r.y, w * r.x};
+}
 /// A quarter turn anticlockwise, and clockwise.
-constexpr Vec2 left_perp(Vec2 a) { return {-a.y, a.x}; }
-constexpr Vec2 right_perp(Vec2 a) { return {a.y, -a.x}; }
-constexpr float length_squared(Vec2 a) { return dot(a, a); }
-inline float length(Vec2 a) { return std::sqrt(dot(a, a)); }
+constexpr Vec2 left_perp(Vec2 a) {
+    return {-a.y, a.x};
+}
+constexpr Vec2 right_perp(Vec2 a) {
+    return {a.y, -a.x};
+}
+constexpr float length_squared(Vec2 a) {
+    return dot(a, a);
+}
+inline float length(Vec2 a) {
+    return std::sqrt(dot(a, a));
+}
 /// The unit vector along a, or (0, 0) when a is too short to have a direction.
 inline Vec2 normalized(Vec2 a) {
     const float n = length(a);
     return n > 1e-20f ? Vec2{a.x / n, a.y / n} : Vec2{};
 }
-inline bool is_finite(float a) { return std::isfinite(a); }
-inline bool is_finite(Vec2 a) { return std::isfinite(a.x) && std::isfinite(a.y); }
+inline bool is_finite(float a) {
+    return std::isfinite(a);
+}
+inline bool is_finite(Vec2 a) {
+    return std::isfinite(a.x) && std::isfinite(a.y);
+}
 
 /// A point of the world, m.
 struct Position {
@@ -56,10 +74,13 @@ struct Position {
     }
 };
 
-inline bool is_finite(Position p) { return std::isfinite(p.x) && std::isfinite(p.y); }
+inline bool is_finite(Position p) {
+    return std::isfinite(p.x) && std::isfinite(p.y);
+}
 
-// Own elementary functions: the C library's differ in the last bit between versions and processors, these do not.
-// Source: Cody and Waite 1980 for the reductions; Taylor and Chebyshev sums in double. Errors below 1e-12 relative.
+// Own elementary functions: the C library's differ in the last bit between versions and processors, these do
+// not. Source: Cody and Waite 1980 for the reductions; Taylor and Chebyshev sums in double. Errors below
+// 1e-12 relative.
 namespace deterministic {
 double sin(double angle_rad);
 double cos(double angle_rad);
@@ -79,19 +100,26 @@ struct Rotation {
 
     friend constexpr bool operator==(const Rotation&, const Rotation&) = default;
     [[nodiscard]] static Rotation from_angle(double angle_rad) {
-        return {static_cast<float>(deterministic::cos(angle_rad)), static_cast<float>(deterministic::sin(angle_rad))};
+        return {static_cast<float>(deterministic::cos(angle_rad)),
+                static_cast<float>(deterministic::sin(angle_rad))};
     }
     /// In (-pi, pi], rad.
     [[nodiscard]] float angle_rad() const { return static_cast<float>(deterministic::atan2(s, c)); }
 };
 
-constexpr Vec2 rotate(Rotation q, Vec2 a) { return {q.c * a.x - q.s * a.y, q.s * a.x + q.c * a.y}; }
-constexpr Vec2 inverse_rotate(Rotation q, Vec2 a) { return {q.c * a.x + q.s * a.y, q.c * a.y - q.s * a.x}; }
+constexpr Vec2 rotate(Rotation q, Vec2 a) {
+    return {q.c * a.x - q.s * a.y, q.s * a.x + q.c * a.y};
+}
+constexpr Vec2 inverse_rotate(Rotation q, Vec2 a) {
+    return {q.c * a.x + q.s * a.y, q.c * a.y - q.s * a.x};
+}
 /// First b, then a.
 constexpr Rotation operator*(Rotation a, Rotation b) {
     return {a.c * b.c - a.s * b.s, a.s * b.c + a.c * b.s};
 }
-constexpr Rotation inverse(Rotation q) { return {q.c, -q.s}; }
+constexpr Rotation inverse(Rotation q) {
+    return {q.c, -q.s};
+}
 inline Rotation normalized(Rotation q) {
     const float n = std::sqrt(q.c * q.c + q.s * q.s);
     return n > 0 ? Rotation{q.c / n, q.s / n} : Rotation{};
@@ -105,7 +133,9 @@ struct Transform {
     friend constexpr bool operator==(const Transform&, const Transform&) = default;
 };
 
-constexpr Position transform_point(const Transform& xf, Vec2 local_m) { return xf.p + rotate(xf.q, local_m); }
+constexpr Position transform_point(const Transform& xf, Vec2 local_m) {
+    return xf.p + rotate(xf.q, local_m);
+}
 constexpr Vec2 inverse_transform_point(const Transform& xf, Position world_m) {
     return inverse_rotate(xf.q, world_m - xf.p);
 }

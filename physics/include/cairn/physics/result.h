@@ -1,4 +1,5 @@
-// The outcome of a call that the outside world can make fail. Invariant: a Result holds a value or an error, never both.
+// The outcome of a call that the outside world can make fail. Invariant: a Result holds a value or an error,
+// never both.
 #pragma once
 
 #include <optional>
@@ -17,18 +18,18 @@ namespace detail {
 [[noreturn]] void fail_unchecked_result(const Error& error);
 }  // namespace detail
 
-/// A value of type T, or the error that prevented it. Test it before use; `value()` of an error ends the program with
-/// the error's message, so that a forgotten check is loud and never undefined behaviour.
+/// A value of type T, or the error that prevented it. Test it before use; `value()` of an error ends the
+/// program with the error's message, so that a forgotten check is loud and never undefined behaviour.
 template <class T>
 class [[nodiscard]] Result {
   public:
-    Result(T value) : value_(std::move(value)) {}          // NOLINT: conversion is the point
-    Result(Error error) : error_(std::move(error)) {}      // NOLINT: conversion is the point
+    Result(T value) : value_(std::move(value)) {}      // NOLINT: conversion is the point
+    Result(Error error) : error_(std::move(error)) {}  // NOLINT: conversion is the point
 
     explicit operator bool() const { return value_.has_value(); }
     [[nodiscard]] T& value() & { return check(), *value_; }
     [[nodiscard]] const T& value() const& { return check(), *value_; }
-    [[nodiscard]] T&& value() && { return check(), *std::move(value_); }
+    T&& value() && { return check(), *std::move(value_); }
     T& operator*() & { return value(); }
     const T& operator*() const& { return value(); }
     T&& operator*() && { return std::move(*this).value(); }

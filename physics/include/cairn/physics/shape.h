@@ -18,8 +18,8 @@ struct Circle {
     float radius_m = 0.5f;
 };
 
-/// All points within radius_m of the segment from a_m to b_m. radius_m > 0; a_m and b_m apart by more than 5 mm
-/// (for one point take a Circle).
+/// All points within radius_m of the segment from a_m to b_m. radius_m > 0; a_m and b_m apart by more than 5
+/// mm (for one point take a Circle).
 struct Capsule {
     Vec2 a_m{-0.5f, 0};
     Vec2 b_m{0.5f, 0};
@@ -48,12 +48,12 @@ enum class ShapeKind : std::uint8_t { Circle, Capsule, Polygon };
 
 /// How a surface rubs and bounces. Two materials mix as sqrt(f_a f_b) and max(e_a, e_b).
 struct Material {
-    float friction = 0.6f;    ///< Coulomb coefficient, >= 0
-    float restitution = 0;    ///< share of the approach speed given back, 0..1
+    float friction = 0.6f;  ///< Coulomb coefficient, >= 0
+    float restitution = 0;  ///< share of the approach speed given back, 0..1
 };
 
-/// Who collides with whom. A pair collides when each one's categories meet the other's mask. Two shapes of the same
-/// non-zero group ignore the masks: they collide when it is positive, and never when it is negative.
+/// Who collides with whom. A pair collides when each one's categories meet the other's mask. Two shapes of
+/// the same non-zero group ignore the masks: they collide when it is positive, and never when it is negative.
 struct Filter {
     std::uint64_t categories = 1;
     std::uint64_t mask = ~std::uint64_t{0};
@@ -66,12 +66,12 @@ struct ShapeDef {
     Material material{};
     Filter filter{};
     bool contact_events = false;  ///< report begin and end of touching; either shape of a pair is enough
-    bool hit_events = false;      ///< report impacts faster than WorldDef::hit_speed_m_s; either shape is enough
+    bool hit_events = false;  ///< report impacts faster than WorldDef::hit_speed_m_s; either shape is enough
     std::uint64_t user_data = 0;
 };
 
-/// A shape as the world keeps it: the hull of `count` points (1: circle, 2: capsule, else polygon, anticlockwise),
-/// rounded by radius_m, in the body's frame.
+/// A shape as the world keeps it: the hull of `count` points (1: circle, 2: capsule, else polygon,
+/// anticlockwise), rounded by radius_m, in the body's frame.
 struct Outline {
     ShapeKind kind = ShapeKind::Circle;
     std::uint8_t count = 0;

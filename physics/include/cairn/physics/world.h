@@ -19,11 +19,11 @@ namespace cairn::physics {
 
 struct WorldDef {
     Vec2 gravity_m_s2{0, -10};
-    int substeps = 4;                    ///< per step, 1..64
+    int substeps = 4;  ///< per step, 1..64
     bool enable_sleep = true;
-    float hit_speed_m_s = 1;             ///< least approach speed that makes a ContactHit, >= 0
-    float restitution_speed_m_s = 1;     ///< slower approaches do not bounce, >= 0
-    float max_push_out_speed_m_s = 3;    ///< cap on how fast overlap is undone, > 0
+    float hit_speed_m_s = 1;           ///< least approach speed that makes a ContactHit, >= 0
+    float restitution_speed_m_s = 1;   ///< slower approaches do not bounce, >= 0
+    float max_push_out_speed_m_s = 3;  ///< cap on how fast overlap is undone, > 0
 };
 
 /// What the world holds at the moment.
@@ -32,9 +32,8 @@ struct Counts {
     int awake_bodies = 0;  ///< dynamic and kinematic
     int shapes = 0;
     int joints = 0;
-    int contacts = 0;   ///< pairs of shapes that are near each other
-    int touching = 0;   ///< of those, the pairs that touch
-    int islands = 0;    ///< awake groups of bodies joined by contacts and joints, in the last step
+    int contacts = 0;  ///< pairs of shapes that are near each other
+    int touching = 0;  ///< of those, the pairs that touch
 };
 
 /// A shape of a world, found with `World::shape`. A view, as `Body` is: keep the ShapeId instead.
@@ -59,9 +58,9 @@ class Shape {
     ShapeId id_;
 };
 
-/// A world of rigid bodies. Movable, not copyable. One thread at a time may use it; different worlds are independent.
-/// Every function that takes a handle or a number from outside gives an error for a null, stale or foreign handle and
-/// for a bad number, naming it, and then changes nothing.
+/// A world of rigid bodies. Movable, not copyable. One thread at a time may use it; different worlds are
+/// independent. Every function that takes a handle or a number from outside gives an error for a null, stale
+/// or foreign handle and for a bad number, naming it, and then changes nothing.
 class World {
   public:
     /// Ends the program for a bad definition, as `create(def).value()` does.
@@ -71,7 +70,8 @@ class World {
     World& operator=(World&&) noexcept;
     ~World();
 
-    /// Advances by dt_s (0 < dt_s <= 1; the design point is 1/60) and replaces the events by those of this step.
+    /// Advances by dt_s (0 < dt_s <= 1; the design point is 1/60) and replaces the events by those of this
+    /// step.
     Result<void> step(float dt_s);
 
     Result<BodyId> create_body(const BodyDef& def);
@@ -95,21 +95,24 @@ class World {
     Result<const Joint> joint(JointId id) const;
     [[nodiscard]] bool contains(JointId id) const;
 
-    /// Of the last step, in an order that depends only on the history of the world. Valid until the next step.
+    /// Of the last step, in an order that depends only on the history of the world. Valid until the next
+    /// step.
     [[nodiscard]] std::span<const ContactBegin> contact_begins() const;
     [[nodiscard]] std::span<const ContactEnd> contact_ends() const;
     [[nodiscard]] std::span<const ContactHit> contact_hits() const;
 
     /// The first shape met from origin_m to origin_m + translation_m.
-    Result<std::optional<RayHit>> cast_ray(Position origin_m, Vec2 translation_m, QueryFilter filter = {}) const;
-    /// A shape that contains the point; of several, the one made last.
+    Result<std::optional<RayHit>> cast_ray(Position origin_m, Vec2 translation_m,
+                                           QueryFilter filter = {}) const;
+    /// A shape that contains the point; of several, always the same one.
     Result<std::optional<ShapeId>> shape_at(Position point_m, QueryFilter filter = {}) const;
 
     [[nodiscard]] Vec2 gravity() const;
     Result<void> set_gravity(Vec2 gravity_m_s2);  ///< wakes every body
     [[nodiscard]] Counts counts() const;
     [[nodiscard]] std::uint64_t step_count() const;
-    /// 64 bits over everything that decides the future of the bodies: equal hashes, equal worlds.
+    /// 64 bits over poses, velocities, sleep and remembered impulses: worlds with the same history and inputs
+    /// have the same hash on every compiler, build type and processor.
     [[nodiscard]] std::uint64_t state_hash() const;
 
   private:

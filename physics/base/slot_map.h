@@ -1,0 +1,87 @@
+// Objects in slots that never move, found by generational handle.
+// Invariant: a slot's generation grows each time its object goes; a slot whose generation is used up is never
+// used again, so a stale handle can never name a newer object.
+#pragma once
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "base/assert.h"
+
+namespace cairn::physics {
+
+inline constexpr int kNone = -1;  ///< "no such index", everywhere in the module
+
+template <class T, class Id>
+class SlotMap {
+  public:
+    static constexpr std::uint32_t kMaxGeneration = 0xffffff;
+    static constexpr int kMaxSlots = 0xfffffe;
+
+    explicit SlotMap(std::uint16_t world_tag) : world_tag_(world_tag) {}
+
+    [[nodiscard]] std::uint16_t world_tag() const { return world_tag_; }
+    [[nodiscard]] bool full() const { return free_head_ == kNone && slots_.size() >= kMaxSlots; }
+
+    /// The index of the new object's slot.
+    int insert(T value) {
+        CAIRN_ASSERT(!full(), "a world holds too many objects of one kind");
+        ++size_;
+        if (free_head_ == kNone) {
+            slots_.push_back({std::move(value), 0, kNone, true});
+            return static_cast<int>(slots_.size()) - 1;
+        }
+        const int index = free_head_;
+        Slot& slot = slots_[index];
+        free_head_ = slot.next_free;
+        slot.value = std::move(value);
+        slot.alive = true;
+        return index;
+    }
+
+    void erase(int index) {
+        Slot& slot = slots_[index];
+        CAIRN_ASSERT(slot.alive, "an object was erased twice");
+        slot.alive = false;
+        slot.value = T{};
+        --size_;
+        if (slot.generation == kMaxGeneration) return;  // retired
+        ++slot.generation;
+        slot.next_free = free_head_;
+        free_head_ = index;
+    }
+
+    [[nodiscard]] Id id(int index) const {
+        return Id::make(static_cast<std::uint64_t>(index) + 1, slots_[index].generation, world_tag_);
+    }
+
+    /// The slot that the handle names, or kNone for a null, stale or foreign one.
+    [[nodiscard]] int find(Id id) const {
+        if (id.index1 == 0 || id.world != world_tag_ || id.index1 > slots_.size()) return kNone;
+        const int index = static_cast<int>(id.index1) - 1;
+        return slots_[index].alive && slots_[index].generation == id.generation ? index : kNone;
+    }
+
+    T& operator[](int index) { return slots_[index].value; }
+    const T& operator[](int index) const { return slots_[index].value; }
+    [[nodiscard]] bool alive(int index) const { return slots_[index].alive; }
+    /// One past the last slot in use; walk the slots with `alive`.
+    [[nodiscard]] int end_index() const { return static_cast<int>(slots_.size()); }
+    [[nodiscard]] int size() const { return size_; }
+
+  private:
+    struct Slot {
+        T value;
+        std::uint32_t generation;
+        int next_free;
+        bool alive;
+    };
+
+    std::vector<Slot> slots_;
+    int free_head_ = kNone;
+    int size_ = 0;
+    std::uint16_t world_tag_;
+};
+
+}  // namespace cairn::physics

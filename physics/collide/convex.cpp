@@ -1,0 +1,141 @@
+// From a described geometry to the common convex form.
+#include "collide/convex.h"
+
+#include <algorithm>
+
+#include <cairn/physics/tuning.h>
+
+#include "base/check.h"
+#include "collide/hull.h"
+
+namespace cairn::physics {
+namespace {
+
+// m. Larger shapes would overflow float in the products of the solver.
+constexpr double kMaxLength_m = 1e6;
+
+void set_points(Convex& shape, std::span<const Vec2> points, float radius_m) {
+    shape.outline.count = static_cast<std::uint8_t>(points.size());
+    shape.outline.radius_m = radius_m;
+    std::copy(points.begin(), points.end(), shape.outline.points_m.begin());
+    for (int i = 0; i < shape.count(); ++i) {
+        shape.normals[i] = normalized(right_perp(shape.point(shape.next(i)) - shape.point(i)));
+        shape.centroid += shape.point(i) * (1.0f / static_cast<float>(points.size()));
+    }
+}
+
+check::Fault place(const char* field, Vec2 p) {
+    if (auto fault = check::finite(field, p)) return fault;
+    const double farthest =
+        std::max(std::fabs(static_cast<double>(p.x)), std::fabs(static_cast<double>(p.y)));
+    return check::require(farthest <= kMaxLength_m, field, farthest, "within 1e6 m of the body's origin");
+}
+
+check::Fault size(const char* field, double value) {
+    if (auto fault = check::positive(field, value)) return fault;
+    return check::require(value <= kMaxLength_m, field, value, "at most 1e6 m");
+}
+
+check::Fault rounding(const char* field, double value) {
+    if (auto fault = check::not_negative(field, value)) return fault;
+    return check::require(value <= kMaxLength_m, field, value, "at most 1e6 m");
+}
+
+Result<Convex> convert(const Circle& circle) {
+    if (auto fault = check::first_of({size("circle.radius_m", static_cast<double>(circle.radius_m)),
+                                      place("circle.center_m", circle.center_m)})) {
+        return *fault;
+    }
+    Convex shape;
+    shape.outline.kind = ShapeKind::Circle;
+    set_points(shape, std::array{circle.center_m}, circle.radius_m);
+    return shape;
+}
+
+Result<Convex> convert(const Capsule& capsule) {
+    const double apart = static_cast<double>(length(capsule.b_m - capsule.a_m));
+    if (auto fault =
+            check::first_of({size("capsule.radius_m", static_cast<double>(capsule.radius_m)),
+                             place("capsule.a_m", capsule.a_m), place("capsule.b_m", capsule.b_m),
+                             check::require(apart > static_cast<double>(tuning::kLinearSlop_m),
+                                            "the distance from capsule.a_m to capsule.b_m", apart,
+                                            "greater than 0.005 m (for one point take a circle)")})) {
+        return *fault;
+    }
+    Convex shape;
+    shape.outline.kind = ShapeKind::Capsule;
+    set_points(shape, std::array{capsule.a_m, capsule.b_m}, capsule.radius_m);
+    return shape;
+}
+
+Result<Convex> convert(const Box& box) {
+    if (auto fault = check::first_of({size("box.half_width_m", static_cast<double>(box.half_width_m)),
+                                      size("box.half_height_m", static_cast<double>(box.half_height_m)),
+                                      place("box.center_m", box.center_m),
+                                      check::finite("box.angle_rad", static_cast<double>(box.angle_rad)),
+                                      rounding("box.radius_m", static_cast<double>(box.radius_m))})) {
+        return *fault;
+    }
+    const Rotation q = Rotation::from_angle(static_cast<double>(box.angle_rad));
+    const auto corner = [&](float sx, float sy) {
+        return box.center_m + rotate(q, {sx * box.half_width_m, sy * box.half_height_m});
+    };
+    Convex shape;
+    shape.outline.kind = ShapeKind::Polygon;
+    set_points(shape, std::array{corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1)}, box.radius_m);
+    return shape;
+}
+
+Result<Convex> convert(const Polygon& polygon) {
+    if (auto fault = rounding("polygon.radius_m", static_cast<double>(polygon.radius_m))) return *fault;
+    for (const Vec2 p : polygon.points_m) {
+        if (auto fault = place("polygon.points_m", p)) return *fault;
+    }
+    const Result<Hull> hull = make_hull(polygon.points_m);
+    if (!hull) return hull.error();
+    Convex shape;
+    shape.outline.kind = ShapeKind::Polygon;
+    set_points(shape, std::span(hull->points).first(hull->count), polygon.radius_m);
+    return shape;
+}
+
+}  // namespace
+
+Result<Convex> make_convex(const Geometry& geometry) {
+    return std::visit([](const auto& g) { return convert(g); }, geometry);
+}
+
+Aabb bounds(const Convex& shape, const Transform& xf) {
+    Vec2 lower = rotate(xf.q, shape.point(0));
+    Vec2 upper = lower;
+    for (int i = 1; i < shape.count(); ++i) {
+        const Vec2 p = rotate(xf.q, shape.point(i));
+        lower = {std::min(lower.x, p.x), std::min(lower.y, p.y)};
+        upper = {std::max(upper.x, p.x), std::max(upper.y, p.y)};
+    }
+    const Vec2 r{shape.radius(), shape.radius()};
+    return make_aabb(xf.p, lower - r, upper + r);
+}
+
+float farthest_distance(const Convex& shape, Vec2 from) {
+    float farthest = 0;
+    for (int i = 0; i < shape.count(); ++i) farthest = std::max(farthest, length(shape.point(i) - from));
+    return farthest + shape.radius();
+}
+
+bool contains_point(const Convex& shape, Vec2 point) {
+    bool inside = shape.count() >= 3;
+    float nearest_squared = length_squared(point - shape.point(0));
+    for (int i = 0; i < shape.count(); ++i) {
+        const Vec2 a = shape.point(i);
+        const Vec2 edge = shape.point(shape.next(i)) - a;
+        if (dot(point - a, shape.normals[i]) > 0) inside = false;
+        const float along = dot(point - a, edge);
+        const float whole = length_squared(edge);
+        const float t = whole > 0 ? std::clamp(along / whole, 0.0f, 1.0f) : 0;
+        nearest_squared = std::min(nearest_squared, length_squared(point - (a + t * edge)));
+    }
+    return inside || nearest_squared <= shape.radius() * shape.radius();
+}
+
+}  // namespace cairn::physics

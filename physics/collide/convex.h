@@ -1,0 +1,39 @@
+// The one form in which all shapes collide: the convex hull of 1 (circle), 2 (capsule) or 3 to 8 points
+// (polygon), rounded by a radius. Invariant: points run anticlockwise; normals[i] is the outward unit normal
+// of the edge from point i to point i + 1. A capsule has two edges, there and back.
+#pragma once
+
+#include <array>
+
+#include <cairn/physics/math.h>
+#include <cairn/physics/result.h>
+#include <cairn/physics/shape.h>
+
+#include "broad/aabb.h"
+
+namespace cairn::physics {
+
+struct Convex {
+    Outline outline;
+    std::array<Vec2, kMaxPolygonVertices> normals{};
+    Vec2 centroid;
+
+    [[nodiscard]] int count() const { return outline.count; }
+    [[nodiscard]] int next(int i) const { return i + 1 < outline.count ? i + 1 : 0; }
+    [[nodiscard]] const Vec2& point(int i) const { return outline.points_m[i]; }
+    [[nodiscard]] float radius() const { return outline.radius_m; }
+};
+
+/// Checks the description and brings it into this form. Errors name the field, the value and the rule.
+Result<Convex> make_convex(const Geometry& geometry);
+
+/// Bounds in the world.
+Aabb bounds(const Convex& shape, const Transform& xf);
+
+/// Largest distance of the shape from a point, both in the body's frame.
+float farthest_distance(const Convex& shape, Vec2 from);
+
+/// Whether a point in the body's frame lies in the shape.
+bool contains_point(const Convex& shape, Vec2 point);
+
+}  // namespace cairn::physics

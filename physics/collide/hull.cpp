@@ -1,0 +1,87 @@
+// Convex hull by the monotone chain. Source: Andrew 1979.
+#include "collide/hull.h"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include <cairn/physics/tuning.h>
+
+#include "base/check.h"
+
+namespace cairn::physics {
+namespace {
+
+// Twice the signed area of (o, a, b), in double so that slivers are judged rightly.
+double turn(Vec2 o, Vec2 a, Vec2 b) {
+    const double ax = static_cast<double>(a.x) - static_cast<double>(o.x);
+    const double ay = static_cast<double>(a.y) - static_cast<double>(o.y);
+    const double bx = static_cast<double>(b.x) - static_cast<double>(o.x);
+    const double by = static_cast<double>(b.y) - static_cast<double>(o.y);
+    return ax * by - ay * bx;
+}
+
+std::vector<Vec2> without_near_duplicates(std::span<const Vec2> points, float size) {
+    const float tolerance = std::min(tuning::kLinearSlop_m, 0.001f * size);
+    std::vector<Vec2> kept;
+    for (const Vec2 p : points) {
+        const bool near = std::any_of(kept.begin(), kept.end(),
+                                      [&](Vec2 q) { return length_squared(p - q) <= tolerance * tolerance; });
+        if (!near) kept.push_back(p);
+    }
+    return kept;
+}
+
+// One half of the hull: appends the points in the given order, dropping those that do not turn left by a
+// visible bit.
+void append_chain(std::vector<Vec2>& hull, const std::vector<Vec2>& ordered) {
+    const std::size_t start = hull.size();
+    for (const Vec2 p : ordered) {
+        while (hull.size() >= start + 2) {
+            const Vec2 o = hull[hull.size() - 2];
+            const double base = static_cast<double>(length(p - o));
+            if (turn(o, hull.back(), p) > 1e-4 * base * base) break;
+            hull.pop_back();
+        }
+        hull.push_back(p);
+    }
+    hull.pop_back();  // it begins the other half
+}
+
+}  // namespace
+
+Result<Hull> make_hull(std::span<const Vec2> points) {
+    Vec2 lower{INFINITY, INFINITY};
+    Vec2 upper = -lower;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const std::string field = "polygon.points_m[" + std::to_string(i) + "]";
+        if (auto fault = check::finite(field.c_str(), points[i])) return *fault;
+        lower = {std::min(lower.x, points[i].x), std::min(lower.y, points[i].y)};
+        upper = {std::max(upper.x, points[i].x), std::max(upper.y, points[i].y)};
+    }
+    const float size = points.empty() ? 0 : std::max(upper.x - lower.x, upper.y - lower.y);
+
+    std::vector<Vec2> ordered = without_near_duplicates(points, size);
+    if (ordered.size() < 3) {
+        return Error{"polygon.points_m has " + std::to_string(ordered.size()) +
+                     " distinct points, but must have at least 3"};
+    }
+    std::sort(ordered.begin(), ordered.end(),
+              [](Vec2 a, Vec2 b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
+    std::vector<Vec2> hull;
+    append_chain(hull, ordered);
+    std::reverse(ordered.begin(), ordered.end());
+    append_chain(hull, ordered);
+
+    if (hull.size() < 3) return Error{"polygon.points_m lie on one line, but must enclose an area"};
+    if (hull.size() > kMaxPolygonVertices) {
+        return Error{"polygon.points_m has a hull of " + std::to_string(hull.size()) +
+                     " corners, but at most " + std::to_string(kMaxPolygonVertices) + " are possible"};
+    }
+    Hull result;
+    std::copy(hull.begin(), hull.end(), result.points.begin());
+    result.count = static_cast<int>(hull.size());
+    return result;
+}
+
+}  // namespace cairn::physics

@@ -1,0 +1,41 @@
+// Where two convex shapes touch: up to two points with one normal.
+// Invariant: everything is in the frame of shape A's body; the normal is unit and points from A to B; ids
+// name the features that made a point and stay the same while those features meet, so impulses can be carried
+// over.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "collide/convex.h"
+
+namespace cairn::physics {
+
+struct ManifoldPoint {
+    Vec2 point;            // midway between the two surfaces
+    float separation = 0;  // along the normal; negative when overlapping
+    std::uint16_t id = 0;
+};
+
+struct Manifold {
+    Vec2 normal;
+    int count = 0;
+    std::array<ManifoldPoint, 2> points{};
+};
+
+/// Pose of B in the frame of A.
+struct RelativePose {
+    Vec2 p;
+    Rotation q;
+};
+
+/// Points whose separation is at most `reach_m`. Shapes may be of any kinds; one file for each pair of kinds.
+Manifold collide(const Convex& a, const Convex& b, const RelativePose& b_in_a, float reach_m);
+
+Manifold collide_circles(const Convex& a, const Convex& b, const RelativePose& b_in_a, float reach_m);
+/// A is a capsule or polygon, B a circle.
+Manifold collide_hull_and_circle(const Convex& a, const Convex& b, const RelativePose& b_in_a, float reach_m);
+/// Both are capsules or polygons.
+Manifold collide_hulls(const Convex& a, const Convex& b, const RelativePose& b_in_a, float reach_m);
+
+}  // namespace cairn::physics

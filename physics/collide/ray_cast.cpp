@@ -1,0 +1,55 @@
+// The surface of a rounded convex shape is its edges, moved outward by the radius, and an arc at each corner:
+// the ray enters at the first of them that it meets from outside.
+#include "collide/ray_cast.h"
+
+namespace cairn::physics {
+namespace {
+
+void take_earlier(std::optional<LocalRayHit>& best, float fraction, Vec2 normal) {
+    if (fraction < 0 || fraction > 1) return;
+    if (!best || fraction < best->fraction) best = LocalRayHit{fraction, normal};
+}
+
+void cast_at_edge(std::optional<LocalRayHit>& best, Vec2 a, Vec2 b, Vec2 normal, Vec2 origin,
+                  Vec2 translation) {
+    const float speed = -dot(translation, normal);
+    if (speed <= 0) return;  // along the edge, or out of it
+    const float fraction = dot(origin - a, normal) / speed;
+    const Vec2 edge = b - a;
+    const float along = dot(origin + fraction * translation - a, edge);
+    if (along >= 0 && along <= length_squared(edge)) take_earlier(best, fraction, normal);
+}
+
+void cast_at_disc(std::optional<LocalRayHit>& best, Vec2 center, float radius, Vec2 origin,
+                  Vec2 translation) {
+    // |m + t d| = r, with the root found about the nearest point of the line, where nothing cancels.
+    const float whole = length(translation);
+    if (whole == 0) return;
+    const Vec2 d = (1 / whole) * translation;
+    const Vec2 m = origin - center;
+    const float to_nearest = -dot(m, d);
+    const Vec2 nearest = m + to_nearest * d;
+    const float half_chord_squared = radius * radius - length_squared(nearest);
+    if (half_chord_squared < 0) return;
+    const float half_chord = std::sqrt(half_chord_squared);
+    const Vec2 hit = nearest - half_chord * d;
+    take_earlier(best, (to_nearest - half_chord) / whole, normalized(hit));
+}
+
+}  // namespace
+
+std::optional<LocalRayHit> cast_ray(const Convex& shape, Vec2 origin, Vec2 translation) {
+    if (contains_point(shape, origin)) return {};
+    std::optional<LocalRayHit> best;
+    for (int i = 0; i < shape.count(); ++i) {
+        if (shape.count() >= 2) {
+            const Vec2 out = shape.radius() * shape.normals[i];
+            cast_at_edge(best, shape.point(i) + out, shape.point(shape.next(i)) + out, shape.normals[i],
+                         origin, translation);
+        }
+        if (shape.radius() > 0) cast_at_disc(best, shape.point(i), shape.radius(), origin, translation);
+    }
+    return best;
+}
+
+}  // namespace cairn::physics

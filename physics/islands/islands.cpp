@@ -1,0 +1,31 @@
+// Threads the members of each island into a list, in ascending order.
+#include "islands/islands.h"
+
+#include <algorithm>
+
+namespace cairn::physics {
+
+void Islands::reset(int count) {
+    count_ = count;
+    sets_.reset(count);
+}
+
+void Islands::collect(std::span<const float> rest_times_s) {
+    first_.assign(count_, -1);
+    last_.assign(count_, -1);
+    next_.assign(count_, -1);
+    shortest_rest_.resize(count_);
+    for (int i = 0; i < count_; ++i) {
+        const int root = sets_.find(i);
+        if (first_[root] < 0) {
+            first_[root] = i;
+            shortest_rest_[root] = rest_times_s[i];
+        } else {
+            next_[last_[root]] = i;
+            shortest_rest_[root] = std::min(shortest_rest_[root], rest_times_s[i]);
+        }
+        last_[root] = i;
+    }
+}
+
+}  // namespace cairn::physics

@@ -1,0 +1,94 @@
+// The distance joint. Glossary: d offset of the anchors, u = d/|d|.
+//     C = |d| - L,    Jv = u . (vB + wB x rB - vA - wA x rA),    K = 1/mA + 1/mB + (rA x u)^2/IA + (rB x
+//     u)^2/IB
+// Source: Catto, "Modeling and Solving Constraints", GDC 2009.
+#include "resolve/joints/distance.h"
+
+#include <algorithm>
+
+namespace cairn::physics {
+namespace {
+
+struct Line {
+    AnchorsNow at;
+    Vec2 u;
+    float length = 0;
+};
+
+// Anchors that coincide have no direction; the one of the start of the step serves then.
+Line line_now(const DistanceConstraint& c, const Motion& a, const Motion& b) {
+    Line line{anchors_now(c.anchors, a, b), {}, 0};
+    line.length = length(line.at.offset);
+    line.u = line.length > 1e-6f ? (1 / line.length) * line.at.offset : c.axis;
+    return line;
+}
+
+float rate(const Line& line, const Motion& a, const Motion& b) {
+    return dot(relative_velocity(line.at, a, b), line.u);
+}
+
+float soft_impulse(float mass, float accumulated, float jv, float error_m, const Softness& soft) {
+    return accumulated - mass * soft.mass_scale * (jv + soft.bias_rate * error_m) -
+           soft.impulse_scale * accumulated;
+}
+
+// Rope (slack is how much is left) and stop alike: a gap may close, but no more.
+float limit_impulse(const DistanceConstraint& c, float accumulated, float slack_m, float closing, float h_s,
+                    Pass pass) {
+    if (slack_m > 0) return std::max(accumulated - c.axial_mass * (closing + slack_m / h_s), 0.0f);
+    const Softness& soft = pass == Pass::Biased ? c.softness : kRigid;
+    return std::max(soft_impulse(c.axial_mass, accumulated, closing, slack_m, soft), 0.0f);
+}
+
+}  // namespace
+
+void prepare_distance(DistanceConstraint& c, std::span<const Motion> motions) {
+    const Motion& a = motions[c.anchors.a];
+    const Motion& b = motions[c.anchors.b];
+    const Vec2 offset = c.anchors.center_offset + (c.anchors.r_b - c.anchors.r_a);
+    c.axis = length(offset) > 1e-6f ? normalized(offset) : Vec2{0, 1};
+    const float ra = cross(c.anchors.r_a, c.axis);
+    const float rb = cross(c.anchors.r_b, c.axis);
+    const float k =
+        a.inverse_mass + b.inverse_mass + a.inverse_inertia * ra * ra + b.inverse_inertia * rb * rb;
+    c.axial_mass = k > 0 ? 1 / k : 0;
+    if (!c.limit) c.lower_impulse = c.upper_impulse = 0;
+}
+
+void warm_start_distance(const DistanceConstraint& c, std::span<Motion> motions) {
+    Motion& a = motions[c.anchors.a];
+    Motion& b = motions[c.anchors.b];
+    const Line line = line_now(c, a, b);
+    apply_impulse(line.at, a, b, (c.impulse + c.lower_impulse - c.upper_impulse) * line.u);
+}
+
+void solve_distance(DistanceConstraint& c, std::span<Motion> motions, float h_s, Pass pass) {
+    Motion& a = motions[c.anchors.a];
+    Motion& b = motions[c.anchors.b];
+    const Line line = line_now(c, a, b);
+    const auto add = [&](float& accumulated, float impulse, float sign) {
+        apply_impulse(line.at, a, b, sign * (impulse - accumulated) * line.u);
+        accumulated = impulse;
+    };
+
+    if (!c.spring) {
+        const Softness& soft = pass == Pass::Biased ? c.softness : kRigid;
+        add(c.impulse,
+            soft_impulse(c.axial_mass, c.impulse, rate(line, a, b), line.length - c.length_m, soft), 1);
+    } else if (pass == Pass::Biased) {
+        // Relaxing a spring would take its force out again: that is the damping nobody asked for.
+        add(c.impulse,
+            soft_impulse(c.axial_mass, c.impulse, rate(line, a, b), line.length - c.length_m,
+                         c.spring_softness),
+            1);
+    }
+    if (c.limit) {
+        add(c.lower_impulse,
+            limit_impulse(c, c.lower_impulse, line.length - c.min_length_m, rate(line, a, b), h_s, pass), 1);
+        add(c.upper_impulse,
+            limit_impulse(c, c.upper_impulse, c.max_length_m - line.length, -rate(line, a, b), h_s, pass),
+            -1);
+    }
+}
+
+}  // namespace cairn::physics

@@ -1,0 +1,43 @@
+// The records that take part in the next step, in a dense list.
+// Invariant: a record in the list knows its place there; every other record's place is kNone.
+#pragma once
+
+#include <vector>
+
+#include "base/slot_map.h"
+
+namespace cairn::physics {
+
+class ActiveList {
+  public:
+    /// Does nothing when the record is in the list already.
+    template <class Records>
+    void add(Records& records, int record) {
+        if (records[record].active_index != kNone) return;
+        records[record].active_index = static_cast<int>(list_.size());
+        list_.push_back(record);
+    }
+
+    /// Does nothing when the record is not in the list. The last one takes its place.
+    template <class Records>
+    void remove(Records& records, int record) {
+        const int hole = records[record].active_index;
+        if (hole == kNone) return;
+        records[record].active_index = kNone;
+        const int last = list_.back();
+        list_.pop_back();
+        if (last == record) return;
+        list_[hole] = last;
+        records[last].active_index = hole;
+    }
+
+    [[nodiscard]] int size() const { return static_cast<int>(list_.size()); }
+    int operator[](int i) const { return list_[i]; }
+    [[nodiscard]] auto begin() const { return list_.begin(); }
+    [[nodiscard]] auto end() const { return list_.end(); }
+
+  private:
+    std::vector<int> list_;
+};
+
+}  // namespace cairn::physics

@@ -1,0 +1,204 @@
+// Bodies and shapes: creation, destruction, teleporting.
+#include "world/bodies.h"
+
+#include <algorithm>
+
+#include <cairn/physics/tuning.h>
+
+#include "collide/mass.h"
+#include "world/contacts.h"
+#include "world/filtering.h"
+#include "world/finalize.h"
+#include "world/joints.h"
+#include "world/sleep.h"
+
+namespace cairn::physics {
+namespace {
+
+template <class Visit>
+void for_each_shape(const Stores& stores, int body, Visit&& visit) {
+    for (int shape = stores.bodies.slots[body].first_shape; shape != kNone;) {
+        const int next = stores.shapes[shape].next_of_body;
+        visit(shape);
+        shape = next;
+    }
+}
+
+RowSet initial_set(const BodyDef& def) {
+    if (def.type == BodyType::Static) return RowSet::Static;
+    return def.awake ? RowSet::Awake : RowSet::Asleep;
+}
+
+MassData to_mass_data(const MassSum& sum) {
+    if (sum.mass <= 0) return {};
+    const double x = sum.moment_x / sum.mass;
+    const double y = sum.moment_y / sum.mass;
+    const double central = sum.inertia - sum.mass * (x * x + y * y);
+    return {static_cast<float>(sum.mass),
+            static_cast<float>(central),
+            {static_cast<float>(x), static_cast<float>(y)}};
+}
+
+// Mass, centre and extent from the shapes. The origin stays where it is, and the velocity of the material at
+// the new centre becomes the body's velocity.
+void update_mass(Stores& stores, int body) {
+    BodyRecord& record = stores.bodies.slots[body];
+    MassSum sum;
+    if (record.type == BodyType::Dynamic) {
+        for_each_shape(stores, body, [&](int shape) {
+            const ShapeRecord& s = stores.shapes[shape];
+            sum += mass_of(s.convex, static_cast<double>(s.def.density_kg_m2));
+        });
+    }
+    const Transform xf = stores.bodies.transform(body);
+    const Vec2 old_center = record.mass.center_m;
+    record.mass = to_mass_data(sum);
+    record.inverse_mass = record.mass.mass_kg > 0 ? 1 / record.mass.mass_kg : 0;
+    record.inverse_inertia = record.mass.inertia_kg_m2 > 0 ? 1 / record.mass.inertia_kg_m2 : 0;
+    record.extent_m = 0;
+    for_each_shape(stores, body, [&](int shape) {
+        record.extent_m =
+            std::max(record.extent_m, farthest_distance(stores.shapes[shape].convex, record.mass.center_m));
+    });
+
+    BodyRows& rows = stores.bodies.rows_of(body);
+    rows.center[record.row] = transform_point(xf, record.mass.center_m);
+    rows.velocity[record.row] +=
+        cross(rows.spin[record.row], rotate(xf.q, record.mass.center_m - old_center));
+}
+
+void destroy_contacts_of(WorldState& world, int shape) {
+    Stores& stores = world.stores;
+    for_each_edge(stores.contacts.slots, stores.bodies.slots[stores.shapes[shape].body].first_contact,
+                  [&](int contact, int) {
+                      const ContactRecord& c = stores.contacts.slots[contact];
+                      if (c.shape_a == shape || c.shape_b == shape)
+                          destroy_contact(stores, world.events, contact);
+                  });
+}
+
+void unlink_shape(Stores& stores, int shape) {
+    BodyRecord& body = stores.bodies.slots[stores.shapes[shape].body];
+    int previous = kNone;
+    for (int s = body.first_shape; s != shape; s = stores.shapes[s].next_of_body) previous = s;
+    const int next = stores.shapes[shape].next_of_body;
+    (previous == kNone ? body.first_shape : stores.shapes[previous].next_of_body) = next;
+    if (body.last_shape == shape) body.last_shape = previous;
+}
+
+}  // namespace
+
+int create_body(Stores& stores, const BodyDef& def) {
+    BodyRecord record;
+    record.type = def.type;
+    record.allow_sleep = def.allow_sleep;
+    record.linear_damping_1_s = def.linear_damping_1_s;
+    record.angular_damping_1_s = def.angular_damping_1_s;
+    record.gravity_scale = def.gravity_scale;
+    record.user_data = def.user_data;
+    const int body = stores.bodies.slots.insert(record);
+    stores.bodies.add_row(body, initial_set(def));
+
+    BodyRows& rows = stores.bodies.rows_of(body);
+    rows.center.back() = def.position_m;
+    rows.rotation.back() = rows.rotation_before.back() = Rotation::from_angle(def.angle_rad);
+    if (stores.bodies.is_awake(body)) {
+        rows.velocity.back() = def.linear_velocity_m_s;
+        rows.spin.back() = def.angular_velocity_rad_s;
+    } else if (def.type != BodyType::Static) {
+        stores.bodies.slots[body].next_sleeper = body;
+    }
+    return body;
+}
+
+void destroy_body(WorldState& world, int body) {
+    Stores& stores = world.stores;
+    wake_body(stores, body);
+    wake_neighbours(stores, body);
+    const BodyRecord& record = stores.bodies.slots[body];
+    for_each_edge(stores.joints.slots, record.first_joint,
+                  [&](int joint, int) { destroy_joint(stores, joint); });
+    for_each_edge(stores.contacts.slots, record.first_contact,
+                  [&](int contact, int) { destroy_contact(stores, world.events, contact); });
+    for_each_shape(stores, body, [&](int shape) {
+        stores.broad.remove(stores.shapes[shape].layer, stores.shapes[shape].proxy);
+        stores.shapes.erase(shape);
+    });
+    stores.bodies.remove_row(body);
+    stores.bodies.slots.erase(body);
+}
+
+int create_shape(Stores& stores, int body, const Convex& convex, const ShapeDef& def) {
+    wake_body(stores, body);
+    BodyRecord& owner = stores.bodies.slots[body];
+    const Aabb box = bounds(convex, stores.bodies.transform(body));
+    ShapeRecord record;
+    record.body = body;
+    record.convex = convex;
+    record.def = def;
+    record.layer = owner.type == BodyType::Static ? Layer::Fixed : Layer::Moving;
+    // Small shapes take small margins, or a heap of grains would be one heap of pairs.
+    record.margin_m =
+        record.layer == Layer::Fixed ? 0 : std::min(tuning::kAabbMargin_m, 0.25f * half_perimeter(box));
+    record.fat_box = grown(box, record.margin_m);
+
+    const int shape = stores.shapes.insert(record);
+    stores.shapes[shape].proxy = stores.broad.add(record.layer, record.fat_box, shape);
+    (owner.last_shape == kNone ? owner.first_shape : stores.shapes[owner.last_shape].next_of_body) = shape;
+    owner.last_shape = shape;
+    update_mass(stores, body);
+    return shape;
+}
+
+void destroy_shape(WorldState& world, int shape) {
+    Stores& stores = world.stores;
+    const int body = stores.shapes[shape].body;
+    wake_body(stores, body);
+    destroy_contacts_of(world, shape);
+    unlink_shape(stores, shape);
+    stores.broad.remove(stores.shapes[shape].layer, stores.shapes[shape].proxy);
+    stores.shapes.erase(shape);
+    update_mass(stores, body);
+}
+
+void refilter_shape(WorldState& world, int shape) {
+    Stores& stores = world.stores;
+    for_each_edge(stores.contacts.slots, stores.bodies.slots[stores.shapes[shape].body].first_contact,
+                  [&](int contact, int) {
+                      const ContactRecord& c = stores.contacts.slots[contact];
+                      if (c.shape_a != shape && c.shape_b != shape) return;
+                      if (!may_collide(stores, c.shape_a, c.shape_b))
+                          destroy_contact(stores, world.events, contact);
+                  });
+    stores.broad.touch(stores.shapes[shape].layer, stores.shapes[shape].proxy);
+    wake_body(stores, stores.shapes[shape].body);
+}
+
+void remix_contacts(Stores& stores, int shape) {
+    for_each_edge(stores.contacts.slots, stores.bodies.slots[stores.shapes[shape].body].first_contact,
+                  [&](int contact, int) {
+                      ContactRecord& c = stores.contacts.slots[contact];
+                      if (c.shape_a == shape || c.shape_b == shape) mix_materials(stores, c);
+                  });
+}
+
+void teleport(Stores& stores, int body, Position origin_m, double angle_rad) {
+    wake_body(stores, body);
+    wake_neighbours(stores, body);
+    const BodyRecord& record = stores.bodies.slots[body];
+    BodyRows& rows = stores.bodies.rows_of(body);
+    const Transform xf{origin_m, Rotation::from_angle(angle_rad)};
+    rows.rotation[record.row] = rows.rotation_before[record.row] = xf.q;
+    rows.center[record.row] = transform_point(xf, record.mass.center_m);
+    rows.moved[record.row] = {};
+    update_boxes(stores, body);
+    if (record.type != BodyType::Static) return;
+    // A static body never wakes anything by touching it, so what sleeps at its new place is woken here.
+    for_each_shape(stores, body, [&](int shape) {
+        stores.broad.tree(Layer::Moving).query(stores.shapes[shape].fat_box, [&](int other) {
+            wake_body(stores, stores.shapes[other].body);
+        });
+    });
+}
+
+}  // namespace cairn::physics

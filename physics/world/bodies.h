@@ -1,0 +1,21 @@
+// Making and changing bodies and their shapes. Callers have checked every number.
+#pragma once
+
+#include "collide/convex.h"
+#include "world/world_state.h"
+
+namespace cairn::physics {
+
+int create_body(Stores& stores, const BodyDef& def);
+void destroy_body(WorldState& world, int body);
+int create_shape(Stores& stores, int body, const Convex& convex, const ShapeDef& def);
+void destroy_shape(WorldState& world, int shape);
+
+/// Ends the shape's contacts that its filter no longer allows, and looks for those that it now does.
+void refilter_shape(WorldState& world, int shape);
+/// Friction and restitution of the shape's contacts, from the materials as they are now.
+void remix_contacts(Stores& stores, int shape);
+
+void teleport(Stores& stores, int body, Position origin_m, double angle_rad);
+
+}  // namespace cairn::physics

@@ -1,0 +1,88 @@
+// Bodies: a cold record in a slot that never moves, and a hot row among those of the same state.
+// Invariant: each body has exactly one row, in the set that its record names, and that row names the body
+// back.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <tuple>
+#include <vector>
+
+#include <cairn/physics/body.h>
+
+#include "base/slot_map.h"
+
+namespace cairn::physics {
+
+enum class RowSet : std::uint8_t { Static, Awake, Asleep };
+
+struct BodyRecord {
+    BodyType type = BodyType::Static;
+    RowSet set = RowSet::Static;
+    int row = kNone;
+    bool allow_sleep = true;
+    MassData mass;
+    float inverse_mass = 0;
+    float inverse_inertia = 0;
+    float extent_m = 0;  // of the shapes, from the centre of mass
+    float linear_damping_1_s = 0;
+    float angular_damping_1_s = 0;
+    float gravity_scale = 1;
+    int first_shape = kNone;
+    int last_shape = kNone;
+    int first_contact = kNone;  // keys of edge lists
+    int first_joint = kNone;
+    int next_sleeper = kNone;  // ring of the bodies that fell asleep together
+    std::uint64_t user_data = 0;
+};
+
+/// Rows of bodies, one column per quantity.
+struct BodyRows {
+    std::vector<Position> center;  // of mass, m
+    std::vector<Rotation> rotation;
+    std::vector<Vec2> moved;                // by the last step, m
+    std::vector<Rotation> rotation_before;  // the last step
+    std::vector<Vec2> velocity;
+    std::vector<float> spin;  // angular velocity, rad/s
+    std::vector<Vec2> force;  // for the next step
+    std::vector<float> torque;
+    std::vector<float> rest_time;  // s since the body last moved
+    std::vector<int> body;
+
+    [[nodiscard]] int size() const { return static_cast<int>(body.size()); }
+    auto columns() {
+        return std::tie(center, rotation, moved, rotation_before, velocity, spin, force, torque, rest_time,
+                        body);
+    }
+};
+
+class BodyStore {
+  public:
+    explicit BodyStore(std::uint16_t world_tag) : slots(world_tag) {}
+
+    SlotMap<BodyRecord, BodyId> slots;
+
+    [[nodiscard]] BodyRows& rows(RowSet set) { return rows_[static_cast<std::size_t>(set)]; }
+    [[nodiscard]] const BodyRows& rows(RowSet set) const { return rows_[static_cast<std::size_t>(set)]; }
+    [[nodiscard]] BodyRows& rows_of(int body) { return rows(slots[body].set); }
+    [[nodiscard]] const BodyRows& rows_of(int body) const { return rows(slots[body].set); }
+    [[nodiscard]] bool is_awake(int body) const { return slots[body].set == RowSet::Awake; }
+
+    /// A new, empty row for a body that has none.
+    void add_row(int body, RowSet set);
+    void remove_row(int body);
+    /// Takes the body's row to another set.
+    void move_row(int body, RowSet set);
+
+    /// Of the body's origin.
+    [[nodiscard]] Transform transform(int body) const;
+    /// The centre of b minus that of a.
+    [[nodiscard]] Vec2 center_offset(int a, int b) const;
+
+  private:
+    void drop_row(RowSet set, int row);
+
+    std::array<BodyRows, 3> rows_;
+};
+
+}  // namespace cairn::physics

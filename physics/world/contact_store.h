@@ -1,0 +1,52 @@
+// Contacts: pairs of shapes whose fat boxes overlap, with what they remember from step to step.
+// Invariant: a pair has at most one contact; shape_a < shape_b; a contact is in `active` exactly when one of
+// its bodies is awake; it is in the lists of both bodies.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include <cairn/physics/ids.h>
+
+#include "base/pair_set.h"
+#include "base/slot_map.h"
+#include "world/active_list.h"
+#include "world/edge_list.h"
+
+namespace cairn::physics {
+
+struct ContactPoint {
+    Vec2 r_a;  // from the bodies' centres of mass, in world axes, m
+    Vec2 r_b;
+    float separation = 0;
+    std::uint16_t id = 0;
+    float normal_impulse = 0;  // of one substep, N s
+    float tangent_impulse = 0;
+};
+
+struct ContactRecord {
+    int shape_a = kNone;
+    int shape_b = kNone;
+    int body_a = kNone;
+    int body_b = kNone;
+    Edges edges;
+    int active_index = kNone;
+    Vec2 normal;  // world axes, from a to b
+    int count = 0;
+    std::array<ContactPoint, 2> points{};
+    float friction = 0;
+    float restitution = 0;
+    bool touching = false;
+    bool reports_touch = false;
+    bool reports_hit = false;
+};
+
+struct ContactStore {
+    explicit ContactStore(std::uint16_t world_tag) : slots(world_tag) {}
+
+    SlotMap<ContactRecord, Handle<struct ContactTag>> slots;
+    ActiveList active;
+    PairSet pairs;
+};
+
+}  // namespace cairn::physics

@@ -1,0 +1,21 @@
+// The life of contacts: made when fat boxes begin to overlap, updated each step, gone when the boxes part.
+#pragma once
+
+#include "world/world_state.h"
+
+namespace cairn::physics {
+
+/// Stage: contacts for the pairs that the broad phase reports.
+void find_new_pairs(Stores& stores);
+
+/// Stage: manifolds of all active contacts, with impulses carried over by feature; begin and end events;
+/// sleeping bodies that are touched wake, and their contacts are updated in the same pass.
+void update_contacts(Stores& stores, Events& events, std::vector<int>& parted);
+
+/// Friction and restitution of the pair, from the materials of its two shapes.
+void mix_materials(const Stores& stores, ContactRecord& contact);
+
+/// Between steps: the two bodies wake if the contact held them; its end is told with the next step.
+void destroy_contact(Stores& stores, Events& events, int contact);
+
+}  // namespace cairn::physics

@@ -1,0 +1,52 @@
+// New places of bodies and boxes.
+#include "world/finalize.h"
+
+#include <algorithm>
+
+#include <cairn/physics/tuning.h>
+
+namespace cairn::physics {
+namespace {
+
+float next_rest_time(const BodyRecord& record, Vec2 v, float w, float rest_time, float dt_s) {
+    if (!record.allow_sleep) return 0;
+    if (record.type == BodyType::Kinematic) return v == Vec2{} && w == 0 ? rest_time + dt_s : 0;
+    const float fastest_point = std::max(length(v), std::fabs(w) * record.extent_m);
+    return fastest_point < tuning::kSleepSpeed_m_s ? rest_time + dt_s : 0;
+}
+
+}  // namespace
+
+void update_boxes(Stores& stores, int body) {
+    const Transform xf = stores.bodies.transform(body);
+    for (int shape = stores.bodies.slots[body].first_shape; shape != kNone;
+         shape = stores.shapes[shape].next_of_body) {
+        ShapeRecord& record = stores.shapes[shape];
+        const Aabb box = bounds(record.convex, xf);
+        if (contains(record.fat_box, box)) continue;
+        record.fat_box = grown(box, record.margin_m);
+        stores.broad.move(record.layer, record.proxy, record.fat_box);
+    }
+}
+
+void finalize_bodies(Stores& stores, const StepScratch& scratch, float dt_s, bool sleep_enabled) {
+    BodyRows& awake = stores.bodies.rows(RowSet::Awake);
+    for (int row = 0; row < awake.size(); ++row) {
+        const Motion& motion = scratch.motions[row + 1];
+        const int body = awake.body[row];
+        awake.rotation_before[row] = awake.rotation[row];
+        awake.center[row] = awake.center[row] + motion.dp;
+        awake.rotation[row] = normalized(motion.dq * awake.rotation[row]);
+        awake.moved[row] = motion.dp;
+        awake.velocity[row] = motion.v;
+        awake.spin[row] = motion.w;
+        awake.force[row] = {};
+        awake.torque[row] = 0;
+        awake.rest_time[row] = sleep_enabled ? next_rest_time(stores.bodies.slots[body], motion.v, motion.w,
+                                                              awake.rest_time[row], dt_s)
+                                             : 0;
+        update_boxes(stores, body);
+    }
+}
+
+}  // namespace cairn::physics

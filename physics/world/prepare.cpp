@@ -1,0 +1,210 @@
+// Packing of constraints, and unpacking of impulses.
+#include "world/prepare.h"
+
+#include <algorithm>
+
+#include <cairn/physics/tuning.h>
+
+namespace cairn::physics {
+namespace {
+
+// Bodies that are not awake in the hot rows act as the world itself: what sleeps and is touched was woken
+// before.
+int motion_of(const BodyStore& bodies, int body) {
+    const BodyRecord& record = bodies.slots[body];
+    return record.set == RowSet::Awake ? record.row + 1 : kWorldMotion;
+}
+
+void mark_constrained(StepScratch& scratch, int a, int b) {
+    scratch.motions[a].constrained = true;
+    scratch.motions[b].constrained = true;
+}
+
+JointAnchors make_anchors(const BodyStore& bodies, const JointRecord& j, Vec2 local_a, Vec2 local_b) {
+    const auto arm = [&](int body, Vec2 local) {
+        const BodyRecord& record = bodies.slots[body];
+        return rotate(bodies.rows_of(body).rotation[record.row], local - record.mass.center_m);
+    };
+    return {motion_of(bodies, j.body_a), motion_of(bodies, j.body_b), arm(j.body_a, local_a),
+            arm(j.body_b, local_b), bodies.center_offset(j.body_a, j.body_b)};
+}
+
+Softness joint_softness(const StepTime& time) {
+    const float frequency = std::min(tuning::kJointFrequency_hz, tuning::kMaxFrequencyShare / time.h_s);
+    return make_soft(frequency, tuning::kJointDampingRatio, time.h_s);
+}
+
+float angle_between(const BodyStore& bodies, int a, int b, double reference_rad) {
+    const Rotation qa = bodies.rows_of(a).rotation[bodies.slots[a].row];
+    const Rotation qb = bodies.rows_of(b).rotation[bodies.slots[b].row];
+    return (inverse(Rotation::from_angle(reference_rad)) * (inverse(qa) * qb)).angle_rad();
+}
+
+RevoluteConstraint pack(const Stores& stores, const JointRecord& j, const RevoluteJointDef& def,
+                        const StepTime& time) {
+    RevoluteConstraint c;
+    c.anchors = make_anchors(stores.bodies, j, def.local_anchor_a_m, def.local_anchor_b_m);
+    c.softness = joint_softness(time);
+    c.limit = def.enable_limit;
+    c.lower_rad = def.lower_rad;
+    c.upper_rad = def.upper_rad;
+    if (c.limit) c.angle_rad = angle_between(stores.bodies, j.body_a, j.body_b, def.reference_angle_rad);
+    c.motor = def.enable_motor;
+    c.motor_speed_rad_s = def.motor_speed_rad_s;
+    c.max_motor_impulse = def.max_motor_torque_nm * time.h_s;
+    c.impulse = time.impulse_ratio * j.impulse;
+    c.motor_impulse = time.impulse_ratio * j.motor_impulse;
+    c.lower_impulse = time.impulse_ratio * j.lower_impulse;
+    c.upper_impulse = time.impulse_ratio * j.upper_impulse;
+    return c;
+}
+
+DistanceConstraint pack(const Stores& stores, const JointRecord& j, const DistanceJointDef& def,
+                        const StepTime& time) {
+    DistanceConstraint c;
+    c.anchors = make_anchors(stores.bodies, j, def.local_anchor_a_m, def.local_anchor_b_m);
+    c.softness = joint_softness(time);
+    c.spring = def.enable_spring;
+    c.limit = def.enable_spring && (def.min_length_m > 0 || std::isfinite(def.max_length_m));
+    if (c.spring) c.spring_softness = make_soft(def.frequency_hz, def.damping_ratio, time.h_s);
+    c.length_m = def.length_m;
+    c.min_length_m = def.min_length_m;
+    c.max_length_m = def.max_length_m;
+    c.impulse = time.impulse_ratio * j.impulse.x;
+    c.lower_impulse = time.impulse_ratio * j.lower_impulse;
+    c.upper_impulse = time.impulse_ratio * j.upper_impulse;
+    return c;
+}
+
+ContactHit hit_event(const Stores& stores, const ContactRecord& c, const ContactConstraint& constraint,
+                     int fastest) {
+    const int row = stores.bodies.slots[c.body_a].row;
+    float impulse = 0;
+    for (int i = 0; i < constraint.count; ++i) impulse += constraint.points[i].total_normal_impulse;
+    return {stores.shapes.id(c.shape_a),
+            stores.shapes.id(c.shape_b),
+            stores.bodies.slots.id(c.body_a),
+            stores.bodies.slots.id(c.body_b),
+            stores.bodies.rows_of(c.body_a).center[row] + constraint.points[fastest].r_a,
+            c.normal,
+            -constraint.points[fastest].closing_velocity,
+            impulse};
+}
+
+}  // namespace
+
+StepTime make_step_time(float dt_s, int substeps, float previous_h_s) {
+    const float h_s = dt_s / static_cast<float>(substeps);
+    return {dt_s, h_s, substeps, previous_h_s > 0 ? h_s / previous_h_s : 1};
+}
+
+void prepare_motions(const BodyStore& bodies, Vec2 gravity_m_s2, StepScratch& scratch) {
+    const BodyRows& awake = bodies.rows(RowSet::Awake);
+    scratch.motions.assign(1, Motion{});
+    scratch.drives.assign(1, Drive{});
+    for (int row = 0; row < awake.size(); ++row) {
+        const BodyRecord& record = bodies.slots[awake.body[row]];
+        Motion motion;
+        motion.v = awake.velocity[row];
+        motion.w = awake.spin[row];
+        motion.inverse_mass = record.inverse_mass;
+        motion.inverse_inertia = record.inverse_inertia;
+        Drive drive;
+        if (record.inverse_mass > 0) {  // a body without mass keeps its velocity
+            drive.acceleration = record.gravity_scale * gravity_m_s2 + record.inverse_mass * awake.force[row];
+            drive.angular_acceleration = record.inverse_inertia * awake.torque[row];
+            drive.linear_damping = record.linear_damping_1_s;
+            drive.angular_damping = record.angular_damping_1_s;
+        }
+        scratch.motions.push_back(motion);
+        scratch.drives.push_back(drive);
+    }
+}
+
+void prepare_contacts(const Stores& stores, const StepTime& time, const ContactRules& rules,
+                      StepScratch& scratch) {
+    scratch.contacts.clear();
+    for (const int contact : stores.contacts.active) {
+        const ContactRecord& record = stores.contacts.slots[contact];
+        if (record.count == 0) continue;
+        ContactConstraint c;
+        c.a = motion_of(stores.bodies, record.body_a);
+        c.b = motion_of(stores.bodies, record.body_b);
+        c.contact = contact;
+        c.normal = record.normal;
+        c.friction = record.friction;
+        c.restitution = record.restitution;
+        c.count = record.count;
+        for (int i = 0; i < record.count; ++i) {
+            c.points[i].r_a = record.points[i].r_a;
+            c.points[i].r_b = record.points[i].r_b;
+            c.points[i].separation = record.points[i].separation;
+            c.points[i].normal_impulse = time.impulse_ratio * record.points[i].normal_impulse;
+            c.points[i].tangent_impulse = time.impulse_ratio * record.points[i].tangent_impulse;
+        }
+        prepare_contact(c, scratch.motions, rules);
+        mark_constrained(scratch, c.a, c.b);
+        scratch.contacts.push_back(c);
+    }
+}
+
+void prepare_joints(const Stores& stores, const StepTime& time, StepScratch& scratch) {
+    scratch.revolutes.clear();
+    scratch.distances.clear();
+    for (const int joint : stores.joints.active) {
+        const JointRecord& record = stores.joints.slots[joint];
+        if (const auto* revolute = std::get_if<RevoluteJointDef>(&record.def)) {
+            RevoluteConstraint c = pack(stores, record, *revolute, time);
+            c.joint = joint;
+            prepare_revolute(c, scratch.motions);
+            mark_constrained(scratch, c.anchors.a, c.anchors.b);
+            scratch.revolutes.push_back(c);
+        } else if (const auto* distance = std::get_if<DistanceJointDef>(&record.def)) {
+            DistanceConstraint c = pack(stores, record, *distance, time);
+            c.joint = joint;
+            prepare_distance(c, scratch.motions);
+            mark_constrained(scratch, c.anchors.a, c.anchors.b);
+            scratch.distances.push_back(c);
+        }
+    }
+}
+
+void store_contact_impulses(Stores& stores, const WorldDef& def, const StepScratch& scratch, Events& events) {
+    for (const ContactConstraint& c : scratch.contacts) {
+        ContactRecord& record = stores.contacts.slots[c.contact];
+        int fastest = kNone;
+        float fastest_speed = def.hit_speed_m_s;
+        for (int i = 0; i < c.count; ++i) {
+            const ContactPointConstraint& p = c.points[i];
+            record.points[i].normal_impulse = p.normal_impulse;
+            record.points[i].tangent_impulse = p.tangent_impulse;
+            if (p.largest_normal_impulse > 0 && -p.closing_velocity > fastest_speed) {
+                fastest = i;
+                fastest_speed = -p.closing_velocity;
+            }
+        }
+        if (record.reports_hit && fastest != kNone)
+            events.hits.push_back(hit_event(stores, record, c, fastest));
+    }
+}
+
+void store_joint_impulses(JointStore& joints, const StepTime& time, const StepScratch& scratch) {
+    for (const RevoluteConstraint& c : scratch.revolutes) {
+        JointRecord& record = joints.slots[c.joint];
+        record.impulse = c.impulse;
+        record.motor_impulse = c.motor_impulse;
+        record.lower_impulse = c.lower_impulse;
+        record.upper_impulse = c.upper_impulse;
+        record.reaction_force = (1 / time.h_s) * c.impulse;
+        record.reaction_torque = (c.motor_impulse + c.lower_impulse - c.upper_impulse) / time.h_s;
+    }
+    for (const DistanceConstraint& c : scratch.distances) {
+        JointRecord& record = joints.slots[c.joint];
+        record.impulse = {c.impulse, 0};
+        record.lower_impulse = c.lower_impulse;
+        record.upper_impulse = c.upper_impulse;
+        record.reaction_force = ((c.impulse + c.lower_impulse - c.upper_impulse) / time.h_s) * c.axis;
+    }
+}
+
+}  // namespace cairn::physics

@@ -1,0 +1,30 @@
+// Stages before and after the substeps: constraints are packed from the stores, impulses go back to them.
+#pragma once
+
+#include "world/world_state.h"
+
+namespace cairn::physics {
+
+struct StepTime {
+    float dt_s = 0;
+    float h_s = 0;  // of one substep
+    int substeps = 0;
+    float impulse_ratio = 1;  // of this step's substep to the last one's: remembered impulses grow with it
+};
+
+StepTime make_step_time(float dt_s, int substeps, float previous_h_s);
+
+/// Stage: what acts on each awake body in this step.
+void prepare_motions(const BodyStore& bodies, Vec2 gravity_m_s2, StepScratch& scratch);
+/// Stage: contacts with points.
+void prepare_contacts(const Stores& stores, const StepTime& time, const ContactRules& rules,
+                      StepScratch& scratch);
+/// Stage: active joints.
+void prepare_joints(const Stores& stores, const StepTime& time, StepScratch& scratch);
+
+/// Stage: impulses to start the next step from, and hit events.
+void store_contact_impulses(Stores& stores, const WorldDef& def, const StepScratch& scratch, Events& events);
+/// Stage: the same for joints, and their reactions.
+void store_joint_impulses(JointStore& joints, const StepTime& time, const StepScratch& scratch);
+
+}  // namespace cairn::physics

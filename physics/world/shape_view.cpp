@@ -1,0 +1,58 @@
+// The public Shape view.
+#include <cairn/physics/world.h>
+
+#include "world/bodies.h"
+#include "world/validation.h"
+
+namespace cairn::physics {
+namespace {
+
+int slot_of(const WorldState& world, ShapeId id) {
+    const int shape = world.stores.shapes.find(id);
+    CAIRN_ASSERT(shape != kNone, "a Shape view was used after its shape was destroyed");
+    return shape;
+}
+
+ShapeRecord& record_of(WorldState& world, ShapeId id) {
+    return world.stores.shapes[slot_of(world, id)];
+}
+
+}  // namespace
+
+BodyId Shape::body() const {
+    return world_->stores.bodies.slots.id(record_of(*world_, id_).body);
+}
+const Outline& Shape::outline() const {
+    return record_of(*world_, id_).convex.outline;
+}
+float Shape::density() const {
+    return record_of(*world_, id_).def.density_kg_m2;
+}
+Material Shape::material() const {
+    return record_of(*world_, id_).def.material;
+}
+
+Result<void> Shape::set_material(Material material) {
+    if (auto fault = validate(material)) return *fault;
+    record_of(*world_, id_).def.material = material;
+    remix_contacts(world_->stores, slot_of(*world_, id_));
+    return {};
+}
+
+Filter Shape::filter() const {
+    return record_of(*world_, id_).def.filter;
+}
+
+void Shape::set_filter(Filter filter) {
+    record_of(*world_, id_).def.filter = filter;
+    refilter_shape(*world_, slot_of(*world_, id_));
+}
+
+std::uint64_t Shape::user_data() const {
+    return record_of(*world_, id_).def.user_data;
+}
+void Shape::set_user_data(std::uint64_t data) {
+    record_of(*world_, id_).def.user_data = data;
+}
+
+}  // namespace cairn::physics

@@ -1,0 +1,147 @@
+// Sleep and wake of groups of bodies.
+#include "world/sleep.h"
+
+#include <algorithm>
+
+#include <cairn/physics/tuning.h>
+
+namespace cairn::physics {
+namespace {
+
+// A contact or joint takes part in the step while one of its bodies is awake.
+template <class Store>
+void update_activity(Store& store, const BodyStore& bodies, int record) {
+    const auto& r = store.slots[record];
+    if (bodies.is_awake(r.body_a) || bodies.is_awake(r.body_b)) {
+        store.active.add(store.slots, record);
+    } else {
+        store.active.remove(store.slots, record);
+    }
+}
+
+void update_links(Stores& stores, int body) {
+    const BodyRecord& record = stores.bodies.slots[body];
+    for_each_edge(stores.contacts.slots, record.first_contact,
+                  [&](int contact, int) { update_activity(stores.contacts, stores.bodies, contact); });
+    for_each_edge(stores.joints.slots, record.first_joint,
+                  [&](int joint, int) { update_activity(stores.joints, stores.bodies, joint); });
+}
+
+// Kinematic bodies carry islands but do not join them: two piles on one lift are two islands.
+bool joins_islands(const Stores& stores, int body) {
+    return stores.bodies.slots[body].type == BodyType::Dynamic && stores.bodies.is_awake(body);
+}
+
+bool is_moving(const Stores& stores, int body) {
+    const BodyRows& rows = stores.bodies.rows_of(body);
+    const int row = stores.bodies.slots[body].row;
+    return rows.velocity[row] != Vec2{} || rows.spin[row] != 0;
+}
+
+template <class Visit>
+void for_each_link(const Stores& stores, Visit&& visit) {
+    for (const int contact : stores.contacts.active) {
+        const ContactRecord& c = stores.contacts.slots[contact];
+        if (c.count > 0) visit(c.body_a, c.body_b);
+    }
+    for (const int joint : stores.joints.active) {
+        const JointRecord& j = stores.joints.slots[joint];
+        visit(j.body_a, j.body_b);
+    }
+}
+
+void link_islands(Stores& stores, Islands& islands) {
+    BodyRows& awake = stores.bodies.rows(RowSet::Awake);
+    islands.reset(awake.size());
+    for_each_link(stores, [&](int a, int b) {
+        const bool a_joins = joins_islands(stores, a);
+        const bool b_joins = joins_islands(stores, b);
+        const int row_a = stores.bodies.slots[a].row;
+        const int row_b = stores.bodies.slots[b].row;
+        if (a_joins && b_joins) islands.link(row_a, row_b);
+        // What a moving platform carries stays awake, however slowly it goes.
+        if (a_joins && !b_joins && is_moving(stores, b)) awake.rest_time[row_a] = 0;
+        if (b_joins && !a_joins && is_moving(stores, a)) awake.rest_time[row_b] = 0;
+    });
+}
+
+}  // namespace
+
+void wake_body(Stores& stores, int body) {
+    BodyStore& bodies = stores.bodies;
+    if (bodies.slots[body].set == RowSet::Static) return;
+    if (bodies.is_awake(body)) {
+        bodies.rows(RowSet::Awake).rest_time[bodies.slots[body].row] = 0;
+        return;
+    }
+    int sleeper = body;
+    do {
+        const int next = bodies.slots[sleeper].next_sleeper;
+        bodies.slots[sleeper].next_sleeper = kNone;
+        bodies.move_row(sleeper, RowSet::Awake);
+        bodies.rows(RowSet::Awake).rest_time.back() = 0;
+        update_links(stores, sleeper);
+        sleeper = next;
+    } while (sleeper != body);
+}
+
+void wake_neighbours(Stores& stores, int body) {
+    const BodyRecord& record = stores.bodies.slots[body];
+    for_each_edge(stores.contacts.slots, record.first_contact, [&](int contact, int side) {
+        const ContactRecord& c = stores.contacts.slots[contact];
+        if (c.count > 0) wake_body(stores, side == 0 ? c.body_b : c.body_a);
+    });
+    for_each_edge(stores.joints.slots, record.first_joint, [&](int joint, int side) {
+        const JointRecord& j = stores.joints.slots[joint];
+        wake_body(stores, side == 0 ? j.body_b : j.body_a);
+    });
+}
+
+void put_to_sleep(Stores& stores, std::span<const int> bodies) {
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        const int body = bodies[i];
+        stores.bodies.move_row(body, RowSet::Asleep);
+        BodyRows& asleep = stores.bodies.rows(RowSet::Asleep);
+        asleep.velocity.back() = {};
+        asleep.spin.back() = 0;
+        asleep.moved.back() = {};
+        asleep.rotation_before.back() = asleep.rotation.back();
+        stores.bodies.slots[body].next_sleeper = bodies[(i + 1) % bodies.size()];
+    }
+    for (const int body : bodies) update_links(stores, body);
+}
+
+void sleep_islands(Stores& stores, StepScratch& scratch) {
+    BodyRows& awake = stores.bodies.rows(RowSet::Awake);
+    const auto tired = [](float rest_time) { return rest_time >= tuning::kTimeToSleep_s; };
+    if (std::none_of(awake.rest_time.begin(), awake.rest_time.end(), tired)) return;
+
+    link_islands(stores, scratch.islands);
+    // Rows change places while islands leave, so the members are noted first: bodies, one island after
+    // another, each island closed by kNone.
+    scratch.resting.clear();
+    scratch.islands.for_each_resting(awake.rest_time, tuning::kTimeToSleep_s, [&](std::span<const int> rows) {
+        for (const int row : rows) scratch.resting.push_back(awake.body[row]);
+        scratch.resting.push_back(kNone);
+    });
+    auto first = scratch.resting.begin();
+    while (first != scratch.resting.end()) {
+        const auto last = std::find(first, scratch.resting.end(), kNone);
+        put_to_sleep(stores, {first, last});
+        first = last + 1;
+    }
+}
+
+void put_island_to_sleep(Stores& stores, StepScratch& scratch, int body) {
+    if (!stores.bodies.is_awake(body)) return;
+    link_islands(stores, scratch.islands);
+    const BodyRows& awake = stores.bodies.rows(RowSet::Awake);
+    const int own_row = stores.bodies.slots[body].row;
+    scratch.resting.clear();
+    for (int row = 0; row < awake.size(); ++row) {
+        if (scratch.islands.together(row, own_row)) scratch.resting.push_back(awake.body[row]);
+    }
+    put_to_sleep(stores, scratch.resting);
+}
+
+}  // namespace cairn::physics

@@ -1,0 +1,55 @@
+// The hash of a world's state, in slot order.
+#include "base/state_hash.h"
+
+#include "world/world_state.h"
+
+namespace cairn::physics {
+namespace {
+
+void add_body(StateHash& hash, const BodyStore& bodies, int body) {
+    const BodyRecord& record = bodies.slots[body];
+    const BodyRows& rows = bodies.rows(record.set);
+    hash.add(bodies.slots.id(body).bits() & 0xffffffffffffu);  // without the world's tag: twins hash alike
+    hash.add(static_cast<std::uint64_t>(record.type) << 8 | static_cast<std::uint64_t>(record.set));
+    hash.add(rows.center[record.row]);
+    hash.add(rows.rotation[record.row]);
+    hash.add(rows.velocity[record.row]);
+    hash.add(rows.spin[record.row], rows.rest_time[record.row]);
+    hash.add(rows.force[record.row]);
+    hash.add(rows.torque[record.row], record.mass.mass_kg);
+}
+
+void add_contact(StateHash& hash, const ContactRecord& c) {
+    hash.add(static_cast<std::uint64_t>(c.shape_a) << 32 | static_cast<std::uint32_t>(c.shape_b));
+    for (int i = 0; i < c.count; ++i) {
+        hash.add(std::uint64_t{c.points[i].id});
+        hash.add(c.points[i].normal_impulse, c.points[i].tangent_impulse);
+    }
+}
+
+void add_joint(StateHash& hash, const JointRecord& j) {
+    hash.add(static_cast<std::uint64_t>(j.body_a) << 32 | static_cast<std::uint32_t>(j.body_b));
+    hash.add(j.impulse);
+    hash.add(j.motor_impulse, j.lower_impulse);
+    hash.add(j.upper_impulse, 0);
+}
+
+}  // namespace
+
+std::uint64_t hash_state(const WorldState& world) {
+    const Stores& stores = world.stores;
+    StateHash hash;
+    hash.add(world.step_count);
+    for (int i = 0; i < stores.bodies.slots.end_index(); ++i) {
+        if (stores.bodies.slots.alive(i)) add_body(hash, stores.bodies, i);
+    }
+    for (int i = 0; i < stores.contacts.slots.end_index(); ++i) {
+        if (stores.contacts.slots.alive(i)) add_contact(hash, stores.contacts.slots[i]);
+    }
+    for (int i = 0; i < stores.joints.slots.end_index(); ++i) {
+        if (stores.joints.slots.alive(i)) add_joint(hash, stores.joints.slots[i]);
+    }
+    return hash.value();
+}
+
+}  // namespace cairn::physics

@@ -1,0 +1,47 @@
+// The table of contents of a step: every stage in its order, and no logic. physics/README.md is the tour.
+#include "world/step.h"
+
+#include "integrator/integrate.h"
+#include "world/contacts.h"
+#include "world/finalize.h"
+#include "world/prepare.h"
+#include "world/sleep.h"
+#include "world/solve.h"
+
+namespace cairn::physics {
+
+void step_world(WorldState& world, float dt_s) {
+    Stores& stores = world.stores;
+    StepScratch& scratch = world.scratch;
+    const WorldDef& def = world.def;
+    const StepTime time = make_step_time(dt_s, def.substeps, world.previous_h_s);
+    const ContactRules rules =
+        make_contact_rules(time.h_s, def.max_push_out_speed_m_s, def.restitution_speed_m_s);
+
+    start_events(world.events);
+    find_new_pairs(stores);
+    update_contacts(stores, world.events, scratch.parted);
+
+    prepare_motions(stores.bodies, def.gravity_m_s2, scratch);
+    prepare_contacts(stores, time, rules, scratch);
+    prepare_joints(stores, time, scratch);
+
+    for (int substep = 0; substep < time.substeps; ++substep) {
+        integrate_velocities(scratch.motions, scratch.drives, time.h_s);
+        warm_start(scratch);
+        solve(scratch, rules, time.h_s, Pass::Biased);
+        integrate_positions(scratch.motions, time.h_s);
+        solve(scratch, rules, time.h_s, Pass::Relax);
+    }
+    fly_freely(scratch.motions, scratch.drives, time.dt_s);
+    apply_restitution(scratch.contacts, scratch.motions, scratch.drives, rules);
+
+    store_contact_impulses(stores, def, scratch, world.events);
+    store_joint_impulses(stores.joints, time, scratch);
+    finalize_bodies(stores, scratch, time.dt_s, def.enable_sleep);
+    sleep_islands(stores, scratch);
+    world.previous_h_s = time.h_s;
+    ++world.step_count;
+}
+
+}  // namespace cairn::physics

@@ -1,0 +1,220 @@
+// The public World: checks what comes from outside, then calls the functions that do the work.
+#include <atomic>
+
+#include <cairn/physics/world.h>
+
+#include "collide/convex.h"
+#include "world/bodies.h"
+#include "world/joints.h"
+#include "world/queries.h"
+#include "world/sleep.h"
+#include "world/step.h"
+#include "world/validation.h"
+
+namespace cairn::physics {
+namespace {
+
+// Tells handles of different worlds apart; tag 0 is nobody's.
+std::uint16_t next_world_tag() {
+    static std::atomic<std::uint32_t> made{0};
+    return static_cast<std::uint16_t>(made++ % 0xffff + 1);
+}
+
+Error full(const char* kind) {
+    return {"the world holds 16777214 " + std::string(kind) + " already, and has room for no more"};
+}
+
+template <class Id, class Slots>
+std::vector<Id> ids(const Slots& slots) {
+    std::vector<Id> result;
+    result.reserve(slots.size());
+    for (int i = 0; i < slots.end_index(); ++i) {
+        if (slots.alive(i)) result.push_back(slots.id(i));
+    }
+    return result;
+}
+
+template <class Slots, class Id>
+Result<int> find(const Slots& slots, Id id, const char* kind) {
+    return find_slot(slots, id, kind, slots.world_tag());
+}
+
+template <class Def>
+Result<JointId> create_checked_joint(WorldState& state, const Def& def) {
+    if (auto fault = validate(def, state.stores)) return *fault;
+    if (state.stores.joints.slots.full()) return full("joints");
+    return state.stores.joints.slots.id(create_joint(state, def));
+}
+
+}  // namespace
+
+World::World(const WorldDef& def) : World(create(def).value()) {}
+World::World(std::unique_ptr<WorldState> state) : state_(std::move(state)) {}
+World::World(World&&) noexcept = default;
+World& World::operator=(World&&) noexcept = default;
+World::~World() = default;
+
+Result<World> World::create(const WorldDef& def) {
+    if (auto fault = validate(def)) return *fault;
+    return World(std::make_unique<WorldState>(def, next_world_tag()));
+}
+
+Result<void> World::step(float dt_s) {
+    if (auto fault = validate_step(dt_s)) return *fault;
+    step_world(*state_, dt_s);
+    return {};
+}
+
+Result<BodyId> World::create_body(const BodyDef& def) {
+    if (auto fault = validate(def)) return *fault;
+    if (state_->stores.bodies.slots.full()) return full("bodies");
+    return state_->stores.bodies.slots.id(physics::create_body(state_->stores, def));
+}
+
+Result<void> World::destroy_body(BodyId id) {
+    const Result<int> body = find(state_->stores.bodies.slots, id, "body");
+    if (!body) return body.error();
+    physics::destroy_body(*state_, *body);
+    return {};
+}
+
+Result<Body> World::body(BodyId id) {
+    const Result<int> body = find(state_->stores.bodies.slots, id, "body");
+    if (!body) return body.error();
+    return Body(*state_, id);
+}
+
+Result<const Body> World::body(BodyId id) const {
+    const Result<int> body = find(state_->stores.bodies.slots, id, "body");
+    if (!body) return body.error();
+    return Body(*state_, id);
+}
+
+bool World::contains(BodyId id) const {
+    return state_->stores.bodies.slots.find(id) != kNone;
+}
+std::vector<BodyId> World::bodies() const {
+    return ids<BodyId>(state_->stores.bodies.slots);
+}
+
+Result<ShapeId> World::create_shape(BodyId body_id, const Geometry& geometry, const ShapeDef& def) {
+    const Result<int> body = find(state_->stores.bodies.slots, body_id, "body");
+    if (!body) return body.error();
+    if (auto fault = validate(def)) return *fault;
+    const Result<Convex> convex = make_convex(geometry);
+    if (!convex) return convex.error();
+    if (state_->stores.shapes.full()) return full("shapes");
+    return state_->stores.shapes.id(physics::create_shape(state_->stores, *body, *convex, def));
+}
+
+Result<void> World::destroy_shape(ShapeId id) {
+    const Result<int> shape = find(state_->stores.shapes, id, "shape");
+    if (!shape) return shape.error();
+    physics::destroy_shape(*state_, *shape);
+    return {};
+}
+
+Result<Shape> World::shape(ShapeId id) {
+    const Result<int> shape = find(state_->stores.shapes, id, "shape");
+    if (!shape) return shape.error();
+    return Shape(*state_, id);
+}
+
+Result<const Shape> World::shape(ShapeId id) const {
+    const Result<int> shape = find(state_->stores.shapes, id, "shape");
+    if (!shape) return shape.error();
+    return Shape(*state_, id);
+}
+
+bool World::contains(ShapeId id) const {
+    return state_->stores.shapes.find(id) != kNone;
+}
+
+Result<JointId> World::create_joint(const RevoluteJointDef& def) {
+    return create_checked_joint(*state_, def);
+}
+Result<JointId> World::create_joint(const DistanceJointDef& def) {
+    return create_checked_joint(*state_, def);
+}
+
+Result<void> World::destroy_joint(JointId id) {
+    const Result<int> joint = find(state_->stores.joints.slots, id, "joint");
+    if (!joint) return joint.error();
+    physics::destroy_joint(state_->stores, *joint);
+    return {};
+}
+
+Result<Joint> World::joint(JointId id) {
+    const Result<int> joint = find(state_->stores.joints.slots, id, "joint");
+    if (!joint) return joint.error();
+    return Joint(*state_, id);
+}
+
+Result<const Joint> World::joint(JointId id) const {
+    const Result<int> joint = find(state_->stores.joints.slots, id, "joint");
+    if (!joint) return joint.error();
+    return Joint(*state_, id);
+}
+
+bool World::contains(JointId id) const {
+    return state_->stores.joints.slots.find(id) != kNone;
+}
+
+std::span<const ContactBegin> World::contact_begins() const {
+    return state_->events.begins;
+}
+std::span<const ContactEnd> World::contact_ends() const {
+    return state_->events.ends;
+}
+std::span<const ContactHit> World::contact_hits() const {
+    return state_->events.hits;
+}
+
+Result<std::optional<RayHit>> World::cast_ray(Position origin_m, Vec2 translation_m,
+                                              QueryFilter filter) const {
+    if (auto fault = check::first_of(
+            {check::finite("ray.origin_m", origin_m), check::finite("ray.translation_m", translation_m)})) {
+        return *fault;
+    }
+    return cast_ray_closest(state_->stores, origin_m, translation_m, filter);
+}
+
+Result<std::optional<ShapeId>> World::shape_at(Position point_m, QueryFilter filter) const {
+    if (auto fault = check::finite("point_m", point_m)) return *fault;
+    return physics::shape_at(state_->stores, point_m, filter);
+}
+
+Vec2 World::gravity() const {
+    return state_->def.gravity_m_s2;
+}
+
+Result<void> World::set_gravity(Vec2 gravity_m_s2) {
+    if (auto fault = check::finite("world.gravity_m_s2", gravity_m_s2)) return *fault;
+    state_->def.gravity_m_s2 = gravity_m_s2;
+    const BodyRows& asleep = state_->stores.bodies.rows(RowSet::Asleep);
+    while (asleep.size() > 0) wake_body(state_->stores, asleep.body.back());
+    return {};
+}
+
+Counts World::counts() const {
+    const Stores& stores = state_->stores;
+    Counts counts;
+    counts.bodies = stores.bodies.slots.size();
+    counts.awake_bodies = stores.bodies.rows(RowSet::Awake).size();
+    counts.shapes = stores.shapes.size();
+    counts.joints = stores.joints.slots.size();
+    counts.contacts = stores.contacts.slots.size();
+    for (int i = 0; i < stores.contacts.slots.end_index(); ++i) {
+        if (stores.contacts.slots.alive(i) && stores.contacts.slots[i].touching) ++counts.touching;
+    }
+    return counts;
+}
+
+std::uint64_t World::step_count() const {
+    return state_->step_count;
+}
+std::uint64_t World::state_hash() const {
+    return hash_state(*state_);
+}
+
+}  // namespace cairn::physics

@@ -1,0 +1,74 @@
+// Everything a world holds, as data. The functions on it are in the other files of this folder.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <cairn/physics/world.h>
+
+#include "base/motion.h"
+#include "broad/broad_phase.h"
+#include "islands/islands.h"
+#include "resolve/contact_constraint.h"
+#include "resolve/joints/distance.h"
+#include "resolve/joints/revolute.h"
+#include "world/body_store.h"
+#include "world/contact_store.h"
+#include "world/joint_store.h"
+#include "world/shape_store.h"
+
+namespace cairn::physics {
+
+/// The objects of a world and how they hang together.
+struct Stores {
+    explicit Stores(std::uint16_t tag) : bodies(tag), shapes(tag), contacts(tag), joints(tag) {}
+
+    BodyStore bodies;
+    ShapeStore shapes;
+    ContactStore contacts;
+    JointStore joints;
+    BroadPhase broad;
+};
+
+struct Events {
+    std::vector<ContactBegin> begins;
+    std::vector<ContactEnd> ends;
+    std::vector<ContactHit> hits;
+    /// Ends caused between steps, by destroying things; they are told with the next step.
+    std::vector<ContactEnd> pending_ends;
+};
+
+std::uint64_t hash_state(const WorldState& world);
+
+/// Stage: forgets the events of the step before.
+inline void start_events(Events& events) {
+    events.begins.clear();
+    events.hits.clear();
+    events.ends.clear();
+    events.ends.swap(events.pending_ends);
+}
+
+/// What a step works on. Kept from step to step for its memory only.
+struct StepScratch {
+    std::vector<Motion> motions;  // motion i + 1 is awake row i
+    std::vector<Drive> drives;
+    std::vector<ContactConstraint> contacts;
+    std::vector<RevoluteConstraint> revolutes;
+    std::vector<DistanceConstraint> distances;
+    std::vector<int> parted;   // contacts whose boxes no longer overlap
+    std::vector<int> resting;  // bodies of an island that goes to sleep
+    Islands islands;
+};
+
+struct WorldState {
+    WorldState(const WorldDef& definition, std::uint16_t tag) : def(definition), stores(tag) {}
+
+    WorldDef def;
+    Stores stores;
+    Events events;
+    StepScratch scratch;
+    std::uint64_t step_count = 0;
+    float previous_h_s = 0;  // of a substep of the last step
+};
+
+}  // namespace cairn::physics
