@@ -62,8 +62,8 @@ class Files {
     /// an archive gives ARCHIVE/PATH.
     Result<std::string> native_path(std::string_view path) const;
 
-    /// Replaces a file below "save/" in one stroke: after a crash the old or the new contents are there,
-    /// never a mix. Missing folders are made.
+    /// Replaces a file below "save/" in one stroke: if the program dies meanwhile, the old or the new
+    /// contents are there, never a mix. Missing folders are made.
     Result<void> write(std::string_view path, std::string_view contents);
     Result<void> write(std::string_view path, std::span<const std::byte> contents);
     Result<void> remove(std::string_view path);

@@ -4,6 +4,8 @@
 #pragma once
 
 #include <bitset>
+#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 

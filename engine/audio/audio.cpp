@@ -1,0 +1,251 @@
+// The bookkeeping of sounds, voices and music. Invariant: a voice plays from its start until its sound's
+// length has passed on the clock of advance(), or until it is stopped; the back-end is told, never asked.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <utility>
+
+#include <cairn/engine/audio.h>
+#include <cairn/engine/files.h>
+#include <cairn/engine/log.h>
+
+#include "assets/sound_header.h"
+#include "audio/backend.h"
+#include "base/handle_table.h"
+
+namespace cairn::engine {
+namespace {
+
+/// A decoded minute takes 10 MB; longer pieces are music, which is decoded while it plays.
+constexpr double kMaxSound_s = 60;
+constexpr double kForever_s = std::numeric_limits<double>::infinity();
+
+/// NaN counts as 0.
+float unit(float value) {
+    return value > 0 ? std::min(value, 1.0f) : 0.0f;
+}
+
+int to_pitch_step(float pitch) {
+    const float sane = std::isfinite(pitch) ? std::clamp(pitch, 0.25f, 4.0f) : 1.0f;
+    return static_cast<int>(std::lround(kPitchStepsPerOctave * std::log2(sane)));
+}
+
+}  // namespace
+
+struct Audio::State {
+    struct Sound {
+        SoundData data;
+        double duration_s;
+        SoundLimit limit;
+        double last_start_s = -kForever_s;
+    };
+    struct Voice {
+        std::uint32_t generation = 1;
+        SoundId sound;
+        double end_s = -kForever_s;
+        float volume = 1;
+    };
+    struct Music {
+        std::string path;
+        double end_s = -kForever_s;
+        float volume = 1;
+    };
+
+    State(const Files& files_to_read, std::unique_ptr<AudioBackend> chosen)
+        : files(files_to_read), backend(std::move(chosen)) {}
+
+    bool is_active(const Voice& voice) const { return voice.end_s > clock_s; }
+    float sound_volume() const { return group_volumes[static_cast<std::size_t>(AudioGroup::Sound)]; }
+    float music_volume() const { return group_volumes[static_cast<std::size_t>(AudioGroup::Music)]; }
+
+    /// Null for a voice that has ended.
+    Voice* find(VoiceId id) {
+        if (id.is_null() || id.index >= voices.size()) return nullptr;
+        Voice& voice = voices[id.index];
+        return voice.generation == id.generation && is_active(voice) ? &voice : nullptr;
+    }
+
+    bool allows(SoundId id, const Sound& sound) const {
+        // A hair of tolerance: 0.05 s are three updates of 1/60 s, whatever the rounding of their sum.
+        constexpr double kRounding_s = 1e-9;
+        if (clock_s - sound.last_start_s < sound.limit.min_interval_s - kRounding_s) return false;
+        const auto same = std::count_if(voices.begin(), voices.end(),
+                                        [&](const Voice& v) { return v.sound == id && is_active(v); });
+        return same < sound.limit.max_voices;
+    }
+
+    const Files& files;
+    std::unique_ptr<AudioBackend> backend;
+    HandleTable<SoundId, Sound> sounds;
+    std::map<std::string, SoundId, std::less<>> sounds_by_path;
+    std::array<Voice, kMaxVoices> voices;
+    Music music;
+    std::array<float, 2> group_volumes = {1, 1};
+    double clock_s = 0;
+    long plays = 0;
+    long refused = 0;
+    long music_plays = 0;
+};
+
+Audio::Audio(const Files& files, std::unique_ptr<AudioBackend> backend)
+    : state_(std::make_unique<State>(files, std::move(backend))) {}
+
+Audio::~Audio() = default;
+
+// ---- Sounds
+
+Result<SoundId> Audio::load_sound(std::string_view path) {
+    if (const auto known = state_->sounds_by_path.find(path); known != state_->sounds_by_path.end())
+        return known->second;
+    Result<std::vector<std::byte>> file = state_->files.read_bytes(path);
+    if (!file) return Error{"sound '" + std::string(path) + "' cannot be loaded: " + file.error().message};
+    const Result<double> duration_s = read_sound_duration_s(*file, path);
+    if (!duration_s) return duration_s.error();
+    if (*duration_s > kMaxSound_s)
+        return Error{"sound '" + std::string(path) + "': plays for " + std::to_string(*duration_s) +
+                     " s; at most 60 s are allowed. Play longer pieces as music"};
+    const auto key = static_cast<std::uint32_t>(state_->sounds_by_path.size() + 1);
+    const SoundId id = state_->sounds.insert(
+        {.data = {key, std::string(path), std::move(*file)}, .duration_s = *duration_s, .limit = {}});
+    state_->sounds_by_path.emplace(path, id);
+    return id;
+}
+
+bool Audio::is_valid(SoundId sound) const {
+    return state_->sounds.find(sound) != nullptr;
+}
+
+double Audio::duration_s(SoundId sound) const {
+    const State::Sound* found = state_->sounds.find(sound);
+    return found ? found->duration_s : 0;
+}
+
+void Audio::set_limit(SoundId sound, const SoundLimit& limit) {
+    if (State::Sound* found = state_->sounds.find(sound)) found->limit = limit;
+}
+
+// ---- Voices
+
+VoiceId Audio::play(SoundId id, const SoundPlay& play) {
+    State& s = *state_;
+    State::Sound* sound = s.sounds.find(id);
+    if (!sound) {
+        log(LogLevel::Error, "play: the sound handle is null or stale; nothing is played");
+        return {};
+    }
+    const auto slot =
+        std::find_if(s.voices.begin(), s.voices.end(), [&](const auto& v) { return !s.is_active(v); });
+    if (slot == s.voices.end() || !s.allows(id, *sound)) {
+        ++s.refused;
+        return {};
+    }
+
+    const int pitch_step = to_pitch_step(play.pitch);
+    const double pitch = std::exp2(static_cast<double>(pitch_step) / kPitchStepsPerOctave);
+    ++slot->generation;
+    slot->sound = id;
+    slot->end_s = play.loop ? kForever_s : s.clock_s + sound->duration_s / pitch;
+    slot->volume = unit(play.volume);
+    sound->last_start_s = s.clock_s;
+    ++s.plays;
+
+    const int index = static_cast<int>(slot - s.voices.begin());
+    const float pan = std::isfinite(play.pan) ? std::clamp(play.pan, -1.0f, 1.0f) : 0;
+    s.backend->start_voice(
+        index, sound->data,
+        {.volume = slot->volume * s.sound_volume(), .pan = pan, .pitch_step = pitch_step, .loop = play.loop});
+    return {static_cast<std::uint32_t>(index), slot->generation};
+}
+
+void Audio::stop(VoiceId id) {
+    State::Voice* voice = state_->find(id);
+    if (!voice) return;
+    voice->end_s = -kForever_s;
+    state_->backend->stop_voice(static_cast<int>(id.index));
+}
+
+void Audio::set_voice_volume(VoiceId id, float volume) {
+    State::Voice* voice = state_->find(id);
+    if (!voice) return;
+    voice->volume = unit(volume);
+    state_->backend->set_voice_volume(static_cast<int>(id.index), voice->volume * state_->sound_volume());
+}
+
+bool Audio::is_playing(VoiceId voice) const {
+    return state_->find(voice) != nullptr;
+}
+
+void Audio::stop_all_sounds() {
+    for (std::uint32_t i = 0; i < kMaxVoices; ++i) stop({i, state_->voices[i].generation});
+}
+
+// ---- Music
+
+Result<void> Audio::play_music(std::string_view path, float volume, bool loop) {
+    State& s = *state_;
+    Result<std::vector<std::byte>> file = s.files.read_bytes(path);
+    if (!file) return Error{"music '" + std::string(path) + "' cannot be loaded: " + file.error().message};
+    const Result<double> duration_s = read_sound_duration_s(*file, path);
+    if (!duration_s) return duration_s.error();
+    s.music = {std::string(path), loop ? kForever_s : s.clock_s + *duration_s, unit(volume)};
+    ++s.music_plays;
+    s.backend->start_music({0, std::string(path), std::move(*file)}, s.music.volume * s.music_volume(), loop);
+    return {};
+}
+
+void Audio::stop_music() {
+    if (state_->music.path.empty()) return;
+    state_->music = {};
+    state_->backend->stop_music();
+}
+
+void Audio::set_music_volume(float volume) {
+    state_->music.volume = unit(volume);
+    state_->backend->set_music_volume(state_->music.volume * state_->music_volume());
+}
+
+const std::string& Audio::music() const {
+    return state_->music.path;
+}
+
+// ---- Mixing and time
+
+void Audio::set_group_volume(AudioGroup group, float volume) {
+    State& s = *state_;
+    s.group_volumes[static_cast<std::size_t>(group)] = unit(volume);
+    switch (group) {
+        case AudioGroup::Sound:
+            for (std::size_t i = 0; i < s.voices.size(); ++i)
+                if (s.is_active(s.voices[i]))
+                    s.backend->set_voice_volume(static_cast<int>(i), s.voices[i].volume * s.sound_volume());
+            break;
+        case AudioGroup::Music:
+            s.backend->set_music_volume(s.music.volume * s.music_volume());
+            break;
+    }
+}
+
+float Audio::group_volume(AudioGroup group) const {
+    return state_->group_volumes[static_cast<std::size_t>(group)];
+}
+
+void Audio::advance(double elapsed_s) {
+    if (!(elapsed_s > 0) || !std::isfinite(elapsed_s)) return;
+    state_->clock_s += elapsed_s;
+    if (state_->music.end_s <= state_->clock_s) state_->music = {};
+}
+
+AudioStats Audio::stats() const {
+    const State& s = *state_;
+    const auto active =
+        std::count_if(s.voices.begin(), s.voices.end(), [&](const auto& v) { return s.is_active(v); });
+    return {.plays = s.plays,
+            .refused = s.refused,
+            .active_voices = static_cast<int>(active),
+            .music_plays = s.music_plays,
+            .device_open = s.backend->is_device_open()};
+}
+
+}  // namespace cairn::engine

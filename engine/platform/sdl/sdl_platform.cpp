@@ -1,0 +1,95 @@
+// The platform on SDL2. Invariant: members are destroyed in the order renderer's window, then SDL's video.
+#include "platform/sdl/sdl_platform.h"
+
+#include <SDL.h>
+#include <chrono>
+#include <thread>
+#include <utility>
+
+#include <cairn/engine/audio.h>
+#include <cairn/engine/renderer.h>
+
+#include "audio/sdl/mixer_backend.h"
+#include "platform/sdl/sdl_events.h"
+#include "platform/sdl/sdl_window.h"
+#include "render/sdl/window_backend.h"
+
+namespace cairn::engine {
+namespace {
+
+/// Holds SDL's video subsystem open.
+class VideoSubsystem {
+  public:
+    VideoSubsystem() : is_open_(SDL_InitSubSystem(SDL_INIT_VIDEO) == 0) {}
+    ~VideoSubsystem() {
+        if (is_open_) SDL_QuitSubSystem(SDL_INIT_VIDEO);
+    }
+    VideoSubsystem(VideoSubsystem&& other) noexcept : is_open_(std::exchange(other.is_open_, false)) {}
+    VideoSubsystem& operator=(VideoSubsystem&&) = delete;
+
+    bool is_open() const { return is_open_; }
+
+  private:
+    bool is_open_;
+};
+
+class SdlPlatform final : public Platform {
+  public:
+    SdlPlatform(VideoSubsystem video, std::unique_ptr<SdlWindow> window)
+        : video_(std::move(video)), window_(std::move(window)) {}
+
+    bool is_headless() const override { return false; }
+    Window& window() override { return *window_; }
+
+    Result<std::unique_ptr<Renderer>> create_renderer(const Files& files) override {
+        Result<std::unique_ptr<RenderBackend>> backend =
+            make_window_backend(window_->native(), window_->def());
+        if (!backend) return backend.error();
+        return std::make_unique<Renderer>(files, std::move(*backend));
+    }
+
+    std::unique_ptr<Audio> create_audio(const Files& files) override {
+        return std::make_unique<Audio>(files, make_mixer_audio());
+    }
+
+    void poll_events(std::vector<InputEvent>& events) override {
+        SDL_Event sdl;
+        while (SDL_PollEvent(&sdl))
+            if (std::optional<InputEvent> event = translate(sdl, *window_))
+                events.push_back(std::move(*event));
+    }
+
+    double now_s() const override {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    }
+
+    void sleep_s(double duration_s) override {
+        if (duration_s > 0) std::this_thread::sleep_for(std::chrono::duration<double>(duration_s));
+    }
+
+    Result<void> set_clipboard_text(const std::string& text) override {
+        if (SDL_SetClipboardText(text.c_str()) != 0)
+            return Error{std::string("clipboard: ") + SDL_GetError()};
+        return {};
+    }
+
+  private:
+    VideoSubsystem video_;
+    std::unique_ptr<SdlWindow> window_;
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace
+
+Result<std::unique_ptr<Platform>> make_sdl_platform(const PlatformDef& def) {
+    SDL_SetMainReady();  // the program's main is its own, not SDL's
+    SDL_SetHint(SDL_HINT_TOUCH_MOUSE_EVENTS, "1");
+    VideoSubsystem video;
+    if (!video.is_open())
+        return Error{std::string("no display: ") + SDL_GetError() + "; run headlessly, or set DISPLAY"};
+    Result<std::unique_ptr<SdlWindow>> window = SdlWindow::create(def.window);
+    if (!window) return window.error();
+    return std::unique_ptr<Platform>(std::make_unique<SdlPlatform>(std::move(video), std::move(*window)));
+}
+
+}  // namespace cairn::engine

@@ -1,0 +1,71 @@
+// What draws triangles: the only part of rendering that differs between a window, memory, and nothing.
+// Invariant: everything arrives in output pixels, with texture coordinates in 0 .. 1 and finite numbers only.
+//
+// To add a back-end: derive from RenderBackend, and let Platform::create choose it.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include <cairn/engine/image.h>
+#include <cairn/engine/renderer.h>
+#include <cairn/engine/result.h>
+
+#include "render/viewport.h"
+
+namespace cairn::engine {
+
+struct Rgba8 {
+    std::uint8_t r = 0;
+    std::uint8_t g = 0;
+    std::uint8_t b = 0;
+    std::uint8_t a = 0;
+
+    friend bool operator==(Rgba8, Rgba8) = default;
+};
+
+/// Components outside 0 .. 1 are clamped; NaN counts as 0.
+Rgba8 to_rgba8(Color color);
+
+struct RenderVertex {
+    Vec2 position;
+    Rgba8 color;
+    Vec2 uv;
+};
+
+struct PixelRect {
+    int x = 0;
+    int y = 0;
+    int width = 0;
+    int height = 0;
+
+    friend bool operator==(const PixelRect&, const PixelRect&) = default;
+};
+
+/// 0 is no texture: plain colors.
+using BackendTexture = std::uint32_t;
+
+class RenderBackend {
+  public:
+    virtual ~RenderBackend() = default;
+
+    virtual Viewport viewport() const = 0;
+    /// Whether textures are looked at; if not, images need not be decoded.
+    virtual bool keeps_pixels() const = 0;
+
+    virtual Result<BackendTexture> create_texture(const Image& image) = 0;
+    /// Replaces the part of a texture whose top left is (x, y); the part lies inside.
+    virtual void update_texture(BackendTexture texture, int x, int y, const Image& part) = 0;
+    virtual void destroy_texture(BackendTexture texture) = 0;
+
+    /// Fills the whole output; the color's alpha counts as 1.
+    virtual void clear(Color color) = 0;
+    /// Textures are sampled linearly and clamped at their edges. Drawing is cut to `scissor`, which lies
+    /// inside the output.
+    virtual void draw(std::span<const RenderVertex> vertices, std::span<const int> indices,
+                      BackendTexture texture, BlendMode blend, const PixelRect& scissor) = 0;
+    virtual Result<Image> read_pixels() = 0;
+    virtual void present() = 0;
+};
+
+}  // namespace cairn::engine

@@ -1,0 +1,36 @@
+// The null back-end. Invariant: no pixel is kept.
+#include "render/null/null_backend.h"
+
+namespace cairn::engine {
+namespace {
+
+class NullBackend final : public RenderBackend {
+  public:
+    explicit NullBackend(Size logical)
+        : viewport_(make_viewport(WindowScaling::Fit, logical, logical, logical)) {}
+
+    Viewport viewport() const override { return viewport_; }
+    bool keeps_pixels() const override { return false; }
+    Result<BackendTexture> create_texture(const Image&) override { return ++last_texture_; }
+    void update_texture(BackendTexture, int, int, const Image&) override {}
+    void destroy_texture(BackendTexture) override {}
+    void clear(Color) override {}
+    void draw(std::span<const RenderVertex>, std::span<const int>, BackendTexture, BlendMode,
+              const PixelRect&) override {}
+    Result<Image> read_pixels() override {
+        return Error{"there is no picture to capture: this headless run was started without drawing"};
+    }
+    void present() override {}
+
+  private:
+    Viewport viewport_;
+    BackendTexture last_texture_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<RenderBackend> make_null_backend(Size logical) {
+    return std::make_unique<NullBackend>(logical);
+}
+
+}  // namespace cairn::engine

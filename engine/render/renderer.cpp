@@ -1,0 +1,230 @@
+// The renderer's assets, frames and drawing state. Invariant: between frames nothing is left in the batch,
+// and the stack of transforms holds the identity only.
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <utility>
+
+#include <cairn/engine/log.h>
+#include <cairn/engine/renderer.h>
+
+#include "render/bleed.h"
+#include "render/renderer_state.h"
+
+namespace cairn::engine {
+namespace {
+
+constexpr int kMaxTransforms = 64;
+
+PixelRect whole(Size size) {
+    return {0, 0, size.width, size.height};
+}
+
+/// The pixels whose middle lies in the area between two corners, cut to `bounds`. Written so that NaN gives
+/// no pixels.
+PixelRect pixels_between(Vec2 low, Vec2 high, Size bounds) {
+    const auto clamp = [](float value, int limit) {
+        return value > 0 ? static_cast<int>(std::lround(std::min(value, static_cast<float>(limit)))) : 0;
+    };
+    const int x = clamp(low.x, bounds.width);
+    const int y = clamp(low.y, bounds.height);
+    return {x, y, std::max(clamp(high.x, bounds.width) - x, 0),
+            std::max(clamp(high.y, bounds.height) - y, 0)};
+}
+
+PixelRect logical_pixels(const Viewport& viewport, const Rect& area) {
+    const Affine2 map = viewport.output_from_logical();
+    return pixels_between(map.apply({area.x, area.y}), map.apply({area.x + area.width, area.y + area.height}),
+                          viewport.output);
+}
+
+Rect logical_area(const Viewport& viewport) {
+    return {0, 0, static_cast<float>(viewport.logical.width), static_cast<float>(viewport.logical.height)};
+}
+
+}  // namespace
+
+Renderer::State::State(const Files& files_to_read, std::unique_ptr<RenderBackend> chosen)
+    : files(files_to_read),
+      backend(std::move(chosen)),
+      viewport(backend->viewport()),
+      batch(*backend),
+      glyphs(*backend, batch) {}
+
+Renderer::Renderer(const Files& files, std::unique_ptr<RenderBackend> backend)
+    : state_(std::make_unique<State>(files, std::move(backend))) {}
+
+Renderer::~Renderer() = default;
+
+// ---- Assets
+
+Result<TextureId> Renderer::load_texture(std::string_view path) {
+    if (const auto known = state_->textures_by_path.find(path); known != state_->textures_by_path.end())
+        return known->second;
+    const Result<std::vector<std::byte>> file = state_->files.read_bytes(path);
+    if (!file) return Error{"image '" + std::string(path) + "' cannot be loaded: " + file.error().message};
+
+    Texture texture;
+    texture.path = path;
+    if (state_->backend->keeps_pixels()) {
+        Result<Image> image = decode_image(*file, path);
+        if (!image) return image.error();
+        bleed_into_transparent(*image);
+        const Result<BackendTexture> made = state_->backend->create_texture(*image);
+        if (!made) return Error{"image '" + texture.path + "': " + made.error().message};
+        texture.size = image->size;
+        texture.backend_texture = *made;
+    } else {
+        const Result<Size> size = read_image_size(*file, path);
+        if (!size) return size.error();
+        texture.size = *size;
+    }
+    const TextureId id = state_->textures.insert(std::move(texture));
+    state_->textures_by_path.emplace(path, id);
+    return id;
+}
+
+Result<TextureId> Renderer::create_texture(const Image& image) {
+    const auto [width, height] = image.size;
+    if (width < 1 || height < 1 || width > kMaxImageSide || height > kMaxImageSide)
+        return Error{"texture: the size " + std::to_string(width) + " x " + std::to_string(height) +
+                     " must be 1 to " + std::to_string(kMaxImageSide) + " on each side"};
+    assert(image.rgba.size() == 4 * static_cast<std::size_t>(width) * height);
+    Texture texture;
+    texture.size = image.size;
+    if (state_->backend->keeps_pixels()) {
+        const Result<BackendTexture> made = state_->backend->create_texture(image);
+        if (!made) return made.error();
+        texture.backend_texture = *made;
+    }
+    return state_->textures.insert(std::move(texture));
+}
+
+Size Renderer::texture_size(TextureId texture) const {
+    const Texture* found = state_->textures.find(texture);
+    return found ? found->size : Size{};
+}
+
+bool Renderer::is_valid(TextureId texture) const {
+    return state_->textures.find(texture) != nullptr;
+}
+
+void Renderer::destroy_texture(TextureId texture) {
+    const Texture* found = state_->textures.find(texture);
+    if (!found) return;
+    state_->batch.flush();
+    if (found->backend_texture) state_->backend->destroy_texture(found->backend_texture);
+    state_->textures_by_path.erase(found->path);
+    state_->textures.erase(texture);
+}
+
+const Texture* Renderer::State::find_texture(TextureId texture, std::string_view function) {
+    const Texture* found = textures.find(texture);
+    if (!found) complain_once("texture", function);
+    return found;
+}
+
+void Renderer::State::complain_once(std::string_view what, std::string_view function) {
+    const std::string message = std::string(function) + ": the " + std::string(what) +
+                                " handle is null, or what it named was destroyed; nothing is drawn";
+    if (complaints.emplace(message, true).second) log(LogLevel::Error, message);
+}
+
+// ---- Frame
+
+Size Renderer::logical_size() const {
+    return state_->backend->viewport().logical;
+}
+
+float Renderer::pixel_scale() const {
+    return state_->backend->viewport().scale;
+}
+
+void Renderer::begin_frame(Color clear) {
+    State& s = *state_;
+    s.viewport = s.backend->viewport();
+    s.batch.reset_stats();
+    s.transforms.assign(1, {});
+    s.batch.set_blend_mode(BlendMode::Alpha);
+    clear.a = 1;
+    if (!s.viewport.has_bars()) {
+        s.backend->clear(clear);
+        s.batch.set_scissor(whole(s.viewport.output));
+        return;
+    }
+    s.backend->clear({0, 0, 0, 1});
+    set_scissor(std::nullopt);
+    fill_rectangle(logical_area(s.viewport), clear);
+}
+
+void Renderer::end_frame() {
+    State& s = *state_;
+    s.batch.flush();
+    s.last_frame = s.batch.stats();
+    s.transforms.assign(1, {});
+    s.backend->present();
+}
+
+Result<Image> Renderer::capture() {
+    state_->batch.flush();
+    return state_->backend->read_pixels();
+}
+
+const RenderStats& Renderer::stats() const {
+    return state_->last_frame;
+}
+
+// ---- State
+
+Result<void> Renderer::push_transform() {
+    if (transform_depth() >= kMaxTransforms)
+        return Error{"push: the stack of transforms holds " + std::to_string(kMaxTransforms) +
+                     " already; is a pop missing?"};
+    state_->transforms.push_back(state_->transforms.back());
+    return {};
+}
+
+Result<void> Renderer::pop_transform() {
+    if (transform_depth() == 0)
+        return Error{"pop: the stack of transforms is empty; there was no push to undo"};
+    state_->transforms.pop_back();
+    return {};
+}
+
+int Renderer::transform_depth() const {
+    return static_cast<int>(state_->transforms.size()) - 1;
+}
+
+void Renderer::translate(Vec2 offset) {
+    apply_transform(Affine2::translation(offset));
+}
+void Renderer::rotate(float angle_rad) {
+    apply_transform(Affine2::rotation(angle_rad));
+}
+void Renderer::scale(Vec2 factors) {
+    apply_transform(Affine2::scaling(factors));
+}
+
+void Renderer::apply_transform(const Affine2& local) {
+    Affine2& current = state_->transforms.back();
+    current = current * local;
+}
+
+void Renderer::reset_transform() {
+    state_->transforms.back() = {};
+}
+Affine2 Renderer::transform() const {
+    return state_->transforms.back();
+}
+
+void Renderer::set_blend_mode(BlendMode mode) {
+    state_->batch.set_blend_mode(mode);
+}
+
+void Renderer::set_scissor(std::optional<Rect> area) {
+    // Without an area the bars stay outside, so that a game's picture ends where its logical size ends.
+    state_->batch.set_scissor(
+        logical_pixels(state_->viewport, area.value_or(logical_area(state_->viewport))));
+}
+
+}  // namespace cairn::engine

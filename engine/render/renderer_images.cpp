@@ -1,0 +1,42 @@
+// Images. Invariant: an image drawn at whole pixels, without rotation and in its own size, is shown pixel by
+// pixel.
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include <cairn/engine/renderer.h>
+
+#include "render/renderer_state.h"
+
+namespace cairn::engine {
+
+void Renderer::draw_image(TextureId texture, const ImageDraw& draw) {
+    const Texture* found = state_->find_texture(texture, "draw_image");
+    if (!found) return;
+    const auto image_width = static_cast<float>(found->size.width);
+    const auto image_height = static_cast<float>(found->size.height);
+    const Rect source = draw.source.value_or(Rect{0, 0, image_width, image_height});
+    if (!(source.width > 0 && source.height > 0)) return;
+
+    // From the source rectangle's pixels, counted from its top left, to output pixels.
+    const Affine2 placed = Affine2::translation(draw.position) * Affine2::rotation(draw.rotation_rad) *
+                           Affine2::scaling(draw.scale) * Affine2::translation(-draw.origin);
+    const Affine2 output_from_source = state_->output_transform() * placed;
+    std::vector<Vec2> corners = {
+        {0, 0}, {source.width, 0}, {source.width, source.height}, {0, source.height}};
+    for (Vec2& corner : corners) corner = output_from_source.apply(corner);
+
+    const Affine2 uv_from_image = Affine2::scaling({1 / image_width, 1 / image_height});
+    const Affine2 uv_from_source = uv_from_image * Affine2::translation({source.x, source.y});
+    // Half a texel inside the source rectangle the filter does not see what lies beside it.
+    const Vec2 margin = {std::min(0.5f, 0.5f * source.width), std::min(0.5f, 0.5f * source.height)};
+    const Vec2 low = uv_from_source.apply(margin);
+    const Vec2 size = uv_from_image.apply_vector({source.width - 2 * margin.x, source.height - 2 * margin.y});
+    const Rect bounds = {std::clamp(low.x, 0.0f, 1.0f), std::clamp(low.y, 0.0f, 1.0f),
+                         std::clamp(size.x, 0.0f, 1.0f - std::clamp(low.x, 0.0f, 1.0f)),
+                         std::clamp(size.y, 0.0f, 1.0f - std::clamp(low.y, 0.0f, 1.0f))};
+    state_->fill(std::move(corners), Brush(draw.tint, uv_from_source * output_from_source.inverse(), bounds),
+                 found->backend_texture);
+}
+
+}  // namespace cairn::engine

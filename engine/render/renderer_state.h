@@ -1,0 +1,61 @@
+// What a Renderer consists of. The functions that draw are spread over renderer*.cpp by what they draw.
+// Invariant: transforms.back() is the current transform, from drawing coordinates to logical pixels.
+#pragma once
+
+#include <initializer_list>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <cairn/engine/files.h>
+#include <cairn/engine/renderer.h>
+
+#include "base/handle_table.h"
+#include "render/backend.h"
+#include "render/batch.h"
+#include "render/font_store.h"
+#include "render/glyph_cache.h"
+
+namespace cairn::engine {
+
+struct Texture {
+    BackendTexture backend_texture = 0;  ///< 0 when the back-end keeps no pixels
+    Size size;
+    std::string path;  ///< empty when it was made from an image in memory
+};
+
+struct Renderer::State {
+    State(const Files& files_to_read, std::unique_ptr<RenderBackend> chosen);
+
+    /// Drawing coordinates to output pixels.
+    Affine2 output_transform() const { return viewport.output_from_logical() * transforms.back(); }
+
+    /// Makes the points fit to be drawn: false when one is not finite, or when all lie outside of the picture
+    /// by more than `margin` pixels. Points that are far outside are pulled to where the back-ends can still
+    /// compute.
+    bool prepare(std::vector<Vec2>& output_points, float margin) const;
+
+    /// Like textures.find, but says once which function was given a handle that names nothing.
+    const Texture* find_texture(TextureId texture, std::string_view function);
+    void complain_once(std::string_view what, std::string_view function);
+
+    void fill(std::vector<Vec2> output_points, const Brush& brush, BackendTexture texture);
+    void outline(std::vector<Vec2> output_points, bool closed, float width, LineCap cap, Color color);
+
+    const Files& files;
+    std::unique_ptr<RenderBackend> backend;
+    Viewport viewport;
+    std::vector<Affine2> transforms = {Affine2{}};
+
+    HandleTable<TextureId, Texture> textures;
+    std::map<std::string, TextureId, std::less<>> textures_by_path;
+    FontStore fonts;
+
+    Batch batch;
+    GlyphCache glyphs;
+    RenderStats last_frame;
+    std::map<std::string, bool, std::less<>> complaints;
+};
+
+}  // namespace cairn::engine

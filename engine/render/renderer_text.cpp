@@ -1,0 +1,118 @@
+// Text. Invariant: lines are broken and aligned with the font's nominal measures; only the letters' pictures
+// depend on the output's scale. They are made at the size in which they appear, so that text is sharp at any
+// zoom.
+#include <algorithm>
+#include <cmath>
+
+#include <cairn/engine/renderer.h>
+
+#include "render/renderer_state.h"
+#include "render/text_layout.h"
+
+namespace cairn::engine {
+namespace {
+
+float aligned_start(const TextLine& line, const TextDraw& draw) {
+    const float room = draw.wrap_width > 0 ? draw.wrap_width : 0;
+    switch (draw.align) {
+        case TextAlign::Left:
+            return 0;
+        case TextAlign::Center:
+            return 0.5f * (room - line.width);
+        case TextAlign::Right:
+            return room - line.width;
+    }
+    return 0;
+}
+
+/// Whether the map neither turns nor mirrors nor distorts, so that letters can be put on whole pixels.
+bool is_upright(const Affine2& map) {
+    return map.b == 0 && map.c == 0 && map.a > 0 && map.a == map.d;
+}
+
+}  // namespace
+
+Result<FontId> Renderer::load_font(std::string_view path, float size) {
+    return state_->fonts.load(state_->files, path, size);
+}
+
+bool Renderer::is_valid(FontId font) const {
+    return state_->fonts.is_valid(font);
+}
+
+float Renderer::line_height(FontId font) const {
+    const FontFace* face = state_->fonts.nominal(font);
+    return face ? static_cast<float>(face->line_height()) : 0;
+}
+
+Vec2 Renderer::measure_text(FontId font, std::string_view text, float wrap_width) const {
+    const FontFace* face = state_->fonts.nominal(font);
+    if (!face || text.empty()) return {};
+    const std::vector<TextLine> lines = layout_text(*face, text, wrap_width);
+    float width = 0;
+    for (const TextLine& line : lines) width = std::max(width, line.width);
+    return {width, static_cast<float>(lines.size()) * static_cast<float>(face->line_height())};
+}
+
+void Renderer::draw_text(FontId font, std::string_view text, const TextDraw& draw) {
+    State& s = *state_;
+    const FontFace* nominal = s.fonts.nominal(font);
+    if (!nominal) {
+        s.complain_once("font", "draw_text");
+        return;
+    }
+    const Affine2 map = s.output_transform();
+    const int nominal_pixels = s.fonts.nominal_pixels(font);
+    const float wanted = static_cast<float>(nominal_pixels) * map.mean_scale();
+    if (!(wanted > 0) || !std::isfinite(wanted)) return;
+    const int pixels = std::clamp(static_cast<int>(std::lround(std::min(wanted, 1e6f))),
+                                  FontStore::kMinPixels, FontStore::kMaxPixels);
+    const FontFace* face = s.fonts.at_pixels(font, pixels);
+    if (!face) return;
+
+    // A letter's picture is drawn pixel by pixel where that is possible, and scaled where it is not.
+    const bool snapped = is_upright(map) && std::fabs(wanted - static_cast<float>(pixels)) < 0.5f;
+    const float picture_scale = static_cast<float>(nominal_pixels) / static_cast<float>(pixels);
+    const Rgba8 color = to_rgba8(draw.color);
+
+    const std::vector<TextLine> lines = layout_text(*nominal, text, draw.wrap_width);
+    float baseline = draw.position.y + static_cast<float>(nominal->ascent());
+    for (const TextLine& line : lines) {
+        const float start = draw.position.x + aligned_start(line, draw);
+        for (const PlacedCharacter& placed : line.characters) {
+            const std::optional<GlyphCache::Entry> glyph =
+                s.glyphs.find(font, pixels, *face, placed.character);
+            if (!glyph || glyph->size.width == 0) continue;
+            const Vec2 pen = {start + placed.x, baseline};
+            const Vec2 offset = {static_cast<float>(glyph->left),
+                                 static_cast<float>(glyph->top - face->ascent())};
+            const Vec2 size = {static_cast<float>(glyph->size.width), static_cast<float>(glyph->size.height)};
+            Vec2 corner;
+            Vec2 x_axis;
+            Vec2 y_axis;
+            if (snapped) {
+                const Vec2 exact = map.apply(pen);
+                corner = Vec2{std::round(exact.x), std::round(exact.y)} + offset;
+                x_axis = {size.x, 0};
+                y_axis = {0, size.y};
+            } else {
+                corner = map.apply(pen + offset * picture_scale);
+                x_axis = map.apply_vector({size.x * picture_scale, 0});
+                y_axis = map.apply_vector({0, size.y * picture_scale});
+            }
+            std::vector<Vec2> corners = {corner, corner + x_axis, corner + x_axis + y_axis, corner + y_axis};
+            if (!s.prepare(corners, 0)) continue;
+
+            TriangleList& out = s.batch.triangles(glyph->texture);
+            const Rect& uv = glyph->uv;
+            const int first = out.add({corners[0], color, {uv.x, uv.y}});
+            out.add({corners[1], color, {uv.x + uv.width, uv.y}});
+            out.add({corners[2], color, {uv.x + uv.width, uv.y + uv.height}});
+            out.add({corners[3], color, {uv.x, uv.y + uv.height}});
+            out.add_quad(first, first + 1, first + 2, first + 3);
+        }
+        baseline += static_cast<float>(nominal->line_height());
+    }
+}
+
+}  // namespace cairn::engine

@@ -1,0 +1,198 @@
+// The two ways to fill a window. Invariant: textures never outlive the SDL_Renderer that made them.
+#include "render/sdl/window_backend.h"
+
+#include <SDL.h>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <cairn/engine/log.h>
+
+#include "render/surface/surface_backend.h"
+
+namespace cairn::engine {
+namespace {
+
+struct SdlDeleter {
+    void operator()(SDL_Renderer* renderer) const { SDL_DestroyRenderer(renderer); }
+    void operator()(SDL_Texture* texture) const { SDL_DestroyTexture(texture); }
+};
+using RendererPtr = std::unique_ptr<SDL_Renderer, SdlDeleter>;
+using TexturePtr = std::unique_ptr<SDL_Texture, SdlDeleter>;
+
+Error sdl_error(std::string_view what) {
+    return Error{std::string(what) + ": " + SDL_GetError()};
+}
+
+Size output_size(SDL_Renderer* renderer) {
+    Size size;
+    SDL_GetRendererOutputSize(renderer, &size.width, &size.height);
+    return size;
+}
+
+SDL_BlendMode to_sdl(BlendMode mode) {
+    switch (mode) {
+        case BlendMode::Alpha:
+            return SDL_BLENDMODE_BLEND;
+        case BlendMode::Add:
+            return SDL_BLENDMODE_ADD;
+    }
+    return SDL_BLENDMODE_NONE;
+}
+
+/// SDL's renderer on a graphics driver draws the triangles.
+class AcceleratedBackend final : public RenderBackend {
+  public:
+    AcceleratedBackend(SDL_Window* window, const WindowDef& def, RendererPtr renderer)
+        : window_(window), def_(def), renderer_(std::move(renderer)) {}
+
+    Viewport viewport() const override {
+        return window_viewport(window_, def_, output_size(renderer_.get()));
+    }
+    bool keeps_pixels() const override { return true; }
+
+    Result<BackendTexture> create_texture(const Image& image) override {
+        TexturePtr texture(SDL_CreateTexture(renderer_.get(), SDL_PIXELFORMAT_RGBA32,
+                                             SDL_TEXTUREACCESS_STATIC, image.size.width, image.size.height));
+        if (!texture ||
+            SDL_UpdateTexture(texture.get(), nullptr, image.rgba.data(), 4 * image.size.width) != 0)
+            return sdl_error("cannot make a texture");
+        SDL_SetTextureScaleMode(texture.get(), SDL_ScaleModeLinear);
+        for (std::size_t i = 0; i < textures_.size(); ++i)
+            if (!textures_[i]) {
+                textures_[i] = std::move(texture);
+                return static_cast<BackendTexture>(i + 1);
+            }
+        textures_.push_back(std::move(texture));
+        return static_cast<BackendTexture>(textures_.size());
+    }
+
+    void update_texture(BackendTexture texture, int x, int y, const Image& part) override {
+        const SDL_Rect area = {x, y, part.size.width, part.size.height};
+        SDL_UpdateTexture(textures_[texture - 1].get(), &area, part.rgba.data(), 4 * part.size.width);
+    }
+
+    void destroy_texture(BackendTexture texture) override { textures_[texture - 1].reset(); }
+
+    void clear(Color color) override {
+        const Rgba8 c = to_rgba8(color);
+        SDL_RenderSetClipRect(renderer_.get(), nullptr);
+        SDL_SetRenderDrawColor(renderer_.get(), c.r, c.g, c.b, 255);
+        SDL_RenderClear(renderer_.get());
+    }
+
+    void draw(std::span<const RenderVertex> vertices, std::span<const int> indices, BackendTexture texture,
+              BlendMode blend, const PixelRect& scissor) override {
+        static_assert(sizeof(Rgba8) == sizeof(SDL_Color), "vertex colors are handed to SDL as they are");
+        const SDL_Rect clip = {scissor.x, scissor.y, scissor.width, scissor.height};
+        SDL_RenderSetClipRect(renderer_.get(), &clip);
+        SDL_Texture* image = texture ? textures_[texture - 1].get() : nullptr;
+        if (image)
+            SDL_SetTextureBlendMode(image, to_sdl(blend));
+        else
+            SDL_SetRenderDrawBlendMode(renderer_.get(), to_sdl(blend));
+        constexpr int kStride = sizeof(RenderVertex);
+        const int failed = SDL_RenderGeometryRaw(
+            renderer_.get(), image, &vertices[0].position.x, kStride,
+            reinterpret_cast<const SDL_Color*>(&vertices[0].color), kStride, &vertices[0].uv.x, kStride,
+            static_cast<int>(vertices.size()), indices.data(), static_cast<int>(indices.size()), sizeof(int));
+        if (failed && !std::exchange(has_warned_, true))
+            log(LogLevel::Warning, std::string("drawing failed: ") + SDL_GetError());
+    }
+
+    Result<Image> read_pixels() override {
+        Image image{output_size(renderer_.get()), {}};
+        image.rgba.resize(4 * static_cast<std::size_t>(image.size.width) * image.size.height);
+        SDL_RenderSetClipRect(renderer_.get(), nullptr);
+        if (SDL_RenderReadPixels(renderer_.get(), nullptr, SDL_PIXELFORMAT_RGBA32, image.rgba.data(),
+                                 4 * image.size.width) != 0)
+            return sdl_error("cannot read the picture back");
+        // What a driver leaves in the window's alpha is not defined; the picture is opaque.
+        for (std::size_t i = 3; i < image.rgba.size(); i += 4) image.rgba[i] = 255;
+        return image;
+    }
+
+    void present() override { SDL_RenderPresent(renderer_.get()); }
+
+  private:
+    SDL_Window* window_;
+    WindowDef def_;
+    RendererPtr renderer_;
+    std::vector<TexturePtr> textures_;  ///< texture id - 1; empty: free
+    bool has_warned_ = false;
+};
+
+/// Our rasterizer draws; SDL shows the picture.
+class UnacceleratedBackend final : public RenderBackend {
+  public:
+    UnacceleratedBackend(SDL_Window* window, const WindowDef& def, RendererPtr renderer)
+        : window_(window), def_(def), renderer_(std::move(renderer)), surface_(viewport()) {}
+
+    Viewport viewport() const override {
+        return window_viewport(window_, def_, output_size(renderer_.get()));
+    }
+    bool keeps_pixels() const override { return true; }
+    Result<BackendTexture> create_texture(const Image& image) override {
+        return surface_.create_texture(image);
+    }
+    void update_texture(BackendTexture texture, int x, int y, const Image& part) override {
+        surface_.update_texture(texture, x, y, part);
+    }
+    void destroy_texture(BackendTexture texture) override { surface_.destroy_texture(texture); }
+
+    void clear(Color color) override {
+        surface_.set_viewport(viewport());
+        surface_.clear(color);
+    }
+
+    void draw(std::span<const RenderVertex> vertices, std::span<const int> indices, BackendTexture texture,
+              BlendMode blend, const PixelRect& scissor) override {
+        surface_.draw(vertices, indices, texture, blend, scissor);
+    }
+
+    Result<Image> read_pixels() override { return surface_.read_pixels(); }
+
+    void present() override {
+        const Image& picture = surface_.picture();
+        if (!screen_ || screen_size_ != picture.size) {
+            screen_.reset(SDL_CreateTexture(renderer_.get(), SDL_PIXELFORMAT_RGBA32,
+                                            SDL_TEXTUREACCESS_STREAMING, picture.size.width,
+                                            picture.size.height));
+            screen_size_ = picture.size;
+        }
+        if (!screen_) return;
+        SDL_UpdateTexture(screen_.get(), nullptr, picture.rgba.data(), 4 * picture.size.width);
+        SDL_RenderCopy(renderer_.get(), screen_.get(), nullptr, nullptr);
+        SDL_RenderPresent(renderer_.get());
+    }
+
+  private:
+    SDL_Window* window_;
+    WindowDef def_;
+    RendererPtr renderer_;
+    SurfaceBackend surface_;
+    TexturePtr screen_;
+    Size screen_size_;
+};
+
+}  // namespace
+
+Viewport window_viewport(SDL_Window* window, const WindowDef& def, Size output) {
+    Size size;
+    SDL_GetWindowSize(window, &size.width, &size.height);
+    return make_viewport(def.scaling, def.size, size, output);
+}
+
+Result<std::unique_ptr<RenderBackend>> make_window_backend(SDL_Window* window, const WindowDef& def) {
+    RendererPtr renderer(SDL_CreateRenderer(window, -1, def.has_vsync ? SDL_RENDERER_PRESENTVSYNC : 0));
+    if (!renderer) return sdl_error("cannot draw into the window");
+    SDL_RendererInfo info;
+    if (SDL_GetRendererInfo(renderer.get(), &info) != 0) return sdl_error("cannot draw into the window");
+    if (info.flags & SDL_RENDERER_SOFTWARE)
+        return std::unique_ptr<RenderBackend>(
+            std::make_unique<UnacceleratedBackend>(window, def, std::move(renderer)));
+    return std::unique_ptr<RenderBackend>(
+        std::make_unique<AcceleratedBackend>(window, def, std::move(renderer)));
+}
+
+}  // namespace cairn::engine

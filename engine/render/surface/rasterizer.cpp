@@ -1,0 +1,191 @@
+// The software rasterizer. Invariant: coverage is decided in integers, in 1/256 of a pixel; only colors are
+// floats.
+#include "render/surface/rasterizer.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+namespace cairn::engine {
+namespace {
+
+constexpr std::int64_t kSubpixels = 256;
+
+struct FixedPoint {
+    std::int64_t x;
+    std::int64_t y;
+};
+
+FixedPoint to_fixed(Vec2 p) {
+    return {std::lround(static_cast<double>(p.x) * kSubpixels),
+            std::lround(static_cast<double>(p.y) * kSubpixels)};
+}
+
+std::int64_t floor_div(std::int64_t a, std::int64_t b) {
+    const std::int64_t quotient = a / b;
+    return quotient - ((a % b != 0 && (a < 0) != (b < 0)) ? 1 : 0);
+}
+
+/// E(x, y) >= 0 on the inner side of an edge, at the middle of pixel (x, y).
+struct Edge {
+    std::int64_t at_origin;
+    std::int64_t step_x;
+    std::int64_t step_y;
+    std::int64_t bias;  ///< -1 for edges whose own points belong to the neighbour (the top-left rule)
+
+    Edge(FixedPoint p, FixedPoint q) {
+        const std::int64_t dx = q.x - p.x;
+        const std::int64_t dy = q.y - p.y;
+        step_x = -dy * kSubpixels;
+        step_y = dx * kSubpixels;
+        at_origin = dx * (kSubpixels / 2 - p.y) - dy * (kSubpixels / 2 - p.x);
+        const bool top_or_left = dy < 0 || (dy == 0 && dx > 0);
+        bias = top_or_left ? 0 : -1;
+    }
+
+    std::int64_t at(std::int64_t x, std::int64_t y) const { return at_origin + step_x * x + step_y * y; }
+
+    /// Narrows [first, last] to the pixels of row y on the inner side.
+    void narrow(std::int64_t y, std::int64_t& first, std::int64_t& last) const {
+        const std::int64_t start = at(0, y) + bias;
+        if (step_x > 0)
+            first = std::max(first, -floor_div(start, step_x));
+        else if (step_x < 0)
+            last = std::min(last, floor_div(start, -step_x));
+        else if (start < 0)
+            last = first - 1;
+    }
+};
+
+/// What is interpolated over a triangle: r, g, b, a in 0 .. 255, then u, v.
+using Attributes = std::array<float, 6>;
+
+Attributes attributes_of(const RenderVertex& v) {
+    return {static_cast<float>(v.color.r),
+            static_cast<float>(v.color.g),
+            static_cast<float>(v.color.b),
+            static_cast<float>(v.color.a),
+            v.uv.x,
+            v.uv.y};
+}
+
+using Texel = std::array<float, 4>;
+
+/// Linear filter, clamped at the edges.
+Texel sample(const Image& texture, float u, float v) {
+    const float x = std::clamp(u, 0.0f, 1.0f) * static_cast<float>(texture.size.width) - 0.5f;
+    const float y = std::clamp(v, 0.0f, 1.0f) * static_cast<float>(texture.size.height) - 0.5f;
+    const float floor_x = std::floor(x);
+    const float floor_y = std::floor(y);
+    const float fx = x - floor_x;
+    const float fy = y - floor_y;
+    const int x0 = std::clamp(static_cast<int>(floor_x), 0, texture.size.width - 1);
+    const int y0 = std::clamp(static_cast<int>(floor_y), 0, texture.size.height - 1);
+    const int x1 = std::clamp(static_cast<int>(floor_x) + 1, 0, texture.size.width - 1);
+    const int y1 = std::clamp(static_cast<int>(floor_y) + 1, 0, texture.size.height - 1);
+    const std::uint8_t* p00 = texture.pixel(x0, y0);
+    const std::uint8_t* p10 = texture.pixel(x1, y0);
+    const std::uint8_t* p01 = texture.pixel(x0, y1);
+    const std::uint8_t* p11 = texture.pixel(x1, y1);
+    Texel texel;
+    for (std::size_t i = 0; i < 4; ++i) {
+        const float upper = p00[i] + (p10[i] - p00[i]) * fx;
+        const float lower = p01[i] + (p11[i] - p01[i]) * fx;
+        texel[i] = upper + (lower - upper) * fy;
+    }
+    return texel;
+}
+
+/// color: r, g, b, a in 0 .. 255.
+void blend_pixel(std::uint8_t* pixel, const Texel& color, BlendMode blend) {
+    const float alpha = color[3] * (1.0f / 255);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const float under = pixel[i];
+        float result = under;
+        switch (blend) {
+            case BlendMode::Alpha:
+                result = under + (color[i] - under) * alpha;
+                break;
+            case BlendMode::Add:
+                result = under + color[i] * alpha;
+                break;
+        }
+        pixel[i] = static_cast<std::uint8_t>(std::clamp(result + 0.5f, 0.0f, 255.0f));
+    }
+    pixel[3] = 255;
+}
+
+}  // namespace
+
+void rasterize_triangle(const RenderVertex& a, const RenderVertex& b, const RenderVertex& c,
+                        const Image* texture, BlendMode blend, const PixelRect& clip, Image& target) {
+    std::array<const RenderVertex*, 3> corner = {&a, &b, &c};
+    std::array<FixedPoint, 3> p = {to_fixed(a.position), to_fixed(b.position), to_fixed(c.position)};
+    std::int64_t area = (p[1].x - p[0].x) * (p[2].y - p[0].y) - (p[1].y - p[0].y) * (p[2].x - p[0].x);
+    if (area == 0) return;
+    if (area < 0) {
+        std::swap(corner[1], corner[2]);
+        std::swap(p[1], p[2]);
+        area = -area;
+    }
+    // edge[i] lies opposite of corner i, so edge[i].at() / area is the weight of corner i.
+    const std::array<Edge, 3> edge = {Edge(p[1], p[2]), Edge(p[2], p[0]), Edge(p[0], p[1])};
+
+    const auto [min_y, max_y] = std::minmax({p[0].y, p[1].y, p[2].y});
+    const std::int64_t first_row = std::max<std::int64_t>(clip.y, floor_div(min_y, kSubpixels));
+    const std::int64_t last_row =
+        std::min<std::int64_t>(clip.y + clip.height - 1, floor_div(max_y, kSubpixels));
+
+    const std::array<Attributes, 3> values = {attributes_of(*corner[0]), attributes_of(*corner[1]),
+                                              attributes_of(*corner[2])};
+    const auto reciprocal_area = 1.0 / static_cast<double>(area);
+    Attributes step;
+    for (std::size_t i = 0; i < step.size(); ++i) {
+        double sum = 0;
+        for (std::size_t k = 0; k < 3; ++k) sum += static_cast<double>(edge[k].step_x) * values[k][i];
+        step[i] = static_cast<float>(sum * reciprocal_area);
+    }
+    const bool plain = !texture && a.color == b.color && b.color == c.color;
+
+    for (std::int64_t y = first_row; y <= last_row; ++y) {
+        std::int64_t first = clip.x;
+        std::int64_t last = clip.x + clip.width - 1;
+        for (const Edge& e : edge) e.narrow(y, first, last);
+        if (first > last) continue;
+
+        std::uint8_t* pixel =
+            target.rgba.data() + 4 * (static_cast<std::size_t>(y) * target.size.width + first);
+        if (plain && a.color.a == 255 && blend == BlendMode::Alpha) {
+            for (std::int64_t x = first; x <= last; ++x, pixel += 4) {
+                pixel[0] = a.color.r;
+                pixel[1] = a.color.g;
+                pixel[2] = a.color.b;
+                pixel[3] = 255;
+            }
+            continue;
+        }
+
+        Attributes start;
+        for (std::size_t i = 0; i < start.size(); ++i) {
+            double sum = 0;
+            for (std::size_t k = 0; k < 3; ++k)
+                sum += static_cast<double>(edge[k].at(first, y)) * values[k][i];
+            start[i] = static_cast<float>(sum * reciprocal_area);
+        }
+        for (std::int64_t x = first; x <= last; ++x, pixel += 4) {
+            const auto distance = static_cast<float>(x - first);
+            Texel color;
+            for (std::size_t i = 0; i < 4; ++i) color[i] = start[i] + step[i] * distance;
+            if (texture) {
+                const Texel texel =
+                    sample(*texture, start[4] + step[4] * distance, start[5] + step[5] * distance);
+                for (std::size_t i = 0; i < 4; ++i) color[i] *= texel[i] * (1.0f / 255);
+            }
+            blend_pixel(pixel, color, blend);
+        }
+    }
+}
+
+}  // namespace cairn::engine

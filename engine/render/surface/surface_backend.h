@@ -1,0 +1,38 @@
+// Draws into memory, with no display and no graphics driver: for screenshots of headless runs, and for
+// windows on machines without accelerated graphics. Invariant: the same calls give the same bytes on every
+// machine.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "render/backend.h"
+
+namespace cairn::engine {
+
+class SurfaceBackend final : public RenderBackend {
+  public:
+    explicit SurfaceBackend(const Viewport& viewport);
+
+    /// Throws the picture away when the output's size changes.
+    void set_viewport(const Viewport& viewport);
+    const Image& picture() const { return picture_; }
+
+    Viewport viewport() const override { return viewport_; }
+    bool keeps_pixels() const override { return true; }
+    Result<BackendTexture> create_texture(const Image& image) override;
+    void update_texture(BackendTexture texture, int x, int y, const Image& part) override;
+    void destroy_texture(BackendTexture texture) override;
+    void clear(Color color) override;
+    void draw(std::span<const RenderVertex> vertices, std::span<const int> indices, BackendTexture texture,
+              BlendMode blend, const PixelRect& scissor) override;
+    Result<Image> read_pixels() override { return picture_; }
+    void present() override {}
+
+  private:
+    Viewport viewport_;
+    Image picture_;
+    std::vector<Image> textures_;  ///< texture id - 1; without area: free
+};
+
+}  // namespace cairn::engine

@@ -1,0 +1,66 @@
+// Turns shapes into triangles with smooth edges, in output pixels.
+// Invariant: the sum over the triangles of (area * mean coverage) is the shape's area, so a shape looks
+// neither fatter nor thinner than it is. An edge is a rim one pixel wide, centred on the true edge, opaque
+// inside and transparent outside: the coverage of a pixel by a straight edge, seen through a box filter.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "render/backend.h"
+
+namespace cairn::engine {
+
+/// Triangles; three indices each.
+struct TriangleList {
+    std::vector<RenderVertex> vertices;
+    std::vector<int> indices;
+
+    void clear() {
+        vertices.clear();
+        indices.clear();
+    }
+    int add(const RenderVertex& vertex) {
+        vertices.push_back(vertex);
+        return static_cast<int>(vertices.size()) - 1;
+    }
+    void add_triangle(int a, int b, int c) { indices.insert(indices.end(), {a, b, c}); }
+    void add_quad(int a, int b, int c, int d) { indices.insert(indices.end(), {a, b, c, a, c, d}); }
+};
+
+/// What a shape is filled with: a color, or an image times a color.
+class Brush {
+  public:
+    explicit Brush(Color color) : color_(color) {}
+    /// uv_bounds keeps the rim, which lies a little outside of the shape, from showing a neighbour in the
+    /// image.
+    Brush(Color tint, const Affine2& uv_from_output, const Rect& uv_bounds)
+        : color_(tint), uv_from_output_(uv_from_output), uv_bounds_(uv_bounds) {}
+
+    /// The same brush with its alpha multiplied.
+    Brush faded(float factor) const;
+    RenderVertex vertex(Vec2 position, float coverage) const;
+
+  private:
+    Color color_;
+    Affine2 uv_from_output_ = {0, 0, 0, 0, 0, 0};
+    Rect uv_bounds_;
+};
+
+/// A convex polygon of either winding. One without area adds nothing.
+void fill_convex(std::span<const Vec2> points, const Brush& brush, TriangleList& out);
+
+/// A line of the given width along the points; `closed` joins the last one to the first. Lines thinner than a
+/// pixel are drawn one pixel wide and fainter instead.
+void stroke(std::span<const Vec2> points, bool closed, float width, LineCap cap, const Brush& brush,
+            TriangleList& out);
+
+/// How many chords a full circle needs to lie within a tenth of a pixel of the true one; a multiple of 4.
+int circle_segments(float radius_pixels);
+
+/// Points of a circle after `output_from_local`. Their polygon has the area of the true circle.
+std::vector<Vec2> circle_points(Vec2 center, float radius, const Affine2& output_from_local);
+/// Points of a capsule: two half circles around a and b.
+std::vector<Vec2> capsule_points(Vec2 a, Vec2 b, float radius, const Affine2& output_from_local);
+
+}  // namespace cairn::engine
