@@ -7,9 +7,9 @@
 #include <array>
 #include <vector>
 
+#include "base/aabb.h"
 #include "base/assert.h"
 #include "base/slot_map.h"
-#include "broad/aabb.h"
 
 namespace cairn::physics {
 

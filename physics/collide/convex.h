@@ -9,7 +9,7 @@
 #include <cairn/physics/result.h>
 #include <cairn/physics/shape.h>
 
-#include "broad/aabb.h"
+#include "base/aabb.h"
 
 namespace cairn::physics {
 

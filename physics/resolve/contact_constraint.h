@@ -5,7 +5,6 @@
 #include <span>
 
 #include "base/motion.h"
-#include "collide/manifold.h"
 #include "resolve/soft.h"
 
 namespace cairn::physics {

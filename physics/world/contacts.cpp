@@ -5,6 +5,7 @@
 
 #include <cairn/physics/tuning.h>
 
+#include "collide/manifold.h"
 #include "world/filtering.h"
 #include "world/sleep.h"
 
