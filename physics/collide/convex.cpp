@@ -123,6 +123,15 @@ float farthest_distance(const Convex& shape, Vec2 from) {
     return farthest + shape.radius();
 }
 
+float inner_radius(const Convex& shape) {
+    if (shape.count() < 3) return shape.radius();
+    float nearest = dot(shape.normals[0], shape.point(0) - shape.centroid);
+    for (int i = 1; i < shape.count(); ++i) {
+        nearest = std::min(nearest, dot(shape.normals[i], shape.point(i) - shape.centroid));
+    }
+    return nearest + shape.radius();
+}
+
 bool contains_point(const Convex& shape, Vec2 point) {
     bool inside = shape.count() >= 3;
     float nearest_squared = length_squared(point - shape.point(0));

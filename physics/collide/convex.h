@@ -33,6 +33,9 @@ Aabb bounds(const Convex& shape, const Transform& xf);
 /// Largest distance of the shape from a point, both in the body's frame.
 float farthest_distance(const Convex& shape, Vec2 from);
 
+/// Radius of the largest disc about the centroid that lies in the shape.
+float inner_radius(const Convex& shape);
+
 /// Whether a point in the body's frame lies in the shape.
 bool contains_point(const Convex& shape, Vec2 point);
 

@@ -34,13 +34,6 @@ float effective_mass(const Motion& a, const Motion& b, const ContactPointConstra
     return k > 0 ? 1 / k : 0;
 }
 
-// How far apart the point is now: linear in the bodies' motion since the start of the step.
-float current_separation(const Motion& a, const Motion& b, const ContactPointConstraint& p, Vec2 normal) {
-    const Vec2 moved_a = a.dp + rotate(a.dq, p.r_a) - p.r_a;
-    const Vec2 moved_b = b.dp + rotate(b.dq, p.r_b) - p.r_b;
-    return p.separation + dot(moved_b - moved_a, normal);
-}
-
 void solve_normal(ContactConstraint& c, ContactPointConstraint& p, Motion& a, Motion& b,
                   const ContactRules& rules, float h_s, Pass pass) {
     const float s = current_separation(a, b, p, c.normal);
@@ -92,6 +85,12 @@ ContactRules make_contact_rules(float h_s, float max_push_out_speed_m_s, float r
     return {make_soft(frequency, tuning::kContactDampingRatio, h_s),
             make_soft(tuning::kStaticContactStiffening * frequency, tuning::kContactDampingRatio, h_s),
             max_push_out_speed_m_s, restitution_speed_m_s};
+}
+
+float current_separation(const Motion& a, const Motion& b, const ContactPointConstraint& p, Vec2 normal) {
+    const Vec2 moved_a = a.dp + rotate(a.dq, p.r_a) - p.r_a;
+    const Vec2 moved_b = b.dp + rotate(b.dq, p.r_b) - p.r_b;
+    return p.separation + dot(moved_b - moved_a, normal);
 }
 
 void prepare_contact(ContactConstraint& c, std::span<const Motion> motions, const ContactRules& rules) {

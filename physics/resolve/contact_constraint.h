@@ -47,6 +47,9 @@ ContactRules make_contact_rules(float h_s, float max_push_out_speed_m_s, float r
 /// Fills in what follows from the geometry: effective masses, softness, closing velocities.
 void prepare_contact(ContactConstraint& c, std::span<const Motion> motions, const ContactRules& rules);
 
+/// How far apart the point is now: linear in the bodies' motion since the start of the step.
+float current_separation(const Motion& a, const Motion& b, const ContactPointConstraint& p, Vec2 normal);
+
 /// Applies the impulses of the previous substep, as a first guess.
 void warm_start_contacts(std::span<const ContactConstraint> contacts, std::span<Motion> motions);
 

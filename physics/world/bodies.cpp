@@ -2,6 +2,7 @@
 #include "world/bodies.h"
 
 #include <algorithm>
+#include <limits>
 
 #include <cairn/physics/tuning.h>
 
@@ -56,9 +57,11 @@ void update_mass(Stores& stores, int body) {
     record.inverse_mass = record.mass.mass_kg > 0 ? 1 / record.mass.mass_kg : 0;
     record.inverse_inertia = record.mass.inertia_kg_m2 > 0 ? 1 / record.mass.inertia_kg_m2 : 0;
     record.extent_m = 0;
+    record.inner_radius_m = std::numeric_limits<float>::infinity();
     for_each_shape(stores, body, [&](int shape) {
-        record.extent_m =
-            std::max(record.extent_m, farthest_distance(stores.shapes[shape].convex, record.mass.center_m));
+        const Convex& convex = stores.shapes[shape].convex;
+        record.extent_m = std::max(record.extent_m, farthest_distance(convex, record.mass.center_m));
+        record.inner_radius_m = std::min(record.inner_radius_m, inner_radius(convex));
     });
 
     BodyRows& rows = stores.bodies.rows_of(body);

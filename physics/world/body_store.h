@@ -24,7 +24,8 @@ struct BodyRecord {
     MassData mass;
     float inverse_mass = 0;
     float inverse_inertia = 0;
-    float extent_m = 0;  // of the shapes, from the centre of mass
+    float extent_m = 0;        // of the shapes, from the centre of mass
+    float inner_radius_m = 0;  // of the thinnest shape: half of what is solid about it
     float linear_damping_1_s = 0;
     float angular_damping_1_s = 0;
     float gravity_scale = 1;

@@ -6,6 +6,8 @@
 #include <cairn/physics/tuning.h>
 
 #include "collide/manifold.h"
+#include "world/contact_events.h"
+#include "world/fast_bodies.h"
 #include "world/filtering.h"
 #include "world/sleep.h"
 
@@ -43,23 +45,6 @@ void remove_contact(Stores& stores, int contact) {
     contacts.slots.erase(contact);
 }
 
-ContactEnd end_event(const Stores& stores, const ContactRecord& c) {
-    return {stores.shapes.id(c.shape_a), stores.shapes.id(c.shape_b), stores.bodies.slots.id(c.body_a),
-            stores.bodies.slots.id(c.body_b)};
-}
-
-ContactBegin begin_event(const Stores& stores, const ContactRecord& c) {
-    Vec2 middle = c.points[0].r_a;
-    if (c.count == 2) middle = 0.5f * (middle + c.points[1].r_a);
-    const int row = stores.bodies.slots[c.body_a].row;
-    return {stores.shapes.id(c.shape_a),
-            stores.shapes.id(c.shape_b),
-            stores.bodies.slots.id(c.body_a),
-            stores.bodies.slots.id(c.body_b),
-            stores.bodies.rows_of(c.body_a).center[row] + middle,
-            c.normal};
-}
-
 void compute_manifold(const Stores& stores, ContactRecord& c) {
     const BodyStore& bodies = stores.bodies;
     const Transform xf_a = bodies.transform(c.body_a);
@@ -86,28 +71,6 @@ void compute_manifold(const Stores& stores, ContactRecord& c) {
             p.tangent_impulse = old_points[j].tangent_impulse;
         }
         c.points[i] = p;
-    }
-}
-
-// For events. Contacts exist from a speculative distance on; touching means that a force acts, or that no gap
-// can be seen. Leaving takes twice the gap, so that a trembling pair does not flood its listener.
-bool touches(const ContactRecord& c) {
-    const float gap = (c.touching ? 2 : 1) * tuning::kLinearSlop_m;
-    for (int i = 0; i < c.count; ++i) {
-        if (c.points[i].separation < gap || c.points[i].normal_impulse > 0) return true;
-    }
-    return false;
-}
-
-void update_touching(const Stores& stores, ContactRecord& c, Events& events) {
-    const bool touching = touches(c);
-    if (touching == c.touching) return;
-    c.touching = touching;
-    if (!c.reports_touch) return;
-    if (touching) {
-        events.begins.push_back(begin_event(stores, c));
-    } else {
-        events.ends.push_back(end_event(stores, c));
     }
 }
 
@@ -145,7 +108,8 @@ void find_new_pairs(Stores& stores) {
     }
 }
 
-void update_contacts(Stores& stores, Events& events, std::vector<int>& parted) {
+void update_contacts(Stores& stores, Events& events, std::vector<int>& parted, Vec2 gravity_m_s2,
+                     float dt_s) {
     ContactStore& contacts = stores.contacts;
     parted.clear();
     // Waking appends to the active list, so its size is asked anew each time.
@@ -157,23 +121,26 @@ void update_contacts(Stores& stores, Events& events, std::vector<int>& parted) {
             continue;
         }
         compute_manifold(stores, c);
-        if (c.count > 0) wake_touched(stores, c);
-        update_touching(stores, c, events);
+        if (c.count == 0) predict_contact(stores, c, gravity_m_s2, dt_s);
+        if (c.count == 0) {
+            report_parting(stores, c, events.ends);
+        } else {
+            wake_touched(stores, c);
+        }
     }
     for (const int contact : parted) {
-        const ContactRecord& c = contacts.slots[contact];
-        if (c.touching && c.reports_touch) events.ends.push_back(end_event(stores, c));
+        report_parting(stores, contacts.slots[contact], events.ends);
         remove_contact(stores, contact);
     }
 }
 
 void destroy_contact(Stores& stores, Events& events, int contact) {
-    const ContactRecord& c = stores.contacts.slots[contact];
+    ContactRecord& c = stores.contacts.slots[contact];
     if (c.count > 0) {
         wake_body(stores, c.body_a);
         wake_body(stores, c.body_b);
     }
-    if (c.touching && c.reports_touch) events.pending_ends.push_back(end_event(stores, c));
+    report_parting(stores, c, events.pending_ends);
     remove_contact(stores, contact);
 }
 

@@ -8,9 +8,9 @@ namespace cairn::physics {
 /// Stage: contacts for the pairs that the broad phase reports.
 void find_new_pairs(Stores& stores);
 
-/// Stage: manifolds of all active contacts, with impulses carried over by feature; begin and end events;
-/// sleeping bodies that are touched wake, and their contacts are updated in the same pass.
-void update_contacts(Stores& stores, Events& events, std::vector<int>& parted);
+/// Stage: manifolds of all active contacts, with impulses carried over by feature; sleeping bodies that are
+/// touched wake, and their contacts are updated in the same pass.
+void update_contacts(Stores& stores, Events& events, std::vector<int>& parted, Vec2 gravity_m_s2, float dt_s);
 
 /// Friction and restitution of the pair, from the materials of its two shapes.
 void mix_materials(const Stores& stores, ContactRecord& contact);

@@ -76,21 +76,6 @@ DistanceConstraint pack(const Stores& stores, const JointRecord& j, const Distan
     return c;
 }
 
-ContactHit hit_event(const Stores& stores, const ContactRecord& c, const ContactConstraint& constraint,
-                     int fastest) {
-    const int row = stores.bodies.slots[c.body_a].row;
-    float impulse = 0;
-    for (int i = 0; i < constraint.count; ++i) impulse += constraint.points[i].total_normal_impulse;
-    return {stores.shapes.id(c.shape_a),
-            stores.shapes.id(c.shape_b),
-            stores.bodies.slots.id(c.body_a),
-            stores.bodies.slots.id(c.body_b),
-            stores.bodies.rows_of(c.body_a).center[row] + constraint.points[fastest].r_a,
-            c.normal,
-            -constraint.points[fastest].closing_velocity,
-            impulse};
-}
-
 }  // namespace
 
 StepTime make_step_time(float dt_s, int substeps, float previous_h_s) {
@@ -169,22 +154,13 @@ void prepare_joints(const Stores& stores, const StepTime& time, StepScratch& scr
     }
 }
 
-void store_contact_impulses(Stores& stores, const WorldDef& def, const StepScratch& scratch, Events& events) {
+void store_contact_impulses(ContactStore& contacts, const StepScratch& scratch) {
     for (const ContactConstraint& c : scratch.contacts) {
-        ContactRecord& record = stores.contacts.slots[c.contact];
-        int fastest = kNone;
-        float fastest_speed = def.hit_speed_m_s;
+        ContactRecord& record = contacts.slots[c.contact];
         for (int i = 0; i < c.count; ++i) {
-            const ContactPointConstraint& p = c.points[i];
-            record.points[i].normal_impulse = p.normal_impulse;
-            record.points[i].tangent_impulse = p.tangent_impulse;
-            if (p.largest_normal_impulse > 0 && -p.closing_velocity > fastest_speed) {
-                fastest = i;
-                fastest_speed = -p.closing_velocity;
-            }
+            record.points[i].normal_impulse = c.points[i].normal_impulse;
+            record.points[i].tangent_impulse = c.points[i].tangent_impulse;
         }
-        if (record.reports_hit && fastest != kNone)
-            events.hits.push_back(hit_event(stores, record, c, fastest));
     }
 }
 

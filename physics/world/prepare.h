@@ -22,8 +22,8 @@ void prepare_contacts(const Stores& stores, const StepTime& time, const ContactR
 /// Stage: active joints.
 void prepare_joints(const Stores& stores, const StepTime& time, StepScratch& scratch);
 
-/// Stage: impulses to start the next step from, and hit events.
-void store_contact_impulses(Stores& stores, const WorldDef& def, const StepScratch& scratch, Events& events);
+/// Stage: impulses to start the next step from.
+void store_contact_impulses(ContactStore& contacts, const StepScratch& scratch);
 /// Stage: the same for joints, and their reactions.
 void store_joint_impulses(JointStore& joints, const StepTime& time, const StepScratch& scratch);
 

@@ -2,7 +2,9 @@
 #include "world/step.h"
 
 #include "integrator/integrate.h"
+#include "world/contact_events.h"
 #include "world/contacts.h"
+#include "world/fast_bodies.h"
 #include "world/finalize.h"
 #include "world/prepare.h"
 #include "world/sleep.h"
@@ -19,8 +21,9 @@ void step_world(WorldState& world, float dt_s) {
         make_contact_rules(time.h_s, def.max_push_out_speed_m_s, def.restitution_speed_m_s);
 
     start_events(world.events);
+    cover_fast_ways(stores, def.gravity_m_s2, dt_s);
     find_new_pairs(stores);
-    update_contacts(stores, world.events, scratch.parted);
+    update_contacts(stores, world.events, scratch.parted, def.gravity_m_s2, dt_s);
 
     prepare_motions(stores.bodies, def.gravity_m_s2, scratch);
     prepare_contacts(stores, time, rules, scratch);
@@ -36,7 +39,8 @@ void step_world(WorldState& world, float dt_s) {
     fly_freely(scratch.motions, scratch.drives, time.dt_s);
     apply_restitution(scratch.contacts, scratch.motions, scratch.drives, rules);
 
-    store_contact_impulses(stores, def, scratch, world.events);
+    report_contacts(stores, scratch, def.hit_speed_m_s, world.events);
+    store_contact_impulses(stores.contacts, scratch);
     store_joint_impulses(stores.joints, time, scratch);
     finalize_bodies(stores, scratch, time.dt_s, def.enable_sleep);
     sleep_islands(stores, scratch);

@@ -1,0 +1,17 @@
+// How far apart two convex shapes are.
+#pragma once
+
+#include "collide/manifold.h"
+
+namespace cairn::physics {
+
+struct Distance {
+    float distance =
+        0;        // of the surfaces; 0 when the cores overlap, and negative when only the rounding does
+    Vec2 normal;  // unit, from a to b; (0, 0) when the cores overlap
+};
+
+/// In the frame of A.
+Distance distance_between(const Convex& a, const Convex& b, const RelativePose& b_in_a);
+
+}  // namespace cairn::physics

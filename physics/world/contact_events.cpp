@@ -1,0 +1,83 @@
+// Contact events.
+#include "world/contact_events.h"
+
+#include <cairn/physics/tuning.h>
+
+namespace cairn::physics {
+namespace {
+
+// Where a contact point of body a is at the end of the step.
+Position place_of(const Stores& stores, const ContactRecord& contact, const Motion& a, Vec2 r_a) {
+    const int row = stores.bodies.slots[contact.body_a].row;
+    return stores.bodies.rows_of(contact.body_a).center[row] + (a.dp + rotate(a.dq, r_a));
+}
+
+ContactBegin begin_event(const Stores& stores, const ContactRecord& c, const ContactConstraint& constraint,
+                         const Motion& a) {
+    Vec2 middle = constraint.points[0].r_a;
+    if (constraint.count == 2) middle = 0.5f * (middle + constraint.points[1].r_a);
+    return {stores.shapes.id(c.shape_a),      stores.shapes.id(c.shape_b),
+            stores.bodies.slots.id(c.body_a), stores.bodies.slots.id(c.body_b),
+            place_of(stores, c, a, middle),   c.normal};
+}
+
+ContactHit hit_event(const Stores& stores, const ContactRecord& c, const ContactConstraint& constraint,
+                     const ContactPointConstraint& fastest, const Motion& a) {
+    float impulse = 0;
+    for (int i = 0; i < constraint.count; ++i) impulse += constraint.points[i].total_normal_impulse;
+    return {stores.shapes.id(c.shape_a),         stores.shapes.id(c.shape_b),
+            stores.bodies.slots.id(c.body_a),    stores.bodies.slots.id(c.body_b),
+            place_of(stores, c, a, fastest.r_a), c.normal,
+            -fastest.closing_velocity,           impulse};
+}
+
+// Contacts exist from a speculative distance on; touching means that a force acted, or that no gap can be
+// seen. Leaving takes twice the gap, so that a trembling pair does not flood its listener.
+bool touches(const ContactConstraint& c, bool touched_before, const std::vector<Motion>& motions) {
+    const float gap = (touched_before ? 2 : 1) * tuning::kLinearSlop_m;
+    for (int i = 0; i < c.count; ++i) {
+        const ContactPointConstraint& p = c.points[i];
+        if (p.largest_normal_impulse > 0) return true;
+        if (current_separation(motions[c.a], motions[c.b], p, c.normal) < gap) return true;
+    }
+    return false;
+}
+
+const ContactPointConstraint* fastest_hit(const ContactConstraint& c, float hit_speed_m_s) {
+    const ContactPointConstraint* fastest = nullptr;
+    for (int i = 0; i < c.count; ++i) {
+        const ContactPointConstraint& p = c.points[i];
+        if (p.largest_normal_impulse == 0 || -p.closing_velocity <= hit_speed_m_s) continue;
+        if (!fastest || p.closing_velocity < fastest->closing_velocity) fastest = &p;
+    }
+    return fastest;
+}
+
+}  // namespace
+
+void report_parting(const Stores& stores, ContactRecord& contact, std::vector<ContactEnd>& ends) {
+    if (!contact.touching) return;
+    contact.touching = false;
+    if (!contact.reports_touch) return;
+    ends.push_back({stores.shapes.id(contact.shape_a), stores.shapes.id(contact.shape_b),
+                    stores.bodies.slots.id(contact.body_a), stores.bodies.slots.id(contact.body_b)});
+}
+
+void report_contacts(Stores& stores, const StepScratch& scratch, float hit_speed_m_s, Events& events) {
+    for (const ContactConstraint& c : scratch.contacts) {
+        ContactRecord& record = stores.contacts.slots[c.contact];
+        const Motion& a = scratch.motions[c.a];
+        const bool touching = touches(c, record.touching, scratch.motions);
+        if (record.touching && !touching) report_parting(stores, record, events.ends);
+        if (touching && !record.touching) {
+            record.touching = true;
+            if (record.reports_touch) events.begins.push_back(begin_event(stores, record, c, a));
+        }
+        if (!record.reports_hit) continue;
+        if (const auto* fastest = fastest_hit(c, hit_speed_m_s)) {
+            events.hits.push_back(hit_event(stores, record, c, *fastest, a));
+        }
+    }
+}
+
+}  // namespace cairn::physics

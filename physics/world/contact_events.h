@@ -1,0 +1,15 @@
+// What the world tells about contacts: begin, end and hit.
+// Invariant: a touching pair that reports was announced by one begin, and is taken back by one end.
+#pragma once
+
+#include "world/world_state.h"
+
+namespace cairn::physics {
+
+/// The contact has no points any more, or is about to go: if it touched, `ends` says so.
+void report_parting(const Stores& stores, ContactRecord& contact, std::vector<ContactEnd>& ends);
+
+/// Stage after the substeps: which pairs touch now, and which met fast.
+void report_contacts(Stores& stores, const StepScratch& scratch, float hit_speed_m_s, Events& events);
+
+}  // namespace cairn::physics

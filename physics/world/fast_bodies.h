@@ -1,0 +1,19 @@
+// Bodies that move so far in a step that they could pass through others. Their way is looked at before the
+// step: boxes cover it, and a pair that will meet gets its contact from the place where it meets. The solver
+// then stops them there, in the substep in which it happens, against static, kinematic and dynamic bodies
+// alike.
+#pragma once
+
+#include "continuous/sweep.h"
+#include "world/world_state.h"
+
+namespace cairn::physics {
+
+/// Stage: the boxes of fast bodies cover the way of the coming step.
+void cover_fast_ways(Stores& stores, Vec2 gravity_m_s2, float dt_s);
+
+/// The contact of a pair that is apart now but meets within the step, as seen from now; count stays 0 when it
+/// does not. Costs nothing but two tests when neither body is fast.
+void predict_contact(const Stores& stores, ContactRecord& contact, Vec2 gravity_m_s2, float dt_s);
+
+}  // namespace cairn::physics
