@@ -14,8 +14,9 @@ struct Hull {
     int count = 0;
 };
 
-/// Points closer than the linear slop to each other, or to the line through their neighbours, are left out.
-/// Errors: points that are not finite, fewer than 3 corners left, more than kMaxPolygonVertices corners.
+/// Left out are points closer to another than the linear slop or a thousandth of the whole size, and corners
+/// that stand out from the line of their neighbours by less than 1e-4 of its length. Errors: points that are
+/// not finite, fewer than 3 corners left, more than kMaxPolygonVertices corners.
 Result<Hull> make_hull(std::span<const Vec2> points);
 
 }  // namespace cairn::physics

@@ -132,7 +132,6 @@ void destroy_body(WorldState& world, int body) {
 }
 
 int create_shape(Stores& stores, int body, const Convex& convex, const ShapeDef& def) {
-    wake_body(stores, body);
     BodyRecord& owner = stores.bodies.slots[body];
     const Aabb box = bounds(convex, stores.bodies.transform(body));
     ShapeRecord record;

@@ -44,6 +44,7 @@ class MixerBackend final : public AudioBackend {
         chunks_.clear();
         music_.reset();
         Mix_CloseAudio();
+        SDL_QuitSubSystem(SDL_INIT_AUDIO);
     }
 
     void start_voice(int slot, const SoundData& sound, const VoiceSettings& settings) override {
@@ -99,9 +100,14 @@ class MixerBackend final : public AudioBackend {
 
     bool open_device() {
         if (is_open_ || std::exchange(has_tried_, true)) return is_open_;
+        if (SDL_InitSubSystem(SDL_INIT_AUDIO) != 0) {
+            log(LogLevel::Warning, std::string("no sound: ") + SDL_GetError());
+            return false;
+        }
         // The mixer may not change the format: the resampler relies on 16-bit stereo.
         if (Mix_OpenAudioDevice(kRate_hz, AUDIO_S16SYS, 2, kBufferFrames, nullptr, 0) != 0) {
             log(LogLevel::Warning, std::string("no sound: ") + Mix_GetError());
+            SDL_QuitSubSystem(SDL_INIT_AUDIO);
             return false;
         }
         is_open_ = true;

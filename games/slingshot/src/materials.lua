@@ -12,21 +12,21 @@
 return {
     wood = {
         name = "wood",
-        density = 2.0, friction = 0.6, restitution = 0.05, strength = 13, score = 600,
+        density = 2.0, friction = 0.6, restitution = 0.05, strength = 16, score = 600,
         texture = "wood", cracks = { "splinters-1", "splinters-2", "splinters-3" }, along_grain = true,
         chip = { 0.86, 0.65, 0.39 },
         sounds = { hits = { "wood-hit-1", "wood-hit-2", "wood-hit-3" }, breaking = "wood-break" },
     },
     stone = {
         name = "stone",
-        density = 5.0, friction = 0.7, restitution = 0.02, strength = 40, score = 1000,
+        density = 5.0, friction = 0.7, restitution = 0.02, strength = 48, score = 1000,
         texture = "stone", cracks = { "cracks-1", "cracks-2", "cracks-3" }, along_grain = false,
         chip = { 0.66, 0.65, 0.70 },
         sounds = { hits = { "stone-hit-1", "stone-hit-2", "stone-hit-3" }, breaking = "stone-break" },
     },
     ice = {
         name = "ice",
-        density = 1.8, friction = 0.25, restitution = 0.05, strength = 6, score = 400,
+        density = 1.8, friction = 0.25, restitution = 0.05, strength = 7, score = 400,
         texture = "ice", cracks = { "cracks-1", "cracks-2", "cracks-3" }, along_grain = false,
         chip = { 0.80, 0.94, 0.98 },
         sounds = { hits = { "ice-hit-1", "ice-hit-2", "ice-hit-3" }, breaking = "ice-break" },

@@ -15,9 +15,9 @@ local GROUND_HALF_WIDTH = 60
 -- A pebble weighs as much as a big plank of wood, so that it shoves what it hits. It slows down as soon as it has
 -- touched something, as on grass; before that it flies as the preview says.
 local PEBBLE = { density = 7, friction = 0.7, restitution = 0.25 }
-local PEBBLE_ROLLING_DAMPING = 1.2
+local PEBBLE_ROLLING_DAMPING, PEBBLE_DRAG = 2.0, 0.5
 
-local GRUMP = { density = 2.5, friction = 0.8, restitution = 0.1, strength = 7, angular_damping = 1 }
+local GRUMP = { density = 2.5, friction = 0.8, restitution = 0.1, strength = 9, angular_damping = 1 }
 
 function things.add_ground(world)
     return world:add_box{
@@ -77,7 +77,7 @@ end
 function things.end_free_flight(pebble)
     pebble.data.has_touched = true
     pebble:set_angular_damping(PEBBLE_ROLLING_DAMPING)
-    pebble:set_linear_damping(0.25)
+    pebble:set_linear_damping(PEBBLE_DRAG)
 end
 
 return things

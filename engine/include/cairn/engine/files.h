@@ -17,13 +17,13 @@ namespace cairn::engine {
 
 struct FilesDef {
     /// The program's argv[0], which PhysFS wants to see on some systems.
-    std::string program_path;
+    std::string program_path = {};
     /// Names the save folder: letters, digits, '-', '_' and '.', not starting with '.'. Empty: there is no
     /// save folder.
-    std::string identity;
+    std::string identity = {};
     /// The native folder that holds the save folders; empty: the user's data folder, which is
     /// $XDG_DATA_HOME/cairn or ~/.local/share/cairn on Linux. The folder is made by the first write.
-    std::string save_root;
+    std::string save_root = {};
     /// A larger file is refused, so that an archive that unpacks to gigabytes cannot fill the memory.
     std::uint64_t max_file_bytes = 256ull << 20;
 };

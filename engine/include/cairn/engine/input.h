@@ -39,9 +39,9 @@ struct InputEvent {
     Key key = Key::Unknown;
     MouseButton button = MouseButton::Left;
     bool is_repeat = false;  ///< the key is held and the system repeats it
-    Vec2 position;           ///< logical pixels
-    Vec2 delta;
-    std::string text;
+    Vec2 position = {};      ///< logical pixels
+    Vec2 delta = {};
+    std::string text = {};
 
     friend bool operator==(const InputEvent&, const InputEvent&) = default;
 };

@@ -37,7 +37,7 @@ struct PlatformDef {
     /// A headless platform draws into memory when this is set, so that pictures can be captured; otherwise
     /// its renderer is the null one.
     bool headless_drawing = false;
-    WindowDef window;
+    WindowDef window = {};
 };
 
 class Window {

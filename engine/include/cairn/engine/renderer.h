@@ -37,25 +37,25 @@ enum class LineCap {
 enum class TextAlign { Left, Center, Right };
 
 struct MeshVertex {
-    Vec2 position;
-    Color color;
-    Vec2 uv;  ///< (0, 0) is the texture's top left, (1, 1) its bottom right; values outside are clamped
+    Vec2 position = {};
+    Color color = {};
+    Vec2 uv = {};  ///< (0, 0) is the texture's top left, (1, 1) its bottom right; values outside are clamped
 };
 
 struct ImageDraw {
-    Vec2 position;               ///< where the origin lands
-    float rotation_rad = 0;      ///< from x towards y: clockwise on a screen with y down
-    Vec2 scale = {1, 1};         ///< negative mirrors
-    Vec2 origin;                 ///< in pixels of the source rectangle, from its top left
-    std::optional<Rect> source;  ///< in pixels of the image; absent: the whole image
-    Color tint = {1, 1, 1, 1};   ///< multiplies the image's colors
+    Vec2 position = {};               ///< where the origin lands
+    float rotation_rad = 0;           ///< from x towards y: clockwise on a screen with y down
+    Vec2 scale = {1, 1};              ///< negative mirrors
+    Vec2 origin = {};                 ///< in pixels of the source rectangle, from its top left
+    std::optional<Rect> source = {};  ///< in pixels of the image; absent: the whole image
+    Color tint = {1, 1, 1, 1};        ///< multiplies the image's colors
 };
 
 struct TextDraw {
     /// Top left of the text with TextAlign::Left. Without wrap_width, Center and Right put the middle or the
     /// right end of each line at position.x; with it, the lines are aligned inside position.x .. position.x +
     /// wrap_width.
-    Vec2 position;
+    Vec2 position = {};
     Color color = {1, 1, 1, 1};
     TextAlign align = TextAlign::Left;
     float wrap_width = 0;  ///< lines are broken at spaces to be no wider than this; 0: only at '\n'

@@ -82,6 +82,7 @@ class World {
     [[nodiscard]] bool contains(BodyId id) const;
     [[nodiscard]] std::vector<BodyId> bodies() const;
 
+    /// A sleeping body stays asleep.
     Result<ShapeId> create_shape(BodyId body, const Geometry& geometry, const ShapeDef& def = {});
     Result<void> destroy_shape(ShapeId id);
     Result<Shape> shape(ShapeId id);
