@@ -1,0 +1,91 @@
+// SDL2_mixer on SDL's dummy device, and the resampler against a formula.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cstdlib>
+
+#include <cairn/engine/log.h>
+
+#include "audio/backend.h"
+#include "audio/sdl/mixer_backend.h"
+#include "audio/sdl/resample.h"
+#include "engine/support/drawing.h"
+#include "engine/support/sounds.h"
+
+using namespace cairn::engine;
+
+namespace {
+
+/// Sets SDL's audio driver for one test.
+class AudioDriver {
+  public:
+    explicit AudioDriver(const char* name) { setenv("SDL_AUDIODRIVER", name, 1); }
+    ~AudioDriver() { unsetenv("SDL_AUDIODRIVER"); }
+};
+
+}  // namespace
+
+TEST_CASE("resampling by two keeps every second frame, and by a half puts one in between") {
+    const std::vector<std::int16_t> ramp = {0, 100, 10, 110, 20, 120, 30, 130};
+    CHECK(resample_stereo(ramp, 2) == std::vector<std::int16_t>{0, 100, 20, 120});
+    CHECK(resample_stereo(ramp, 0.5) ==
+          std::vector<std::int16_t>{0, 100, 5, 105, 10, 110, 15, 115, 20, 120, 25, 125, 30, 130, 30, 130});
+    CHECK(resample_stereo({}, 2).empty());
+}
+
+TEST_CASE("the audio device is opened by the first sound that plays, not before") {
+    const AudioDriver dummy("dummy");
+    Drawing game({8, 8}, false);
+    game.folder.put("tone.wav", tone_wav(0.5));
+    Audio audio(*game.files, make_mixer_audio());
+    const auto tone = audio.load_sound("tone.wav");
+    REQUIRE(tone);
+    audio.set_group_volume(AudioGroup::Sound, 0.5f);
+    audio.stop_all_sounds();
+    audio.stop_music();
+    audio.set_music_volume(0.5f);
+    CHECK_FALSE(audio.stats().device_open);
+    CHECK_FALSE(audio.play(*tone, {.volume = 0.5f, .pan = -1, .pitch = 1.5f}).is_null());
+    CHECK(audio.stats().device_open);
+    CHECK(audio.play_music("tone.wav"));
+}
+
+TEST_CASE("without an audio device a game goes on silently after one warning") {
+    const AudioDriver missing("no-such-driver");
+    Drawing game({8, 8}, false);
+    game.folder.put("tone.wav", tone_wav(0.5));
+    Audio audio(*game.files, make_mixer_audio());
+    const auto tone = audio.load_sound("tone.wav");
+    REQUIRE(tone);
+    audio.set_limit(*tone, {.min_interval_s = 0, .max_voices = 8});
+    int warnings = 0;
+    const LogSink before = set_log_sink([&](LogLevel, std::string_view) { ++warnings; });
+    const VoiceId voice = audio.play(*tone);
+    (void)audio.play(*tone);
+    const bool music_plays = static_cast<bool>(audio.play_music("tone.wav"));
+    set_log_sink(before);
+    CHECK(warnings == 1);
+    CHECK(music_plays);
+    CHECK(audio.is_playing(voice));
+    CHECK(audio.stats().plays == 2);
+    CHECK_FALSE(audio.stats().device_open);
+}
+
+TEST_CASE("a sound whose samples are damaged is warned about once and stays silent") {
+    const AudioDriver dummy("dummy");
+    Drawing game({8, 8}, false);
+    std::string wav = tone_wav(0.1);
+    wav[20] = 0x55;  // a format code that nobody decodes; the length can still be told
+    game.folder.put("odd.wav", wav);
+    Audio audio(*game.files, make_mixer_audio());
+    const auto odd = audio.load_sound("odd.wav");
+    REQUIRE(odd);
+    audio.set_limit(*odd, {.min_interval_s = 0, .max_voices = 8});
+    std::string warnings;
+    const LogSink before =
+        set_log_sink([&](LogLevel, std::string_view text) { warnings.append(text) += '\n'; });
+    (void)audio.play(*odd);
+    (void)audio.play(*odd);
+    set_log_sink(before);
+    CHECK_THAT(warnings, Catch::Contains("'odd.wav'"));
+    CHECK(std::count(warnings.begin(), warnings.end(), '\n') == 1);
+}

@@ -1,0 +1,200 @@
+// A real window, as under Xvfb. Without a display these tests are skipped with a message.
+#include <SDL.h>
+#include <catch2/catch.hpp>
+#include <cstdlib>
+
+#include <cairn/engine/platform.h>
+#include <cairn/engine/renderer.h>
+
+#include "engine/support/drawing.h"
+
+using namespace cairn::engine;
+
+namespace {
+
+bool has_display() {
+    if (std::getenv("DISPLAY") || std::getenv("WAYLAND_DISPLAY")) return true;
+    WARN("skipped: there is no display; run the tests under xvfb-run");
+    return false;
+}
+
+struct WindowGame {
+    explicit WindowGame(WindowScaling scaling = WindowScaling::Fit) {
+        files = std::move(*Files::create({}));
+        REQUIRE(files->mount(CAIRN_SOURCE_DIR "/assets"));
+        PlatformDef def;
+        def.window.title = "window test";
+        def.window.size = {320, 200};
+        def.window.scaling = scaling;
+        def.window.has_vsync = false;
+        auto made = Platform::create(def);
+        if (!made) FAIL(made.error().message);
+        platform = std::move(*made);
+        renderer = std::move(*platform->create_renderer(*files));
+    }
+
+    std::vector<InputEvent> events() {
+        std::vector<InputEvent> all;
+        platform->poll_events(all);
+        return all;
+    }
+
+    /// The only events of a kind, without those that the desktop sends by itself.
+    std::vector<InputEvent> events_of(InputKind kind) {
+        std::vector<InputEvent> some;
+        for (InputEvent& event : events())
+            if (event.kind == kind) some.push_back(std::move(event));
+        return some;
+    }
+
+    std::unique_ptr<Files> files;
+    std::unique_ptr<Platform> platform;
+    std::unique_ptr<Renderer> renderer;
+};
+
+SDL_Event sdl_event(Uint32 type) {
+    SDL_Event event;
+    SDL_zero(event);
+    event.type = type;
+    return event;
+}
+
+}  // namespace
+
+TEST_CASE("a window shows what is drawn and gives it back as a picture") {
+    if (!has_display()) return;
+    WindowGame game;
+    CHECK_FALSE(game.platform->is_headless());
+    CHECK(game.platform->window().logical_size() == Size{320, 200});
+    for (int frame = 0; frame < 3; ++frame) {
+        (void)game.events();
+        game.renderer->begin_frame({0, 0, 1, 1});
+        game.renderer->fill_rectangle({100, 50, 60, 40}, {1, 0, 0, 1});
+        game.renderer->fill_circle({250, 120}, 30, {0, 1, 0, 1});
+        const auto image = game.renderer->capture();
+        REQUIRE(image);
+        REQUIRE(image->size == Size{320, 200});
+        CHECK(rgb(*image, 99, 60) == 0x0000ffu);
+        CHECK(rgb(*image, 100, 60) == 0xff0000u);
+        CHECK(rgb(*image, 159, 89) == 0xff0000u);
+        CHECK(rgb(*image, 160, 89) == 0x0000ffu);
+        CHECK(rgb(*image, 250, 120) == 0x00ff00u);
+        game.renderer->end_frame();
+    }
+    CHECK(game.renderer->stats().draw_calls == 1);
+}
+
+TEST_CASE("text and images arrive in a window as they do in memory") {
+    if (!has_display()) return;
+    const auto draw = [](Renderer& renderer) {
+        const auto font = renderer.load_font("fonts/default.ttf", 20);
+        REQUIRE(font);
+        const auto texture = renderer.create_texture({{2, 1}, {255, 0, 0, 255, 0, 0, 255, 255}});
+        REQUIRE(texture);
+        renderer.begin_frame({0.1f, 0.2f, 0.3f, 1});
+        renderer.draw_text(*font, "Cairn", {.position = {20, 20}});
+        renderer.draw_image(*texture, {.position = {150, 40}, .rotation_rad = 0.5f, .scale = {30, 30}});
+        renderer.draw_line({10, 180}, {300, 120}, 3, {1, 1, 0, 1});
+        auto image = renderer.capture();
+        REQUIRE(image);
+        renderer.end_frame();
+        return std::move(*image);
+    };
+    Image expected;
+    {
+        Drawing memory({320, 200});
+        expected = draw(*memory.renderer);
+    }
+    WindowGame game;
+    const Image image = draw(*game.renderer);
+    REQUIRE(image.size == expected.size);
+    // A driver rounds and filters a little differently: rarely, and never by much over the whole picture.
+    double difference = 0;
+    for (std::size_t i = 0; i < image.rgba.size(); ++i)
+        difference += std::abs(static_cast<int>(image.rgba[i]) - static_cast<int>(expected.rgba[i]));
+    CHECK(difference / static_cast<double>(image.rgba.size()) < 0.25);
+}
+
+TEST_CASE("the desktop's events arrive as plain input") {
+    if (!has_display()) return;
+    WindowGame game;
+    (void)game.events();
+
+    SDL_Event key = sdl_event(SDL_KEYDOWN);
+    key.key.keysym.sym = SDLK_F5;
+    SDL_PushEvent(&key);
+    key.key.keysym.sym = SDLK_w;
+    key.key.repeat = 1;
+    SDL_PushEvent(&key);
+    auto pressed = game.events_of(InputKind::KeyPressed);
+    REQUIRE(pressed.size() == 2);
+    CHECK(pressed[0].key == Key::F5);
+    CHECK_FALSE(pressed[0].is_repeat);
+    CHECK(pressed[1].key == Key::W);
+    CHECK(pressed[1].is_repeat);
+
+    SDL_Event button = sdl_event(SDL_MOUSEBUTTONDOWN);
+    button.button.button = SDL_BUTTON_RIGHT;
+    button.button.x = 30;
+    button.button.y = 40;
+    SDL_PushEvent(&button);
+    auto buttons = game.events_of(InputKind::MousePressed);
+    REQUIRE(buttons.size() == 1);
+    CHECK(buttons[0].button == MouseButton::Right);
+    CHECK(buttons[0].position == Vec2{30, 40});
+
+    SDL_Event quit = sdl_event(SDL_QUIT);
+    SDL_PushEvent(&quit);
+    CHECK(game.events_of(InputKind::QuitRequested).size() == 1);
+}
+
+TEST_CASE("mouse positions are logical when the window has another size than the picture") {
+    if (!has_display()) return;
+    WindowGame game;
+    SDL_Window* window = nullptr;
+    for (Uint32 id = 1; !window && id < 64; ++id) window = SDL_GetWindowFromID(id);
+    REQUIRE(window);
+    SDL_SetWindowSize(window, 800, 400);  // twice as high, and 80 points of bar at either side
+    (void)game.events();
+    REQUIRE(game.platform->window().logical_size() == Size{320, 200});
+
+    SDL_Event motion = sdl_event(SDL_MOUSEMOTION);
+    motion.motion.x = 80 + 2 * 50;
+    motion.motion.y = 2 * 60;
+    motion.motion.xrel = 4;
+    SDL_PushEvent(&motion);
+    auto moved = game.events_of(InputKind::MouseMoved);
+    REQUIRE_FALSE(moved.empty());
+    CHECK(moved.back().position == Vec2{50, 60});
+    CHECK(moved.back().delta == Vec2{2, 0});
+
+    // A driver may take a frame to see the window's new size.
+    Image last;
+    for (int frame = 0; frame < 3; ++frame) {
+        (void)game.events();
+        game.renderer->begin_frame({1, 0, 0, 1});
+        auto image = game.renderer->capture();
+        REQUIRE(image);
+        last = std::move(*image);
+        game.renderer->end_frame();
+    }
+    REQUIRE(last.size == Size{800, 400});
+    CHECK(rgb(last, 79, 200) == 0u);
+    CHECK(rgb(last, 80, 200) == 0xff0000u);
+    CHECK(rgb(last, 719, 200) == 0xff0000u);
+    CHECK(rgb(last, 720, 200) == 0u);
+}
+
+TEST_CASE("a picture that follows the window tells its new size") {
+    if (!has_display()) return;
+    WindowGame game(WindowScaling::Follow);
+    (void)game.events();
+    SDL_Window* window = nullptr;
+    for (Uint32 id = 1; !window && id < 64; ++id) window = SDL_GetWindowFromID(id);
+    REQUIRE(window);
+    SDL_SetWindowSize(window, 500, 300);
+    const auto resized = game.events_of(InputKind::WindowResized);
+    REQUIRE_FALSE(resized.empty());
+    CHECK(resized.back().delta == Vec2{500, 300});
+    CHECK(game.platform->window().logical_size() == Size{500, 300});
+}

@@ -1,0 +1,186 @@
+// Text: measures, wrapping, alignment, and letters in the picture.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
+
+#include "engine/support/drawing.h"
+#include "render/text_layout.h"
+
+using namespace cairn::engine;
+
+namespace {
+
+constexpr const char* kSentence = "The quick brown fox jumps over the lazy dog.";
+
+/// The box around all pixels that are not black; without area when there is none.
+Rect ink(const Image& image) {
+    int left = image.size.width, top = image.size.height, right = 0, bottom = 0;
+    for (int y = 0; y < image.size.height; ++y)
+        for (int x = 0; x < image.size.width; ++x)
+            if (rgb(image, x, y) != 0) {
+                left = std::min(left, x);
+                right = std::max(right, x + 1);
+                top = std::min(top, y);
+                bottom = std::max(bottom, y + 1);
+            }
+    return {static_cast<float>(left), static_cast<float>(top), static_cast<float>(right - left),
+            static_cast<float>(bottom - top)};
+}
+
+std::string as_text(const std::vector<TextLine>& lines) {
+    std::string out;
+    for (const TextLine& line : lines) {
+        for (const PlacedCharacter& c : line.characters) out += static_cast<char>(c.character);
+        out += '|';
+    }
+    return out;
+}
+
+}  // namespace
+
+TEST_CASE("text has the same measure in every renderer") {
+    std::vector<Vec2> measures[2];
+    for (const bool with_pixels : {false, true}) {
+        Drawing d({64, 48}, with_pixels);
+        for (const float size : {9.0f, 16.0f, 40.0f})
+            for (const float wrap : {0.0f, 100.0f}) {
+                const FontId font = d.font(size);
+                measures[with_pixels].push_back(d.renderer->measure_text(font, kSentence, wrap));
+            }
+    }
+    CHECK(measures[0] == measures[1]);
+}
+
+TEST_CASE_METHOD(Drawing, "a text's measure adds up from its lines") {
+    const FontId f = font(20);
+    const float line = renderer->line_height(f);
+    CHECK(line >= 20);
+    CHECK(renderer->measure_text(f, "") == Vec2{0, 0});
+    const Vec2 one = renderer->measure_text(f, "wide line");
+    CHECK(one.y == line);
+    CHECK(renderer->measure_text(f, "wide line\nx").x == one.x);
+    CHECK(renderer->measure_text(f, "x\nwide line\n").y == 3 * line);
+    CHECK(renderer->measure_text(f, "mm").x == 2 * renderer->measure_text(f, "m").x);
+}
+
+TEST_CASE_METHOD(Drawing, "wrapped lines are no wider than they may be and lose no word") {
+    const FontId f = font(16);
+    for (float wrap = 50; wrap < 400; wrap += 35) {
+        INFO("wrap width " << wrap);
+        const Vec2 size = renderer->measure_text(f, kSentence, wrap);
+        CHECK(size.x <= wrap);
+        CHECK(size.y >= renderer->line_height(f) * std::ceil(renderer->measure_text(f, kSentence).x / wrap));
+    }
+}
+
+TEST_CASE_METHOD(Drawing, "lines break at spaces, and words that are too wide break anywhere") {
+    const auto bytes = files->read_bytes("fonts/default.ttf");
+    REQUIRE(bytes);
+    const auto face = FontFace::open(*bytes, 16, "default");
+    REQUIRE(face);
+    const auto width = [&](std::string_view text) { return layout_text(*face, text, 0)[0].width; };
+    CHECK(as_text(layout_text(*face, "one two three", width("one two ") + 1)) == "one two|three|");
+    CHECK(as_text(layout_text(*face, "one two", width("one"))) == "one|two|");
+    CHECK(as_text(layout_text(*face, "iiiiii", width("iii"))) == "iii|iii|");
+    CHECK(as_text(layout_text(*face, "a\n\nb\r\n", 0)) == "a||b||");
+    CHECK(as_text(layout_text(*face, "m", 1)) == "m|");
+    CHECK(layout_text(*face, "one two", width("one"))[0].width == width("one"));
+}
+
+TEST_CASE("letters appear where the measure says, sharp and in their color") {
+    Drawing d({200, 60});
+    const FontId f = d.font(24);
+    const Vec2 size = d.renderer->measure_text(f, "HIH");
+    d.renderer->begin_frame({0, 0, 0, 1});
+    d.renderer->draw_text(f, "HIH", {.position = {20, 10}, .color = {1, 0.5f, 0, 1}});
+    const Image image = d.capture();
+    const Rect box = ink(image);
+    CHECK(box.x >= 20);
+    CHECK(box.x <= 24);
+    CHECK(box.x + box.width <= 20 + size.x + 1);
+    CHECK(box.x + box.width >= 20 + size.x - 5);
+    CHECK(box.y >= 10);
+    CHECK(box.y + box.height <= 10 + size.y);
+    CHECK(box.height == Approx(24 * 0.73).margin(2));  // a capital is about 0.73 of the size in this font
+    int full = 0;
+    for (int y = 0; y < 60; ++y)
+        for (int x = 0; x < 200; ++x) full += rgb(image, x, y) == 0xff8000u;
+    CHECK(full > 100);  // the stems are drawn in the pure color
+}
+
+TEST_CASE("alignment puts the middle or the end of each line at the position") {
+    Drawing d({200, 40});
+    const FontId f = d.font(16);
+    const auto box = [&](TextAlign align, float x, float wrap) {
+        d.renderer->begin_frame({0, 0, 0, 1});
+        d.renderer->draw_text(f, "HHH", {.position = {x, 5}, .align = align, .wrap_width = wrap});
+        const Rect area = ink(d.capture());
+        d.renderer->end_frame();
+        return area;
+    };
+    const float width = d.renderer->measure_text(f, "HHH").x;
+    const Rect left = box(TextAlign::Left, 100, 0);
+    CHECK(box(TextAlign::Right, 100, 0).x == Approx(left.x - width).margin(1));
+    CHECK(box(TextAlign::Center, 100, 0).x == Approx(left.x - width / 2).margin(1));
+    CHECK(box(TextAlign::Center, 0, 200).x == Approx(left.x - width / 2).margin(1));
+    CHECK(box(TextAlign::Right, 0, 100).x == Approx(left.x - width).margin(1));
+}
+
+TEST_CASE("magnified text is drawn anew in its larger size") {
+    Drawing d({300, 80});
+    const FontId f = d.font(12);
+    d.renderer->begin_frame({0, 0, 0, 1});
+    REQUIRE(d.renderer->push_transform());
+    d.renderer->scale({4, 4});
+    d.renderer->draw_text(f, "HIH", {});
+    const Image image = d.capture();
+    const Rect box = ink(image);
+    CHECK(box.height == Approx(48 * 0.73).margin(3));
+    CHECK(box.width == Approx(4 * d.renderer->measure_text(f, "HIH").x).margin(8));
+    // Sharp: of the pixels with ink, most are full. A picture magnified four times would have wide soft
+    // edges.
+    int partial = 0;
+    int full = 0;
+    for (int y = 0; y < 80; ++y)
+        for (int x = 0; x < 300; ++x) {
+            const unsigned red = rgb(image, x, y) >> 16;
+            full += red == 255;
+            partial += red > 0 && red < 255;
+        }
+    CHECK(full > 2 * partial);
+}
+
+TEST_CASE_METHOD(Drawing, "thousands of different letters fit through the bounded cache") {
+    renderer->begin_frame({0, 0, 0, 1});
+    for (int size = 60; size < 200; size += 10) {
+        const FontId f = font(static_cast<float>(size));
+        std::string text;
+        for (char c = '!'; c <= '~'; ++c) text += c;
+        renderer->draw_text(f, text, {.position = {-500, 0}});
+    }
+    renderer->fill_rectangle({0, 0, 64, 48}, {0, 0, 0, 1});
+    renderer->draw_text(font(30), "H", {.position = {10, 5}});
+    CHECK(ink(capture()).width > 10);
+    renderer->end_frame();
+}
+
+TEST_CASE_METHOD(Drawing, "text that is not UTF-8, or has no glyphs, or lies at no place, is survived") {
+    const FontId f = font(16);
+    renderer->begin_frame({0, 0, 0, 1});
+    renderer->draw_text(f, std::string_view("\xff\xfe\0\x01\xe2\x82", 6), {.position = {1, 1}});
+    renderer->draw_text(f, "\xf4\x8f\xbf\xbf\xe2\x80\x8b", {.position = {1, 20}});
+    renderer->draw_text(f, "x", {.position = {std::numeric_limits<float>::quiet_NaN(), 0}});
+    CHECK(renderer->measure_text(f, "\xff").x > 0);
+    renderer->end_frame();
+}
+
+TEST_CASE_METHOD(Drawing, "a missing or damaged font, and a size out of range, are errors that say so") {
+    folder.put("broken.ttf", "this is no font");
+    CHECK_THAT(renderer->load_font("nosuch.ttf", 16).error().message,
+               Catch::Contains("'nosuch.ttf'") && Catch::Contains("not found"));
+    CHECK_THAT(renderer->load_font("broken.ttf", 16).error().message, Catch::Contains("'broken.ttf'"));
+    CHECK_THAT(renderer->load_font("fonts/default.ttf", 1000).error().message, Catch::Contains("256"));
+    CHECK_FALSE(renderer->load_font("fonts/default.ttf", std::numeric_limits<float>::quiet_NaN()));
+    CHECK(*renderer->load_font("fonts/default.ttf", 16) == font(16));
+}
