@@ -7,7 +7,7 @@ local hud = {}
 
 local FONT = "fonts/Dosis-ExtraBold.otf"
 local WIDTH, HEIGHT = 1280, 720
-local PANEL = { x = 390, y = 150, width = 500, height = 396 }
+local PANEL = { x = 390, y = 140, width = 500, height = 424 }
 local BUTTON_SIZE = 64
 
 -- Every button: its picture, its middle, the function of the game it calls, and when it is there.
@@ -16,7 +16,7 @@ local BUTTONS = {
       is_shown = function(match) return not match:is_over() end },
     { image = "button-pause", x = WIDTH - 122, y = 48, action = "toggle_pause",
       is_shown = function(match) return not match:is_over() end },
-    { image = "button-restart", x = WIDTH / 2, y = PANEL.y + 318, action = "restart",
+    { image = "button-restart", x = WIDTH / 2, y = PANEL.y + 344, action = "restart",
       is_shown = function(match) return match:is_over() end },
 }
 
@@ -121,8 +121,8 @@ end
 local function draw_stars(match, rise)
     for i = 1, 3 do
         local x = WIDTH / 2 + (i - 2) * 128
-        local y = PANEL.y + rise + 132 - (i == 2 and 14 or 0)
-        local size = i == 2 and 124 or 104
+        local y = PANEL.y + rise + 154 - (i == 2 and 8 or 0)
+        local size = i == 2 and 120 or 104
         cairn.graphics.set_color(1, 1, 1)
         cairn.graphics.draw_sized(art.image("star-empty"), x, y, size, size)
         if i <= match.stars then
@@ -141,9 +141,9 @@ local function draw_end(match)
     cairn.graphics.rectangle("fill", 0, 0, WIDTH, HEIGHT)
     draw_sheet(rise)
     local won = match.phase == "won"
-    print_ink(won and "Hill cleared!" or "Not this time", WIDTH / 2, PANEL.y + rise + 16, "center", fonts.large)
+    print_ink(won and "Hill cleared!" or "Not this time", WIDTH / 2, PANEL.y + rise + 18, "center", fonts.large)
     draw_stars(match, rise)
-    print_ink(grouped(match.points), WIDTH / 2, PANEL.y + rise + 190, "center", fonts.huge)
+    print_ink(grouped(match.points), WIDTH / 2, PANEL.y + rise + 208, "center", fonts.huge)
     local line
     if won and match.bonus > 0 then
         line = ("with %s for %d spare %s"):format(grouped(match.bonus), match.shots_left,
@@ -153,15 +153,15 @@ local function draw_end(match)
     else
         line = #match.grumps == 1 and "one grump is still grumpy" or ("%d grumps are still grumpy"):format(#match.grumps)
     end
-    print_ink(line, WIDTH / 2, PANEL.y + rise + 252, "center", fonts.small, 0.75)
-    print_ink("R", WIDTH / 2, PANEL.y + rise + 354, "center", fonts.small, 0.55)
+    print_ink(line, WIDTH / 2, PANEL.y + rise + 274, "center", fonts.small, 0.75)
+    print_ink("R", WIDTH / 2, PANEL.y + rise + 378, "center", fonts.small, 0.55)
 end
 
 local function draw_pause()
-    set_color(art.INK, 0.45)
+    set_color(art.INK, 0.55)
     cairn.graphics.rectangle("fill", 0, 0, WIDTH, HEIGHT)
-    print_rimmed("Paused", WIDTH / 2, 270, "center", fonts.huge)
-    print_rimmed("P goes on, R starts again", WIDTH / 2, 352, "center", fonts.middle)
+    print_rimmed("Paused", WIDTH / 2, 120, "center", fonts.huge)
+    print_rimmed("P goes on, R starts again", WIDTH / 2, 200, "center", fonts.middle)
 end
 
 function hud.draw(match, is_paused)
@@ -169,9 +169,10 @@ function hud.draw(match, is_paused)
     if match:is_over() then
         draw_end(match)
     else
-        draw_hints(match)
         if is_paused then
             draw_pause()
+        else
+            draw_hints(match)
         end
     end
     draw_buttons(match)

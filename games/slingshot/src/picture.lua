@@ -141,10 +141,10 @@ local function draw_slingshot(match)
     local is_loaded = match.phase == "aiming"
     local lx, ly = px, py
     if is_loaded then
-        -- The leather lies behind the pebble, seen from where it will fly.
-        local pull = math.max(0.001, sling:pull())
-        local reach = math.min(1, pull / 0.2) * things.PEBBLE_RADIUS
-        lx, ly = px + sling.pull_x / pull * reach, py + sling.pull_y / pull * reach
+        -- The leather lies behind the pebble, seen from where it will fly; without a pull, to its left.
+        local dx, dy = sling.pull_x - 0.06, sling.pull_y - 0.02
+        local reach = things.PEBBLE_RADIUS / math.sqrt(dx * dx + dy * dy)
+        lx, ly = px + dx * reach, py + dy * reach
     end
     draw_band(art.CORD_BACK, sling.x, lx, ly)
     if is_loaded then
