@@ -20,9 +20,9 @@ enum class BodyType : std::uint8_t {
 
 struct BodyDef {
     BodyType type = BodyType::Dynamic;
-    Position position_m;
+    Position position_m{};
     double angle_rad = 0;
-    Vec2 linear_velocity_m_s;  ///< of the centre of mass
+    Vec2 linear_velocity_m_s{};  ///< of the centre of mass
     float angular_velocity_rad_s = 0;
     float linear_damping_1_s = 0;   ///< c in v e^(-c t), >= 0
     float angular_damping_1_s = 0;  ///< the same for the angular velocity, >= 0
@@ -37,7 +37,7 @@ struct BodyDef {
 struct MassData {
     float mass_kg = 0;
     float inertia_kg_m2 = 0;
-    Vec2 center_m;
+    Vec2 center_m{};
 };
 
 /// A body of a world, found with `World::body`. A view: cheap to make, meant to be used at once and not kept
@@ -98,7 +98,7 @@ class Body {
     Body(WorldState& world, BodyId id) : world_(&world), id_(id) {}
 
     WorldState* world_;
-    BodyId id_;
+    BodyId id_{};
 };
 
 }  // namespace cairn::physics

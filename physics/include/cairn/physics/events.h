@@ -9,30 +9,30 @@ namespace cairn::physics {
 
 /// Two shapes began to touch.
 struct ContactBegin {
-    ShapeId shape_a;
-    ShapeId shape_b;
-    BodyId body_a;
-    BodyId body_b;
-    Position point_m;  ///< middle of the contact points
-    Vec2 normal;       ///< unit, from a to b
+    ShapeId shape_a{};
+    ShapeId shape_b{};
+    BodyId body_a{};
+    BodyId body_b{};
+    Position point_m{};  ///< middle of the contact points
+    Vec2 normal{};       ///< unit, from a to b
 };
 
 /// Two shapes ceased to touch, or one of them was destroyed.
 struct ContactEnd {
-    ShapeId shape_a;
-    ShapeId shape_b;
-    BodyId body_a;
-    BodyId body_b;
+    ShapeId shape_a{};
+    ShapeId shape_b{};
+    BodyId body_a{};
+    BodyId body_b{};
 };
 
 /// Two shapes met faster than WorldDef::hit_speed_m_s.
 struct ContactHit {
-    ShapeId shape_a;
-    ShapeId shape_b;
-    BodyId body_a;
-    BodyId body_b;
-    Position point_m;  ///< where they met fastest
-    Vec2 normal;       ///< unit, from a to b
+    ShapeId shape_a{};
+    ShapeId shape_b{};
+    BodyId body_a{};
+    BodyId body_b{};
+    Position point_m{};  ///< where they met fastest
+    Vec2 normal{};       ///< unit, from a to b
     float approach_speed_m_s = 0;
     float impulse_ns = 0;  ///< sum of the normal impulses of the contact over the step
 };

@@ -1,6 +1,6 @@
 // Typed generational handles. Invariant: the zero handle is null; a handle whose object is gone, or that
-// belongs to another world, is recognised as such (a slot retires before its generation wraps; worlds share a tag only
-// with the 65,535th made after them).
+// belongs to another world, is recognised as such (a slot retires before its generation wraps; worlds share a
+// tag only with the 65,535th made after them).
 #pragma once
 
 #include <compare>

@@ -17,10 +17,10 @@ enum class JointKind : std::uint8_t { Revolute, Distance };
 /// Pins a point of one body to a point of another; they turn freely about it, within limits, driven by a
 /// motor.
 struct RevoluteJointDef {
-    BodyId body_a;
-    BodyId body_b;
-    Vec2 local_anchor_a_m;           ///< in the frame of body a
-    Vec2 local_anchor_b_m;           ///< in the frame of body b
+    BodyId body_a{};
+    BodyId body_b{};
+    Vec2 local_anchor_a_m{};         ///< in the frame of body a
+    Vec2 local_anchor_b_m{};         ///< in the frame of body b
     double reference_angle_rad = 0;  ///< angle of b minus angle of a that counts as 0
     bool enable_limit = false;
     float lower_rad = 0;  ///< -pi < lower <= upper < pi
@@ -34,10 +34,10 @@ struct RevoluteJointDef {
 
 /// Keeps two points at a distance: rigidly, or as a spring between min and max length.
 struct DistanceJointDef {
-    BodyId body_a;
-    BodyId body_b;
-    Vec2 local_anchor_a_m;
-    Vec2 local_anchor_b_m;
+    BodyId body_a{};
+    BodyId body_b{};
+    Vec2 local_anchor_a_m{};
+    Vec2 local_anchor_b_m{};
     float length_m = 1;  ///< > 5 mm; the rest length
     bool enable_spring = false;
     float frequency_hz = 1;   ///< of the spring, > 0

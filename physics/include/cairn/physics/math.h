@@ -127,8 +127,8 @@ inline Rotation normalized(Rotation q) {
 
 /// The place of a body in the world.
 struct Transform {
-    Position p;
-    Rotation q;
+    Position p{};
+    Rotation q{};
 
     friend constexpr bool operator==(const Transform&, const Transform&) = default;
 };

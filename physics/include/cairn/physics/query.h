@@ -16,10 +16,10 @@ struct QueryFilter {
 
 /// Where a ray first met a shape from outside. A ray that starts inside a shape does not see that shape.
 struct RayHit {
-    ShapeId shape;
-    BodyId body;
-    Position point_m;
-    Vec2 normal;         ///< unit, out of the shape
+    ShapeId shape{};
+    BodyId body{};
+    Position point_m{};
+    Vec2 normal{};       ///< unit, out of the shape
     float fraction = 0;  ///< of the ray's length, 0..1
 };
 

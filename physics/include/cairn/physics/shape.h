@@ -14,7 +14,7 @@ inline constexpr int kMaxPolygonVertices = 8;
 
 /// A disc. radius_m > 0.
 struct Circle {
-    Vec2 center_m;
+    Vec2 center_m{};
     float radius_m = 0.5f;
 };
 
@@ -30,7 +30,7 @@ struct Capsule {
 struct Box {
     float half_width_m = 0.5f;
     float half_height_m = 0.5f;
-    Vec2 center_m;
+    Vec2 center_m{};
     float angle_rad = 0;
     float radius_m = 0;
 };
@@ -38,7 +38,7 @@ struct Box {
 /// The convex hull of the points, in any order, with 3 to kMaxPolygonVertices corners, rounded outward by
 /// radius_m >= 0. The points are copied when the shape is made.
 struct Polygon {
-    std::span<const Vec2> points_m;
+    std::span<const Vec2> points_m{};
     float radius_m = 0;
 };
 
