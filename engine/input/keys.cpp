@@ -11,17 +11,19 @@ namespace {
 // clang-format off
 constexpr std::array<std::string_view, kKeyCount> kKeyNames = {
     "unknown",
-    "a", "b", "c", "d", "e", "f", "g", "h", "i", "j", "k", "l", "m", "n", "o", "p", "q", "r", "s", "t", "u", "v", "w",
-    "x", "y", "z",
+    "a", "b", "c", "d", "e", "f", "g", "h", "i", "j", "k", "l", "m", "n", "o", "p", "q", "r", "s", "t",
+    "u", "v", "w", "x", "y", "z",
     "0", "1", "2", "3", "4", "5", "6", "7", "8", "9",
-    "space", "return", "escape", "tab", "backspace", "delete", "insert", "home", "end", "page_up", "page_down",
+    "space", "return", "escape", "tab", "backspace", "delete", "insert", "home", "end", "page_up",
+    "page_down",
     "left", "right", "up", "down",
     "f1", "f2", "f3", "f4", "f5", "f6", "f7", "f8", "f9", "f10", "f11", "f12",
-    "left_shift", "right_shift", "left_control", "right_control", "left_alt", "right_alt", "left_meta", "right_meta",
+    "left_shift", "right_shift", "left_control", "right_control", "left_alt", "right_alt", "left_meta",
+    "right_meta",
     "caps_lock", "num_lock", "scroll_lock", "print_screen", "pause", "menu",
     "-", "=", "[", "]", "\\", ";", "'", "`", ",", ".", "/",
-    "keypad_0", "keypad_1", "keypad_2", "keypad_3", "keypad_4", "keypad_5", "keypad_6", "keypad_7", "keypad_8",
-    "keypad_9",
+    "keypad_0", "keypad_1", "keypad_2", "keypad_3", "keypad_4", "keypad_5", "keypad_6", "keypad_7",
+    "keypad_8", "keypad_9",
     "keypad_period", "keypad_divide", "keypad_multiply", "keypad_minus", "keypad_plus", "keypad_enter",
 };
 // clang-format on

@@ -34,7 +34,7 @@ bool is_positive(float length) {
 
 }  // namespace
 
-bool Renderer::State::prepare(std::vector<Vec2>& points, float margin) const {
+bool Renderer::State::prepare(std::span<Vec2> points, float margin) const {
     if (points.empty()) return false;
     Vec2 low = points.front();
     Vec2 high = points.front();

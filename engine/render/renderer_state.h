@@ -2,9 +2,9 @@
 // Invariant: transforms.back() is the current transform, from drawing coordinates to logical pixels.
 #pragma once
 
-#include <initializer_list>
 #include <map>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -34,7 +34,7 @@ struct Renderer::State {
     /// Makes the points fit to be drawn: false when one is not finite, or when all lie outside of the picture
     /// by more than `margin` pixels. Points that are far outside are pulled to where the back-ends can still
     /// compute.
-    bool prepare(std::vector<Vec2>& output_points, float margin) const;
+    bool prepare(std::span<Vec2> output_points, float margin) const;
 
     /// Like textures.find, but says once which function was given a handle that names nothing.
     const Texture* find_texture(TextureId texture, std::string_view function);

@@ -2,6 +2,7 @@
 // depend on the output's scale. They are made at the size in which they appear, so that text is sharp at any
 // zoom.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <cairn/engine/renderer.h>

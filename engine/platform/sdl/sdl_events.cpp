@@ -8,30 +8,31 @@
 namespace cairn::engine {
 namespace {
 
+using KeyPair = std::pair<SDL_KeyCode, Key>;
+
 // clang-format off
 constexpr std::array kKeys = {
-    std::pair{SDLK_SPACE, Key::Space}, std::pair{SDLK_RETURN, Key::Return}, std::pair{SDLK_ESCAPE, Key::Escape},
-    std::pair{SDLK_TAB, Key::Tab}, std::pair{SDLK_BACKSPACE, Key::Backspace}, std::pair{SDLK_DELETE, Key::Delete},
-    std::pair{SDLK_INSERT, Key::Insert}, std::pair{SDLK_HOME, Key::Home}, std::pair{SDLK_END, Key::End},
-    std::pair{SDLK_PAGEUP, Key::PageUp}, std::pair{SDLK_PAGEDOWN, Key::PageDown},
-    std::pair{SDLK_LEFT, Key::Left}, std::pair{SDLK_RIGHT, Key::Right}, std::pair{SDLK_UP, Key::Up},
-    std::pair{SDLK_DOWN, Key::Down},
-    std::pair{SDLK_LSHIFT, Key::LeftShift}, std::pair{SDLK_RSHIFT, Key::RightShift},
-    std::pair{SDLK_LCTRL, Key::LeftControl}, std::pair{SDLK_RCTRL, Key::RightControl},
-    std::pair{SDLK_LALT, Key::LeftAlt}, std::pair{SDLK_RALT, Key::RightAlt},
-    std::pair{SDLK_LGUI, Key::LeftMeta}, std::pair{SDLK_RGUI, Key::RightMeta},
-    std::pair{SDLK_CAPSLOCK, Key::CapsLock}, std::pair{SDLK_NUMLOCKCLEAR, Key::NumLock},
-    std::pair{SDLK_SCROLLLOCK, Key::ScrollLock}, std::pair{SDLK_PRINTSCREEN, Key::PrintScreen},
-    std::pair{SDLK_PAUSE, Key::Pause}, std::pair{SDLK_APPLICATION, Key::Menu},
-    std::pair{SDLK_MINUS, Key::Minus}, std::pair{SDLK_EQUALS, Key::Equals},
-    std::pair{SDLK_LEFTBRACKET, Key::LeftBracket}, std::pair{SDLK_RIGHTBRACKET, Key::RightBracket},
-    std::pair{SDLK_BACKSLASH, Key::Backslash}, std::pair{SDLK_SEMICOLON, Key::Semicolon},
-    std::pair{SDLK_QUOTE, Key::Quote}, std::pair{SDLK_BACKQUOTE, Key::Backquote}, std::pair{SDLK_COMMA, Key::Comma},
-    std::pair{SDLK_PERIOD, Key::Period}, std::pair{SDLK_SLASH, Key::Slash},
-    std::pair{SDLK_KP_0, Key::Keypad0}, std::pair{SDLK_KP_PERIOD, Key::KeypadPeriod},
-    std::pair{SDLK_KP_DIVIDE, Key::KeypadDivide}, std::pair{SDLK_KP_MULTIPLY, Key::KeypadMultiply},
-    std::pair{SDLK_KP_MINUS, Key::KeypadMinus}, std::pair{SDLK_KP_PLUS, Key::KeypadPlus},
-    std::pair{SDLK_KP_ENTER, Key::KeypadEnter},
+    KeyPair{SDLK_SPACE, Key::Space}, KeyPair{SDLK_RETURN, Key::Return}, KeyPair{SDLK_ESCAPE, Key::Escape},
+    KeyPair{SDLK_TAB, Key::Tab}, KeyPair{SDLK_BACKSPACE, Key::Backspace},
+    KeyPair{SDLK_DELETE, Key::Delete}, KeyPair{SDLK_INSERT, Key::Insert}, KeyPair{SDLK_HOME, Key::Home},
+    KeyPair{SDLK_END, Key::End}, KeyPair{SDLK_PAGEUP, Key::PageUp}, KeyPair{SDLK_PAGEDOWN, Key::PageDown},
+    KeyPair{SDLK_LEFT, Key::Left}, KeyPair{SDLK_RIGHT, Key::Right}, KeyPair{SDLK_UP, Key::Up},
+    KeyPair{SDLK_DOWN, Key::Down}, KeyPair{SDLK_LSHIFT, Key::LeftShift},
+    KeyPair{SDLK_RSHIFT, Key::RightShift}, KeyPair{SDLK_LCTRL, Key::LeftControl},
+    KeyPair{SDLK_RCTRL, Key::RightControl}, KeyPair{SDLK_LALT, Key::LeftAlt},
+    KeyPair{SDLK_RALT, Key::RightAlt}, KeyPair{SDLK_LGUI, Key::LeftMeta},
+    KeyPair{SDLK_RGUI, Key::RightMeta}, KeyPair{SDLK_CAPSLOCK, Key::CapsLock},
+    KeyPair{SDLK_NUMLOCKCLEAR, Key::NumLock}, KeyPair{SDLK_SCROLLLOCK, Key::ScrollLock},
+    KeyPair{SDLK_PRINTSCREEN, Key::PrintScreen}, KeyPair{SDLK_PAUSE, Key::Pause},
+    KeyPair{SDLK_APPLICATION, Key::Menu}, KeyPair{SDLK_MINUS, Key::Minus},
+    KeyPair{SDLK_EQUALS, Key::Equals}, KeyPair{SDLK_LEFTBRACKET, Key::LeftBracket},
+    KeyPair{SDLK_RIGHTBRACKET, Key::RightBracket}, KeyPair{SDLK_BACKSLASH, Key::Backslash},
+    KeyPair{SDLK_SEMICOLON, Key::Semicolon}, KeyPair{SDLK_QUOTE, Key::Quote},
+    KeyPair{SDLK_BACKQUOTE, Key::Backquote}, KeyPair{SDLK_COMMA, Key::Comma},
+    KeyPair{SDLK_PERIOD, Key::Period}, KeyPair{SDLK_SLASH, Key::Slash}, KeyPair{SDLK_KP_0, Key::Keypad0},
+    KeyPair{SDLK_KP_PERIOD, Key::KeypadPeriod}, KeyPair{SDLK_KP_DIVIDE, Key::KeypadDivide},
+    KeyPair{SDLK_KP_MULTIPLY, Key::KeypadMultiply}, KeyPair{SDLK_KP_MINUS, Key::KeypadMinus},
+    KeyPair{SDLK_KP_PLUS, Key::KeypadPlus}, KeyPair{SDLK_KP_ENTER, Key::KeypadEnter},
 };
 // clang-format on
 

@@ -6,8 +6,9 @@
 #include <numbers>
 #include <string>
 
+/// Of more than 8 bytes the rest is 0.
 inline void append_little_endian(std::string& out, std::uint64_t value, int bytes) {
-    for (int i = 0; i < bytes; ++i) out += static_cast<char>(value >> (8 * i) & 0xff);
+    for (int i = 0; i < bytes; ++i, value >>= 8) out += static_cast<char>(value & 0xff);
 }
 
 /// A 440 Hz tone as 16-bit mono WAV at 8,000 Hz.
