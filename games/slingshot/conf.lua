@@ -3,5 +3,4 @@ return {
     identity = "slingshot",
     width = 1280, height = 720,
     background = { 0.44, 0.70, 0.82 },
-    icon = "images/icon.png",
 }

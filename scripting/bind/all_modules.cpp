@@ -1,0 +1,64 @@
+// The global table `cairn`: which module goes where.
+#include <array>
+#include <string_view>
+
+#include "bind/context.h"
+#include "bind/modules.h"
+#include "bind/physics_objects.h"
+#include "lua/state.h"
+
+namespace cairn::scripting {
+namespace {
+
+// In the order of the reference.
+constexpr std::array kModules = {
+    &kCoreModule,   &kPhysicsModule, &kWorldMethods,   &kBodyMethods,  &kShapeMethods,  &kJointMethods,
+    &kCameraModule, &kCameraMethods, &kGraphicsModule, &kImageMethods, &kFontMethods,   &kAudioModule,
+    &kInputModule,  &kWindowModule,  &kFilesModule,    &kRandomModule, &kRandomMethods, &kTimerModule,
+    &kTimerMethods, &kLevelModule,   &kTestModule,
+};
+
+struct TypeOfObject {
+    ObjectTag tag;
+    const Module* methods;
+    lua_CFunction finalize;
+};
+constexpr TypeOfObject kTypes[] = {
+    {ObjectTag::World, &kWorldMethods, finalize_world}, {ObjectTag::Body, &kBodyMethods, nullptr},
+    {ObjectTag::Shape, &kShapeMethods, nullptr},        {ObjectTag::Joint, &kJointMethods, nullptr},
+    {ObjectTag::Camera, &kCameraMethods, nullptr},      {ObjectTag::Image, &kImageMethods, nullptr},
+    {ObjectTag::Font, &kFontMethods, nullptr},          {ObjectTag::Random, &kRandomMethods, nullptr},
+    {ObjectTag::Timer, &kTimerMethods, nullptr},
+};
+
+constexpr std::string_view kPrefix = "cairn.";
+
+}  // namespace
+
+std::span<const Module* const> all_modules() {
+    return kModules;
+}
+
+void register_all(lua_State* L) {
+    for (const TypeOfObject& type : kTypes) register_type(L, type.tag, *type.methods, type.finalize);
+    register_event_cursor(L);
+    lua_newtable(L);  // cairn
+    for (const Module* module : kModules) {
+        const std::string_view name = module->name;
+        if (module->is_type || module == &kCoreModule) continue;
+        // cairn.test is there only where tests run, so that a game cannot come to depend on it.
+        if (module == &kTestModule && context_of(L).test == nullptr) continue;
+        lua_newtable(L);
+        if (module == &kRandomModule) install_random(L);
+        fill_table(L, *module);
+        lua_setfield(L, -2, std::string(name.substr(kPrefix.size())).c_str());
+    }
+    // The game adds its callbacks to `cairn`, so unknown names there are simply nil.
+    add_functions(L, kCoreModule);
+    lua_pushliteral(L, CAIRN_VERSION);
+    lua_setfield(L, -2, "version");
+    lua_setglobal(L, "cairn");
+    install_require(L);
+}
+
+}  // namespace cairn::scripting

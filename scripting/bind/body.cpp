@@ -1,0 +1,280 @@
+// The methods of Body.
+#include "bind/context.h"
+#include "bind/modules.h"
+#include "bind/physics_fields.h"
+#include "bind/physics_objects.h"
+#include "lua/state.h"
+
+namespace cairn::scripting {
+namespace {
+
+using physics::Position;
+using physics::Vec2;
+using Change = physics::Result<void>;
+using Pair = std::tuple<double, double>;
+using FloatPair = std::tuple<float, float>;
+using Place = std::tuple<double, double, float>;
+
+std::string_view type(BodyRef self) {
+    switch (self.body.type()) {
+        case physics::BodyType::Static:
+            return "static";
+        case physics::BodyType::Kinematic:
+            return "kinematic";
+        case physics::BodyType::Dynamic:
+            return "dynamic";
+    }
+    return "";
+}
+
+Pair position(BodyRef self) {
+    const Position p = self.body.position();
+    return {p.x, p.y};
+}
+Change set_position(BodyRef self, double x, double y) {
+    return self.body.set_transform({x, y}, static_cast<double>(self.body.angle()));
+}
+float angle(BodyRef self) {
+    return self.body.angle();
+}
+Change set_angle(BodyRef self, double angle_rad) {
+    return self.body.set_transform(self.body.position(), angle_rad);
+}
+Place transform(BodyRef self) {
+    const physics::Transform xf = self.body.transform();
+    return {xf.p.x, xf.p.y, xf.q.angle_rad()};
+}
+Change set_transform(BodyRef self, double x, double y, double angle_rad) {
+    return self.body.set_transform({x, y}, angle_rad);
+}
+Place interpolated_transform(lua_State* L, BodyRef self, std::optional<double> alpha) {
+    const double a = alpha.value_or(context_of(L).alpha);
+    const physics::Transform xf = self.body.interpolated_transform(static_cast<float>(a));
+    return {xf.p.x, xf.p.y, xf.q.angle_rad()};
+}
+Pair world_center(BodyRef self) {
+    const Position p = self.body.world_center();
+    return {p.x, p.y};
+}
+Pair to_world(BodyRef self, float x, float y) {
+    const Position p = physics::transform_point(self.body.transform(), {x, y});
+    return {p.x, p.y};
+}
+FloatPair to_local(BodyRef self, double x, double y) {
+    const Vec2 p = physics::inverse_transform_point(self.body.transform(), {x, y});
+    return {p.x, p.y};
+}
+
+FloatPair linear_velocity(BodyRef self) {
+    const Vec2 v = self.body.linear_velocity();
+    return {v.x, v.y};
+}
+Change set_linear_velocity(BodyRef self, float x, float y) {
+    return self.body.set_linear_velocity({x, y});
+}
+float angular_velocity(BodyRef self) {
+    return self.body.angular_velocity();
+}
+Change set_angular_velocity(BodyRef self, float w) {
+    return self.body.set_angular_velocity(w);
+}
+FloatPair velocity_at(BodyRef self, double x, double y) {
+    const Vec2 v = self.body.velocity_at({x, y});
+    return {v.x, v.y};
+}
+
+Change apply_force(BodyRef self, float fx, float fy, double x, double y) {
+    return self.body.apply_force({fx, fy}, {x, y});
+}
+Change apply_force_to_center(BodyRef self, float fx, float fy) {
+    return self.body.apply_force_to_center({fx, fy});
+}
+Change apply_torque(BodyRef self, float torque) {
+    return self.body.apply_torque(torque);
+}
+Change apply_impulse(BodyRef self, float ix, float iy, double x, double y) {
+    return self.body.apply_impulse({ix, iy}, {x, y});
+}
+Change apply_impulse_to_center(BodyRef self, float ix, float iy) {
+    return self.body.apply_impulse_to_center({ix, iy});
+}
+Change apply_angular_impulse(BodyRef self, float impulse) {
+    return self.body.apply_angular_impulse(impulse);
+}
+
+float mass(BodyRef self) {
+    return self.body.mass();
+}
+float inertia(BodyRef self) {
+    return self.body.mass_data().inertia_kg_m2;
+}
+float linear_damping(BodyRef self) {
+    return self.body.linear_damping();
+}
+Change set_linear_damping(BodyRef self, float c) {
+    return self.body.set_linear_damping(c);
+}
+float angular_damping(BodyRef self) {
+    return self.body.angular_damping();
+}
+Change set_angular_damping(BodyRef self, float c) {
+    return self.body.set_angular_damping(c);
+}
+float gravity_scale(BodyRef self) {
+    return self.body.gravity_scale();
+}
+Change set_gravity_scale(BodyRef self, float scale) {
+    return self.body.set_gravity_scale(scale);
+}
+
+bool is_awake(BodyRef self) {
+    return self.body.is_awake();
+}
+void set_awake(BodyRef self, bool awake) {
+    self.body.set_awake(awake);
+}
+bool allows_sleep(BodyRef self) {
+    return self.body.allows_sleep();
+}
+void set_allow_sleep(BodyRef self, bool allow) {
+    self.body.set_allow_sleep(allow);
+}
+
+template <GeometryKind kKind>
+Pushed add_shape(lua_State* L, BodyRef self, TableArgument description) {
+    const FieldReader reader(L, description.index, fields_of_body_add(kKind));
+    OwnedGeometry geometry;
+    read_geometry(L, reader, kKind, read_shape_place(reader), geometry);
+    WorldObject& world = *self.object.world;
+    const auto id = value_or_raise(
+        L, world.world->create_shape(self.object.id, geometry.geometry, read_shape_def(reader)));
+    push_world_of(L, self.index);
+    push_shape(L, -1, world, id);
+    return {1};
+}
+
+Pushed shapes(lua_State* L, BodyRef self) {
+    push_world_of(L, self.index);
+    const int world = lua_gettop(L);
+    lua_newtable(L);
+    lua_Integer count = 0;
+    for (const physics::ShapeId id : self.body.shapes()) {
+        push_shape(L, world, *self.object.world, id);
+        lua_rawseti(L, -2, ++count);
+    }
+    return {1};
+}
+
+Pushed joints(lua_State* L, BodyRef self) {
+    push_world_of(L, self.index);
+    const int world = lua_gettop(L);
+    lua_newtable(L);
+    lua_Integer count = 0;
+    for (const physics::JointId id : self.body.joints()) {
+        push_joint(L, world, *self.object.world, id);
+        lua_rawseti(L, -2, ++count);
+    }
+    return {1};
+}
+
+Pushed world(lua_State* L, BodyRef self) {
+    push_world_of(L, self.index);
+    return {1};
+}
+
+void destroy(lua_State* L, BodyRef self) {
+    WorldObject& owner = *self.object.world;
+    check_or_raise(L, owner.world->destroy_body(self.object.id));
+    push_world_of(L, self.index);
+    retire_body(L, -1, owner, self.object.id);
+}
+
+bool is_valid(Maybe<BodyObject> self) {
+    const WorldObject& owner = *self.object.world;
+    return owner.world && owner.world->contains(self.object.id);
+}
+
+constexpr std::array<std::string_view, 1> kReturnsShape = {"Shape"};
+constexpr std::array<std::string_view, 1> kReturnsTable = {"table"};
+constexpr std::array<std::string_view, 1> kReturnsWorld = {"World"};
+
+constexpr Function kFunctions[] = {
+    function<&type>("type", "", "type", "\"static\", \"kinematic\" or \"dynamic\"."),
+    function<&position>("position", "", "x [m], y [m]", "The place of the body's origin."),
+    function<&set_position>("set_position", "x [m], y [m]", "", ""),
+    function<&angle>("angle", "", "angle [rad]", "In (-pi, pi]."),
+    function<&set_angle>("set_angle", "angle [rad]", "", ""),
+    function<&transform>("transform", "", "x [m], y [m], angle [rad]", "Position and angle in one call."),
+    function<&set_transform>("set_transform", "x [m], y [m], angle [rad]", "", ""),
+    function<&interpolated_transform>(
+        "interpolated_transform", "alpha = cairn.graphics.alpha()", "x [m], y [m], angle [rad]",
+        "Where to draw the body: between the last two steps, alpha 0 is before the last "
+        "step and 1 after it."),
+    function<&world_center>("world_center", "", "x [m], y [m]", "The centre of mass."),
+    function<&to_world>("to_world", "x [m], y [m]", "x [m], y [m]", "From the body's frame to the world."),
+    function<&to_local>("to_local", "x [m], y [m]", "x [m], y [m]", "From the world to the body's frame."),
+    function<&linear_velocity>("linear_velocity", "", "x [m/s], y [m/s]", "Of the centre of mass."),
+    function<&set_linear_velocity>("set_linear_velocity", "x [m/s], y [m/s]", "", ""),
+    function<&angular_velocity>("angular_velocity", "", "velocity [rad/s]", ""),
+    function<&set_angular_velocity>("set_angular_velocity", "velocity [rad/s]", "", ""),
+    function<&velocity_at>("velocity_at", "x [m], y [m]", "x [m/s], y [m/s]",
+                           "Of the point of the body that is at a place in the world."),
+    function<&apply_force>("apply_force", "fx [N], fy [N], x [m], y [m]", "",
+                           "At a place in the world; acts during the next step."),
+    function<&apply_force_to_center>("apply_force_to_center", "fx [N], fy [N]", "",
+                                     "Acts during the next step."),
+    function<&apply_torque>("apply_torque", "torque [N m]", "", "Acts during the next step."),
+    function<&apply_impulse>("apply_impulse", "ix [N s], iy [N s], x [m], y [m]", "",
+                             "At a place in the world; changes the velocity at once."),
+    function<&apply_impulse_to_center>("apply_impulse_to_center", "ix [N s], iy [N s]", "",
+                                       "Changes the velocity at once."),
+    function<&apply_angular_impulse>("apply_angular_impulse", "impulse [N m s]", "",
+                                     "Changes the angular velocity at once."),
+    function<&mass>("mass", "", "mass [kg]", "0 unless dynamic."),
+    function<&inertia>("inertia", "", "inertia [kg m^2]", "About the centre of mass; 0 unless dynamic."),
+    function<&linear_damping>("linear_damping", "", "damping [1/s]", ""),
+    function<&set_linear_damping>("set_linear_damping", "damping [1/s]", "", "c in v e^(-c t), at least 0."),
+    function<&angular_damping>("angular_damping", "", "damping [1/s]", ""),
+    function<&set_angular_damping>("set_angular_damping", "damping [1/s]", "", ""),
+    function<&gravity_scale>("gravity_scale", "", "scale", ""),
+    function<&set_gravity_scale>("set_gravity_scale", "scale", "",
+                                 "0 lets the body float, 1 is the world's gravity."),
+    function<&is_awake>("is_awake", "", "awake", ""),
+    function<&set_awake>("set_awake", "awake", "",
+                         "Putting a body to sleep puts to sleep all that it touches."),
+    function<&allows_sleep>("allows_sleep", "", "allows", ""),
+    function<&set_allow_sleep>("set_allow_sleep", "allow", "", ""),
+    function_pushing<&add_shape<GeometryKind::Box>>("add_box", "fields", "shape", kReturnsShape,
+                                                    "Adds a rectangle, placed in the body's frame.",
+                                                    &fields_of_body_add(GeometryKind::Box)),
+    function_pushing<&add_shape<GeometryKind::Circle>>("add_circle", "fields", "shape", kReturnsShape,
+                                                       "Adds a disc.",
+                                                       &fields_of_body_add(GeometryKind::Circle)),
+    function_pushing<&add_shape<GeometryKind::Capsule>>("add_capsule", "fields", "shape", kReturnsShape,
+                                                        "Adds a capsule.",
+                                                        &fields_of_body_add(GeometryKind::Capsule)),
+    function_pushing<&add_shape<GeometryKind::Polygon>>("add_polygon", "fields", "shape", kReturnsShape,
+                                                        "Adds a convex polygon.",
+                                                        &fields_of_body_add(GeometryKind::Polygon)),
+    function_pushing<&shapes>("shapes", "", "shapes", kReturnsTable, "A new list, in order of creation."),
+    function_pushing<&joints>("joints", "", "joints", kReturnsTable, "A new list."),
+    function_pushing<&world>("world", "", "world", kReturnsWorld, ""),
+    function<&destroy>("destroy", "", "",
+                       "Removes the body with its shapes and joints. What rested on it wakes."),
+    function<&is_valid>("is_valid", "", "valid", "Whether the body was not destroyed."),
+};
+
+}  // namespace
+
+const Module kBodyMethods = {
+    "Body",
+    "A rigid body. `==` compares bodies, and a body can be the key of a table: the same body is always the "
+    "same value. "
+    "`body.data` is a table of your own that is kept as long as the body and may be replaced. Using a "
+    "destroyed body raises "
+    "an error, except for `is_valid()` and `data`.",
+    kFunctions,
+    true,
+};
+
+}  // namespace cairn::scripting

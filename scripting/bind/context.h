@@ -1,0 +1,76 @@
+// What the bindings of one Lua state work on. Invariant: owned by the host, outlives the state, and is the
+// only way from Lua to the engine, so that two states never share anything by accident.
+#pragma once
+
+#include <cstdint>
+#include <lua.hpp>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <cairn/engine/audio.h>
+#include <cairn/engine/files.h>
+#include <cairn/engine/input.h>
+#include <cairn/engine/platform.h>
+#include <cairn/engine/random.h>
+#include <cairn/engine/renderer.h>
+
+#include "bind/timers.h"
+
+namespace cairn::scripting {
+
+struct WorldObject;
+class TestDriver;
+
+/// What cairn.result reported.
+struct GameResult {
+    std::string outcome;
+    std::optional<std::string> level;
+    std::optional<double> score;
+    std::optional<std::int64_t> stars;
+};
+
+/// The drawing state of cairn.graphics that the renderer does not keep itself.
+struct DrawState {
+    engine::Color color;
+    float line_width = 1;
+    engine::FontId font;
+    int cameras = 0;  ///< attached and not yet detached
+};
+
+struct Services {
+    engine::Files& files;
+    engine::Renderer& renderer;
+    engine::Audio& audio;
+    engine::Window& window;
+};
+
+struct Context {
+    Services services;
+    engine::Random random;         ///< of gameplay: seeded, recorded, hashed
+    engine::Random visual_random;  ///< of what decides nothing
+    engine::InputState input;
+    Timers timers;
+
+    std::uint64_t frame = 0;  ///< updates so far
+    double alpha = 1;         ///< of the picture being drawn
+    bool is_drawing = false;
+    bool wants_quit = false;
+    std::optional<GameResult> result;
+    DrawState draw;
+    engine::FontId default_font;
+
+    /// In order of creation; each is kept alive until the script destroys it, because the state hash covers
+    /// all of them and must not depend on when garbage is collected.
+    std::vector<WorldObject*> worlds;
+
+    /// With a value, the save folder is only played: files written are kept here and the real folder is
+    /// neither read nor written, so that a replay does not depend on what the player saved.
+    std::optional<std::map<std::string, std::string, std::less<>>> played_saves;
+
+    /// In `cairn test`: what the running test does to its game; else null.
+    TestDriver* test = nullptr;
+};
+
+}  // namespace cairn::scripting

@@ -1,0 +1,141 @@
+// The iterator of world:events. It makes no garbage: cursors are kept by their world and handed back when a
+// loop ends, which Lua reports through the to-be-closed value of the generic `for`, also after `break` and
+// errors.
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "bind/physics_objects.h"
+#include "data/nearest.h"
+
+namespace cairn::scripting {
+namespace {
+
+enum class EventKind { Begin, Hit, End };
+
+/// Where a loop stands. User value 1 is the world.
+struct EventCursor : ObjectHeader {
+    static constexpr ObjectTag kTag = ObjectTag::EventCursor;
+    WorldObject* world;
+    std::uint64_t step;  ///< whose events are read
+    EventKind kind;      ///< read now
+    EventKind last_kind;
+    std::size_t next;
+    bool in_use;
+};
+
+template <class Event>
+void push_bodies(lua_State* L, const Event& event) {
+    lua_getiuservalue(L, 1, 1);
+    const int world = lua_gettop(L);
+    push_body(L, world, event.body_a);
+    push_body(L, world, event.body_b);
+    lua_remove(L, world);
+}
+
+void push_numbers(lua_State* L, std::initializer_list<double> numbers) {
+    for (const double number : numbers) lua_pushnumber(L, number);
+}
+
+/// The iterator function of the loop: (cursor, previous kind) -> kind, a, b, impulse, x, y, nx, ny, speed.
+int next_event(lua_State* L) {
+    auto* cursor = object_at<EventCursor>(L, 1);
+    if (cursor == nullptr || !cursor->in_use) return 0;
+    const auto& world = cursor->world->world;
+    if (!world || world->step_count() != cursor->step) return 0;
+    while (true) {
+        const std::size_t i = cursor->next++;
+        if (cursor->kind == EventKind::Begin && i < world->contact_begins().size()) {
+            const physics::ContactBegin& event = world->contact_begins()[i];
+            lua_pushliteral(L, "begin");
+            push_bodies(L, event);
+            push_numbers(L, {0, event.point_m.x, event.point_m.y, static_cast<double>(event.normal.x),
+                             static_cast<double>(event.normal.y), 0});
+            return 9;
+        }
+        if (cursor->kind == EventKind::Hit && i < world->contact_hits().size()) {
+            const physics::ContactHit& event = world->contact_hits()[i];
+            lua_pushliteral(L, "hit");
+            push_bodies(L, event);
+            push_numbers(L, {static_cast<double>(event.impulse_ns), event.point_m.x, event.point_m.y,
+                             static_cast<double>(event.normal.x), static_cast<double>(event.normal.y),
+                             static_cast<double>(event.approach_speed_m_s)});
+            return 9;
+        }
+        if (cursor->kind == EventKind::End && i < world->contact_ends().size()) {
+            lua_pushliteral(L, "end");
+            push_bodies(L, world->contact_ends()[i]);
+            push_numbers(L, {0, 0, 0, 0, 0, 0});
+            return 9;
+        }
+        if (cursor->kind == cursor->last_kind) return 0;
+        cursor->kind = static_cast<EventKind>(static_cast<int>(cursor->kind) + 1);
+        cursor->next = 0;
+    }
+}
+
+int close_cursor(lua_State* L) {
+    object_at<EventCursor>(L, 1)->in_use = false;
+    return 0;
+}
+
+/// Pushes a cursor of the world that no loop uses, a new one if need be.
+EventCursor& push_free_cursor(lua_State* L, WorldRef world) {
+    lua_getiuservalue(L, world.index, static_cast<int>(WorldTable::Cursors));
+    const int list = lua_gettop(L);
+    const auto count = static_cast<lua_Integer>(lua_rawlen(L, list));
+    for (lua_Integer i = 1; i <= count; ++i) {
+        lua_rawgeti(L, list, i);
+        auto* cursor = object_at<EventCursor>(L, -1);
+        if (!cursor->in_use) {
+            lua_remove(L, list);
+            return *cursor;
+        }
+        lua_pop(L, 1);
+    }
+    auto& cursor = new_object<EventCursor>(L, 1, &world.object, std::uint64_t{0}, EventKind::Begin,
+                                           EventKind::End, std::size_t{0}, false);
+    lua_pushvalue(L, world.index);
+    lua_setiuservalue(L, -2, 1);
+    lua_pushvalue(L, -1);
+    lua_rawseti(L, list, count + 1);
+    lua_remove(L, list);
+    return cursor;
+}
+
+}  // namespace
+
+void register_event_cursor(lua_State* L) {
+    lua_createtable(L, 0, 2);
+    lua_pushcfunction(L, close_cursor);
+    lua_setfield(L, -2, "__close");
+    lua_pushboolean(L, 0);
+    lua_setfield(L, -2, "__metatable");
+    set_metatable(L, ObjectTag::EventCursor);
+}
+
+int push_events(lua_State* L, WorldRef world, std::optional<std::string_view> kind) {
+    EventKind first = EventKind::Begin;
+    EventKind last = EventKind::End;
+    if (kind) {
+        static const std::vector<std::string> kinds = {"begin", "hit", "end"};
+        const auto found = std::find(kinds.begin(), kinds.end(), *kind);
+        if (found == kinds.end()) {
+            call_error(L, "kind is \"" + std::string(*kind) + "\": no such kind of event" +
+                              suggestion(*kind, kinds));
+        }
+        first = last = static_cast<EventKind>(found - kinds.begin());
+    }
+    lua_pushcfunction(L, next_event);
+    EventCursor& cursor = push_free_cursor(L, world);
+    cursor.step = world.world.step_count();
+    cursor.kind = first;
+    cursor.last_kind = last;
+    cursor.next = 0;
+    cursor.in_use = true;
+    lua_pushnil(L);
+    lua_pushvalue(L, -2);
+    return 4;
+}
+
+}  // namespace cairn::scripting

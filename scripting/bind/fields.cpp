@@ -1,0 +1,188 @@
+// Reading described tables.
+#include "bind/fields.h"
+
+#include <string>
+
+#include "bind/function.h"
+#include "bind/object.h"
+#include "data/nearest.h"
+#include "data/table_writer.h"
+
+namespace cairn::scripting {
+namespace {
+
+bool has_type(lua_State* L, FieldType type) {
+    switch (type) {
+        case FieldType::Number:
+            return lua_type(L, -1) == LUA_TNUMBER;
+        case FieldType::Integer:
+            return lua_type(L, -1) == LUA_TNUMBER && lua_isinteger(L, -1);
+        case FieldType::Boolean:
+            return lua_isboolean(L, -1);
+        case FieldType::String:
+            return lua_type(L, -1) == LUA_TSTRING;
+        case FieldType::Table:
+            return lua_istable(L, -1);
+        case FieldType::Body:
+            return is_object(L, -1, ObjectTag::Body);
+    }
+    return false;
+}
+
+}  // namespace
+
+const char* field_type_with_article(FieldType type) {
+    switch (type) {
+        case FieldType::Number:
+            return "a number";
+        case FieldType::Integer:
+            return "an integer";
+        case FieldType::Boolean:
+            return "true or false";
+        case FieldType::String:
+            return "a string";
+        case FieldType::Table:
+            return "a table";
+        case FieldType::Body:
+            return "a Body";
+    }
+    return "";
+}
+
+const char* field_type_name(FieldType type) {
+    switch (type) {
+        case FieldType::Number:
+            return "number";
+        case FieldType::Integer:
+            return "integer";
+        case FieldType::Boolean:
+            return "boolean";
+        case FieldType::String:
+            return "string";
+        case FieldType::Table:
+            return "table";
+        case FieldType::Body:
+            return "Body";
+    }
+    return "";
+}
+
+std::vector<const Field*> all_fields(const FieldSet& set) {
+    std::vector<const Field*> fields(set.own.begin(), set.own.end());
+    for (const FieldSet* included : set.includes) {
+        if (included == nullptr) continue;
+        for (const Field* field : all_fields(*included)) fields.push_back(field);
+    }
+    return fields;
+}
+
+std::string describe_value(lua_State* L, int index) {
+    index = lua_absindex(L, index);
+    constexpr std::size_t kMaxText = 40;
+    switch (lua_type(L, index)) {
+        case LUA_TNONE:
+        case LUA_TNIL:
+            return "nil";
+        case LUA_TBOOLEAN:
+            return lua_toboolean(L, index) != 0 ? "true" : "false";
+        case LUA_TNUMBER: {
+            lua_pushvalue(L, index);  // lua_tostring would turn the argument itself into a string
+            std::string text = lua_tostring(L, -1);
+            lua_pop(L, 1);
+            return text;
+        }
+        case LUA_TSTRING: {
+            std::size_t length = 0;
+            const char* text = lua_tolstring(L, index, &length);
+            const std::string_view all(text, length);
+            return quote_text(all.substr(0, kMaxText)) + (length > kMaxText ? "..." : "");
+        }
+        case LUA_TUSERDATA:
+            return std::string("a ") + object_type_name(L, index);
+        default:
+            return std::string("a ") + luaL_typename(L, index);
+    }
+}
+
+FieldReader::FieldReader(lua_State* L, int index, const FieldSet& set)
+    : L_(L), index_(lua_absindex(L, index)) {
+    const std::vector<const Field*> fields = all_fields(set);
+    lua_pushnil(L);
+    while (lua_next(L, index_) != 0) {
+        lua_pop(L, 1);
+        const bool is_name = lua_type(L, -1) == LUA_TSTRING;
+        const std::string_view name = is_name ? lua_tostring(L, -1) : "";
+        bool is_known = false;
+        for (const Field* field : fields) is_known = is_known || name == field->name;
+        if (is_known) continue;
+        std::vector<std::string> names;
+        for (const Field* field : fields) names.push_back(field->name);
+        if (!is_name)
+            call_error(L, "the key " + describe_value(L, -1) + " is not a field" + suggestion("", names));
+        call_error(L, "unknown field \"" + std::string(name) + "\"" + suggestion(name, names));
+    }
+}
+
+bool FieldReader::push(const Field& field) const {
+    lua_getfield(L_, index_, field.name);
+    if (lua_isnil(L_, -1)) {
+        lua_pop(L_, 1);
+        if (field.default_text == nullptr) {
+            call_error(L_, std::string(field.name) + " is missing; it must be " +
+                               field_type_with_article(field.type));
+        }
+        return false;
+    }
+    if (!has_type(L_, field.type)) fail(field, std::string("must be ") + field_type_with_article(field.type));
+    return true;
+}
+
+void FieldReader::fail(const Field& field, const std::string& rule) const {
+    lua_getfield(L_, index_, field.name);
+    call_error(L_, std::string(field.name) + " = " + describe_value(L_, -1) + ": " + rule);
+}
+
+bool FieldReader::has(const Field& field) const {
+    lua_getfield(L_, index_, field.name);
+    const bool is_there = !lua_isnil(L_, -1);
+    lua_pop(L_, 1);
+    return is_there;
+}
+
+double FieldReader::number(const Field& field) const {
+    if (!push(field)) return field.default_number;
+    const double value = lua_tonumber(L_, -1);
+    lua_pop(L_, 1);
+    return value;
+}
+
+std::optional<double> FieldReader::optional_number(const Field& field) const {
+    if (!push(field)) return std::nullopt;
+    const double value = lua_tonumber(L_, -1);
+    lua_pop(L_, 1);
+    return value;
+}
+
+std::int64_t FieldReader::integer(const Field& field) const {
+    if (!push(field)) return static_cast<std::int64_t>(field.default_number);
+    const std::int64_t value = lua_tointeger(L_, -1);
+    lua_pop(L_, 1);
+    return value;
+}
+
+bool FieldReader::boolean(const Field& field) const {
+    if (!push(field)) return field.default_number != 0;
+    const bool value = lua_toboolean(L_, -1) != 0;
+    lua_pop(L_, 1);
+    return value;
+}
+
+std::string_view FieldReader::text(const Field& field) const {
+    if (!push(field)) return field.default_text;
+    std::size_t length = 0;
+    const char* text = lua_tolstring(L_, -1, &length);
+    lua_pop(L_, 1);
+    return {text, length};
+}
+
+}  // namespace cairn::scripting

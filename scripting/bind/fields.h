@@ -1,0 +1,87 @@
+// Tables with described fields: `world:add_box{ width = 1, height = 2 }`. The description gives the checks,
+// the defaults and the reference. Invariant: a table with a field that is not described is refused, with the
+// nearest name that is.
+#pragma once
+
+#include <lua.hpp>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace cairn::scripting {
+
+enum class FieldType { Number, Integer, Boolean, String, Table, Body };
+
+struct Field {
+    const char* name;
+    FieldType type;
+    /// As text: "0.6", "true", "dynamic"; null: the field is required; empty: absent unless given.
+    const char* default_text;
+    const char* doc;
+    double default_number = 0;
+};
+
+/// Fields that belong together; those of `includes` belong to it too.
+struct FieldSet {
+    std::span<const Field* const> own;
+    std::array<const FieldSet*, 3> includes{};
+};
+
+/// Every field of a set, included ones last.
+std::vector<const Field*> all_fields(const FieldSet& set);
+
+constexpr Field number_field(const char* name, double default_value, const char* default_text,
+                             const char* doc) {
+    return {name, FieldType::Number, default_text, doc, default_value};
+}
+constexpr Field integer_field(const char* name, double default_value, const char* default_text,
+                              const char* doc) {
+    return {name, FieldType::Integer, default_text, doc, default_value};
+}
+constexpr Field boolean_field(const char* name, bool default_value, const char* doc) {
+    return {name, FieldType::Boolean, default_value ? "true" : "false", doc, default_value ? 1.0 : 0.0};
+}
+constexpr Field required_field(const char* name, FieldType type, const char* doc) {
+    return {name, type, nullptr, doc};
+}
+constexpr Field optional_field(const char* name, FieldType type, const char* doc) {
+    return {name, type, "", doc};
+}
+
+/// "a number", "a body", ...: for messages.
+const char* field_type_with_article(FieldType type);
+/// "number", "Body", ...: for annotations.
+const char* field_type_name(FieldType type);
+
+/// Reads the table at an index. Every error names the binding, the field, the value and the rule.
+class FieldReader {
+  public:
+    /// Raises for a field that the set does not describe.
+    FieldReader(lua_State* L, int index, const FieldSet& set);
+
+    [[nodiscard]] double number(const Field& field) const;
+    [[nodiscard]] float real(const Field& field) const { return static_cast<float>(number(field)); }
+    [[nodiscard]] std::int64_t integer(const Field& field) const;
+    [[nodiscard]] bool boolean(const Field& field) const;
+    /// Of an optional field: nothing when it is absent.
+    [[nodiscard]] std::optional<double> optional_number(const Field& field) const;
+    /// Valid as long as the table holds it.
+    [[nodiscard]] std::string_view text(const Field& field) const;
+    [[nodiscard]] bool has(const Field& field) const;
+
+    /// Pushes the value after checking its type; false, with nothing pushed, when the field is absent.
+    bool push(const Field& field) const;
+
+    /// Raises "NAME: field = VALUE: rule".
+    [[noreturn]] void fail(const Field& field, const std::string& rule) const;
+
+  private:
+    lua_State* L_;
+    int index_;
+};
+
+/// The value at an index as a message shows it: 12, "text", nil, a table, a Body.
+std::string describe_value(lua_State* L, int index);
+
+}  // namespace cairn::scripting

@@ -1,0 +1,70 @@
+// Messages of wrong calls.
+#include "bind/function.h"
+
+#include "bind/fields.h"
+#include "bind/module.h"
+
+namespace cairn::scripting {
+namespace {
+
+// Every binding is a closure over its own description and its module.
+const Function& running_function(lua_State* L) {
+    return *static_cast<const Function*>(lua_touserdata(L, lua_upvalueindex(1)));
+}
+const Module& running_module(lua_State* L) {
+    return *static_cast<const Module*>(lua_touserdata(L, lua_upvalueindex(2)));
+}
+
+std::string_view trim(std::string_view text) {
+    while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
+    while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
+    return text;
+}
+
+}  // namespace
+
+std::vector<Parameter> parse_parameters(std::string_view text) {
+    std::vector<Parameter> parameters;
+    while (!trim(text).empty()) {
+        const std::size_t comma = std::min(text.find(','), text.size());
+        std::string_view part = trim(text.substr(0, comma));
+        text.remove_prefix(std::min(comma + 1, text.size()));
+        Parameter parameter;
+        if (const std::size_t equals = part.find('='); equals != std::string_view::npos) {
+            parameter.default_value = trim(part.substr(equals + 1));
+            part = trim(part.substr(0, equals));
+        }
+        if (const std::size_t bracket = part.find('['); bracket != std::string_view::npos) {
+            parameter.unit = part.substr(bracket + 1, part.find(']') - bracket - 1);
+            part = trim(part.substr(0, bracket));
+        }
+        parameter.name = part;
+        parameters.push_back(parameter);
+    }
+    return parameters;
+}
+
+std::string running_name(lua_State* L) {
+    const Module& module = running_module(L);
+    return std::string(module.name) + (module.is_type ? ':' : '.') + running_function(L).name;
+}
+
+void argument_error(lua_State* L, int index, const std::string& expected) {
+    const Module& module = running_module(L);
+    const Function& function = running_function(L);
+    if (module.is_type && index == 1) {
+        call_error(L, "the receiver is " + describe_value(L, 1) + "; call it as object:" + function.name +
+                          "(...) of a " + module.name);
+    }
+    const std::vector<Parameter> parameters = parse_parameters(function.parameters);
+    const auto place = static_cast<std::size_t>(index - (module.is_type ? 2 : 1));
+    const std::string name = place < parameters.size() ? std::string(parameters[place].name)
+                                                       : "argument " + std::to_string(place + 1);
+    call_error(L, name + " is " + describe_value(L, index) + "; expected " + expected);
+}
+
+void call_error(lua_State* L, const std::string& message) {
+    raise(L, running_name(L) + ": " + message);
+}
+
+}  // namespace cairn::scripting

@@ -1,0 +1,385 @@
+// cairn.graphics: state, transforms, images, text and bodies. The shapes stand in graphics_shapes.cpp.
+#include <cmath>
+
+#include "bind/graphics_objects.h"
+#include "bind/graphics_shapes.h"
+#include "bind/modules.h"
+#include "data/nearest.h"
+#include "lua/sandbox.h"
+#include "lua/state.h"
+
+namespace cairn::scripting {
+
+Context& drawing_context(lua_State* L) {
+    Context& context = context_of(L);
+    if (!context.is_drawing) call_error(L, "there is no picture to draw on; call it inside cairn.draw");
+    return context;
+}
+
+engine::FontId current_font(lua_State* L) {
+    constexpr float kDefaultFontSize = 18;
+    Context& context = context_of(L);
+    if (!context.draw.font.is_null()) return context.draw.font;
+    if (context.default_font.is_null()) {
+        context.default_font =
+            value_or_raise(L, context.services.renderer.load_font("fonts/default.ttf", kDefaultFontSize));
+    }
+    return context.default_font;
+}
+
+bool is_y_up(const engine::Renderer& renderer) {
+    return renderer.transform().determinant() < 0;
+}
+
+namespace {
+
+using engine::Color;
+using engine::Vec2;
+
+// ---- State
+
+void set_color(lua_State* L, float r, float g, float b, std::optional<float> a) {
+    drawing_context(L).draw.color = {r, g, b, a.value_or(1)};
+}
+std::tuple<float, float, float, float> color(lua_State* L) {
+    const Color c = drawing_context(L).draw.color;
+    return {c.r, c.g, c.b, c.a};
+}
+void set_line_width(lua_State* L, float width) {
+    drawing_context(L).draw.line_width = width;
+}
+void set_blend_mode(lua_State* L, std::string_view mode) {
+    engine::Renderer& renderer = drawing_context(L).services.renderer;
+    if (mode == "alpha") return renderer.set_blend_mode(engine::BlendMode::Alpha);
+    if (mode == "add") return renderer.set_blend_mode(engine::BlendMode::Add);
+    argument_error(L, 1, "\"alpha\" or \"add\"");
+}
+void set_scissor(lua_State* L, std::optional<float> x, std::optional<float> y, std::optional<float> width,
+                 std::optional<float> height) {
+    engine::Renderer& renderer = drawing_context(L).services.renderer;
+    if (!x) return renderer.set_scissor(std::nullopt);
+    if (!y || !width || !height) call_error(L, "x, y, width and height are expected, or no argument at all");
+    renderer.set_scissor(engine::Rect{*x, *y, *width, *height});
+}
+void clear(lua_State* L, float r, float g, float b) {
+    Context& context = drawing_context(L);
+    engine::Renderer& renderer = context.services.renderer;
+    const engine::Size size = renderer.logical_size();
+    check_or_raise(L, renderer.push_transform());
+    renderer.reset_transform();
+    renderer.fill_rectangle({0, 0, static_cast<float>(size.width), static_cast<float>(size.height)},
+                            {r, g, b, 1});
+    check_or_raise(L, renderer.pop_transform());
+}
+
+// ---- Transforms
+
+engine::Result<void> push(lua_State* L) {
+    return drawing_context(L).services.renderer.push_transform();
+}
+engine::Result<void> pop(lua_State* L) {
+    return drawing_context(L).services.renderer.pop_transform();
+}
+void translate(lua_State* L, float x, float y) {
+    drawing_context(L).services.renderer.translate({x, y});
+}
+void rotate(lua_State* L, float angle) {
+    drawing_context(L).services.renderer.rotate(angle);
+}
+void scale(lua_State* L, float x, std::optional<float> y) {
+    drawing_context(L).services.renderer.scale({x, y.value_or(x)});
+}
+
+// ---- Images
+
+Pushed new_image(lua_State* L, std::string_view path) {
+    engine::Renderer& renderer = context_of(L).services.renderer;
+    const engine::TextureId texture = value_or_raise(L, renderer.load_texture(path));
+    new_object<ImageObject>(L, 0, texture, renderer.texture_size(texture));
+    return {1};
+}
+
+/// The image is mirrored where y points up, so that it stands upright there too.
+void draw_upright(lua_State* L, const ImageObject& image, engine::ImageDraw draw) {
+    Context& context = drawing_context(L);
+    if (is_y_up(context.services.renderer)) draw.scale.y = -draw.scale.y;
+    draw.tint = context.draw.color;
+    context.services.renderer.draw_image(image.texture, draw);
+}
+
+void draw(lua_State* L, ImageObject* image, float x, float y, std::optional<float> angle,
+          std::optional<float> scale_x, std::optional<float> scale_y, std::optional<float> origin_x,
+          std::optional<float> origin_y) {
+    const float width_scale = scale_x.value_or(1);
+    draw_upright(L, *image,
+                 {.position = {x, y},
+                  .rotation_rad = angle.value_or(0),
+                  .scale = {width_scale, scale_y.value_or(width_scale)},
+                  .origin = {origin_x.value_or(0), origin_y.value_or(0)}});
+}
+
+void draw_sized(lua_State* L, ImageObject* image, float x, float y, float width, float height,
+                std::optional<float> angle) {
+    const auto image_width = static_cast<float>(image->size.width);
+    const auto image_height = static_cast<float>(image->size.height);
+    draw_upright(L, *image,
+                 {.position = {x, y},
+                  .rotation_rad = angle.value_or(0),
+                  .scale = {width / image_width, height / image_height},
+                  .origin = {image_width / 2, image_height / 2}});
+}
+
+void draw_region(lua_State* L, ImageObject* image, float source_x, float source_y, float source_width,
+                 float source_height, float x, float y, float width, float height,
+                 std::optional<float> angle) {
+    if (!(source_width > 0 && source_height > 0))
+        call_error(L, "the part of the image must be wider and higher than 0");
+    draw_upright(L, *image,
+                 {.position = {x, y},
+                  .rotation_rad = angle.value_or(0),
+                  .scale = {width / source_width, height / source_height},
+                  .origin = {source_width / 2, source_height / 2},
+                  .source = engine::Rect{source_x, source_y, source_width, source_height}});
+}
+
+/// The affine map that takes three of the points, those that span the largest triangle with the first, to
+/// their uvs.
+std::optional<engine::Affine2> uv_map(const std::vector<Vec2>& points, const std::vector<Vec2>& uvs) {
+    std::size_t best_i = 0;
+    std::size_t best_j = 0;
+    float best_area = 0;
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        for (std::size_t j = i + 1; j < points.size(); ++j) {
+            const float area = std::abs(engine::cross(points[i] - points[0], points[j] - points[0]));
+            if (area <= best_area) continue;
+            best_area = area;
+            best_i = i;
+            best_j = j;
+        }
+    }
+    if (best_area == 0) return std::nullopt;
+    // The columns of a map are where (1, 0) and (0, 1) go; a frame maps them to two sides of the triangle.
+    const auto frame = [&](const std::vector<Vec2>& p) {
+        const Vec2 x = p[best_i] - p[0];
+        const Vec2 y = p[best_j] - p[0];
+        return engine::Affine2{x.x, x.y, y.x, y.y, p[0].x, p[0].y};
+    };
+    return frame(uvs) * frame(points).inverse();
+}
+
+void draw_polygon(lua_State* L, ImageObject* image, TableArgument points, TableArgument uvs) {
+    Context& context = drawing_context(L);
+    const std::vector<Vec2> corners = read_point_list(L, points, 3);
+    const std::vector<Vec2> places = read_point_list(L, uvs, 3);
+    if (places.size() != corners.size()) {
+        call_error(L, "got " + std::to_string(corners.size()) + " points and " +
+                          std::to_string(places.size()) +
+                          " places in the image; one for each point is needed");
+    }
+    if (const auto uv_from_point = uv_map(corners, places)) {
+        context.services.renderer.fill_convex_polygon(corners, image->texture, *uv_from_point,
+                                                      context.draw.color);
+    }
+}
+
+// ---- Text
+
+Pushed new_font(lua_State* L, float size, std::optional<std::string_view> path) {
+    engine::Renderer& renderer = context_of(L).services.renderer;
+    const engine::FontId font =
+        value_or_raise(L, renderer.load_font(path.value_or("fonts/default.ttf"), size));
+    new_object<FontObject>(L, 0, font, size);
+    return {1};
+}
+void set_font(lua_State* L, FontObject* font) {
+    drawing_context(L).draw.font = font->font;
+}
+
+void print(lua_State* L, AnyArgument text, float x, float y, std::optional<std::string_view> align,
+           std::optional<float> wrap_width) {
+    Context& context = drawing_context(L);
+    engine::Renderer& renderer = context.services.renderer;
+    engine::TextDraw draw{
+        .position = {x, y}, .color = context.draw.color, .wrap_width = wrap_width.value_or(0)};
+    const std::string_view where = align.value_or("left");
+    if (where == "center") {
+        draw.align = engine::TextAlign::Center;
+    } else if (where == "right") {
+        draw.align = engine::TextAlign::Right;
+    } else if (where != "left") {
+        argument_error(L, 4, "\"left\", \"center\" or \"right\"");
+    }
+    const engine::FontId font = current_font(L);
+    push_text(L, text.index);
+    std::size_t length = 0;
+    const char* bytes = lua_tolstring(L, -1, &length);
+    if (!is_y_up(renderer)) return renderer.draw_text(font, {bytes, length}, draw);
+    // Letters keep their size in pixels under a camera.
+    draw.position = renderer.transform().apply(draw.position);
+    check_or_raise(L, renderer.push_transform());
+    renderer.reset_transform();
+    renderer.draw_text(font, {bytes, length}, draw);
+    check_or_raise(L, renderer.pop_transform());
+}
+
+// ---- Bodies
+
+void draw_one_body(lua_State* L, BodyRef body) {
+    draw_body(L, drawing_context(L), body.object, body.body, body.index);
+}
+
+void draw_world(lua_State* L, WorldRef world) {
+    Context& context = drawing_context(L);
+    for (const physics::BodyId id : world.world.bodies()) {
+        push_body(L, world.index, id);
+        const auto* object = object_at<BodyObject>(L, -1);
+        if (object != nullptr)
+            draw_body(L, context, *object, value_or_raise(L, world.world.body(id)), lua_gettop(L));
+        lua_pop(L, 1);
+    }
+}
+
+// ---- Facts
+
+std::tuple<std::int64_t, std::int64_t> size(lua_State* L) {
+    const engine::Size logical = context_of(L).services.window.logical_size();
+    return {logical.width, logical.height};
+}
+double alpha(lua_State* L) {
+    return context_of(L).alpha;
+}
+std::tuple<std::int64_t, std::int64_t> stats(lua_State* L) {
+    const engine::RenderStats& stats = context_of(L).services.renderer.stats();
+    return {stats.draw_calls, stats.vertices};
+}
+
+constexpr std::array<std::string_view, 1> kReturnsImage = {"Image"};
+constexpr std::array<std::string_view, 1> kReturnsFont = {"Font"};
+
+constexpr Function kFunctions[] = {
+    function<&set_color>("set_color", "r, g, b, a = 1", "",
+                         "Of all that is drawn; it tints images. Starts white."),
+    function<&color>("color", "", "r, g, b, a", ""),
+    function<&set_line_width>("set_line_width", "width", "", "In the present units. Starts 1."),
+    function<&set_blend_mode>("set_blend_mode", "mode", "", "\"alpha\" covers, \"add\" adds light."),
+    function<&set_scissor>(
+        "set_scissor", "x [px] = nil, y [px] = nil, width [px] = nil, height [px] = nil", "",
+        "Only what lies inside is drawn; screen pixels, whatever the transform. Without arguments: "
+        "everything."),
+    function<&clear>("clear", "r, g, b", "", "Fills the picture."),
+    function<&push>("push", "", "", "Remembers the transform."),
+    function<&pop>("pop", "", "", "Goes back to the transform of the last push."),
+    function<&translate>("translate", "x, y", "", ""),
+    function<&rotate>("rotate", "angle [rad]", "", "From the x axis towards the y axis."),
+    function<&scale>("scale", "x, y = x", "", ""),
+    function<&rectangle>(
+        "rectangle", "mode, x, y, width, height, radius = 0", "",
+        "`mode` is \"fill\" or \"line\"; (x, y) is the corner of least x and y; the radius rounds the "
+        "corners inward."),
+    function<&circle>("circle", "mode, x, y, radius", "", ""),
+    function<&capsule>("capsule", "mode, x1, y1, x2, y2, radius", "", ""),
+    function<&polygon>("polygon", "mode, points", "", "Convex; points = { x1, y1, x2, y2, ... }."),
+    function<&line>(
+        "line", "points", "",
+        "Through all points: `line{ x1, y1, x2, y2, ... }`, or the numbers as arguments, `line(x1, y1, x2, "
+        "y2, ...)`."),
+    function<&mesh>("mesh", "vertices, image = nil", "",
+                    "Triangles without smooth edges: three vertices each, { x, y, r, g, b, a, ... }, with an "
+                    "image { x, y, "
+                    "r, g, b, a, u, v, ... }. For gradients."),
+    function_pushing<&new_image>("new_image", "path", "image", kReturnsImage,
+                                 "Loads a PNG or JPEG file; the same path gives the same picture."),
+    function<&draw>(
+        "draw",
+        "image, x, y, angle [rad] = 0, scale_x = 1, scale_y = scale_x, origin_x [px] = 0, origin_y [px] = 0",
+        "",
+        "Draws an image with its origin (pixels from its top left) at (x, y). Under a camera the scale is "
+        "metres per pixel of the image."),
+    function<&draw_sized>("draw_sized", "image, x, y, width, height, angle [rad] = 0", "",
+                          "Draws an image centred at (x, y) with a size in the present units."),
+    function<&draw_region>("draw_region",
+                           "image, source_x [px], source_y [px], source_width [px], source_height [px], x, "
+                           "y, width, height, angle [rad] = 0",
+                           "", "As draw_sized, with a part of the image."),
+    function<&draw_polygon>(
+        "draw_polygon", "image, points, uvs", "",
+        "A convex polygon, { x1, y1, ... }, filled with the image; uvs = { u1, v1, ... } says which "
+        "place of the image, 0 to 1 from its top left, lies at each point. The image is laid on flat: "
+        "three of the points decide how."),
+    function_pushing<&new_font>("new_font", "size [px], path = \"fonts/default.ttf\"", "font", kReturnsFont,
+                                "Loads a TrueType font; size 4 to 256."),
+    function<&set_font>("set_font", "font", "", "Starts with the default font at 18 pixels."),
+    function<&print>(
+        "print", "text, x, y, align = \"left\", wrap_width [px] = 0", "",
+        "(x, y) is the top of the text at its left, center or right, by `align`; with a wrap width, lines "
+        "are "
+        "broken to fit x .. x + wrap_width and aligned inside. Under a camera (x, y) is in the world and the "
+        "letters keep their size in pixels."),
+    function<&draw_one_body>(
+        "draw_body", "body", "",
+        "Draws the body's shapes between the last two steps: with `body.data.image`, an Image spread "
+        "over each shape, or `body.data.color`, {r, g, b, a?}, or a default. Not when "
+        "`body.data.visible` is false."),
+    function<&draw_world>("draw_world", "world", "", "Draws every body, in the order of `world:bodies()`."),
+    function<&size>("size", "", "width [px], height [px]", "The logical size of the picture."),
+    function<&alpha>("alpha", "", "alpha", "How far the picture lies between the last two updates, 0 to 1."),
+    function<&stats>("stats", "", "draw_calls, vertices", "Of the picture before."),
+};
+
+// ---- Methods of Image and Font
+
+std::tuple<std::int64_t, std::int64_t> image_size(ImageObject* self) {
+    return {self->size.width, self->size.height};
+}
+std::int64_t image_width(ImageObject* self) {
+    return self->size.width;
+}
+std::int64_t image_height(ImageObject* self) {
+    return self->size.height;
+}
+
+std::tuple<float, float> measure(lua_State* L, FontObject* self, AnyArgument text,
+                                 std::optional<float> wrap_width) {
+    push_text(L, text.index);
+    std::size_t length = 0;
+    const char* bytes = lua_tolstring(L, -1, &length);
+    const Vec2 extent =
+        context_of(L).services.renderer.measure_text(self->font, {bytes, length}, wrap_width.value_or(0));
+    return {extent.x, extent.y};
+}
+float font_height(lua_State* L, FontObject* self) {
+    return context_of(L).services.renderer.line_height(self->font);
+}
+float font_size(FontObject* self) {
+    return self->size;
+}
+
+constexpr Function kImageFunctions[] = {
+    function<&image_size>("size", "", "width [px], height [px]", ""),
+    function<&image_width>("width", "", "width [px]", ""),
+    function<&image_height>("height", "", "height [px]", ""),
+};
+constexpr Function kFontFunctions[] = {
+    function<&measure>("measure", "text, wrap_width [px] = 0", "width [px], height [px]",
+                       "The width of the longest line and the height of all lines."),
+    function<&font_height>("height", "", "height [px]", "From the top of one line to the top of the next."),
+    function<&font_size>("size", "", "size [px]", ""),
+};
+
+}  // namespace
+
+const Module kGraphicsModule = {
+    "cairn.graphics",
+    "Drawing, only inside `cairn.draw` (images and fonts can be loaded and measured at any time). Color, "
+    "line width, blend "
+    "mode, font, scissor, transforms and camera start anew with each picture. Edges are anti-aliased. "
+    "Without a camera units "
+    "are logical pixels, y down, (0, 0) at the top left; under a camera they are metres, y up, and images "
+    "and text stay "
+    "upright.",
+    kFunctions,
+};
+const Module kImageMethods = {"Image", "A picture that can be drawn.", kImageFunctions, true};
+const Module kFontMethods = {"Font", "A typeface in one size.", kFontFunctions, true};
+
+}  // namespace cairn::scripting

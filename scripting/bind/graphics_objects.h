@@ -1,0 +1,60 @@
+// Images and fonts as Lua values, and what drawing functions share.
+#pragma once
+
+#include <vector>
+
+#include <cairn/engine/renderer.h>
+
+#include "bind/context.h"
+#include "bind/function.h"
+#include "bind/object.h"
+#include "bind/physics_objects.h"
+
+namespace cairn::scripting {
+
+struct ImageObject : ObjectHeader {
+    static constexpr ObjectTag kTag = ObjectTag::Image;
+    engine::TextureId texture;
+    engine::Size size;
+};
+struct FontObject : ObjectHeader {
+    static constexpr ObjectTag kTag = ObjectTag::Font;
+    engine::FontId font;
+    float size;
+};
+
+template <>
+struct Argument<ImageObject*> {
+    static constexpr std::string_view kType = "Image";
+    static ImageObject* get(lua_State* L, int index) {
+        auto* image = object_at<ImageObject>(L, index);
+        if (image == nullptr) argument_error(L, index, "an Image");
+        return image;
+    }
+};
+template <>
+struct Argument<FontObject*> {
+    static constexpr std::string_view kType = "Font";
+    static FontObject* get(lua_State* L, int index) {
+        auto* font = object_at<FontObject>(L, index);
+        if (font == nullptr) argument_error(L, index, "a Font");
+        return font;
+    }
+};
+
+/// The context while a picture is drawn; at other times an error is raised.
+Context& drawing_context(lua_State* L);
+
+/// The font that is set, or the default one, which is loaded when it is first needed.
+engine::FontId current_font(lua_State* L);
+
+/// True when y points up, as under a camera.
+bool is_y_up(const engine::Renderer& renderer);
+
+/// The numbers of { x1, y1, x2, y2, ... } as points.
+std::vector<engine::Vec2> read_point_list(lua_State* L, TableArgument list, std::size_t least);
+
+/// Draws one body where it is between the last two steps; its value stands at `body_index`.
+void draw_body(lua_State* L, Context& context, const BodyObject& object, physics::Body body, int body_index);
+
+}  // namespace cairn::scripting

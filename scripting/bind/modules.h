@@ -1,0 +1,43 @@
+// The modules, one per file, and what builds their Lua side. To add one: describe it in a file of its own,
+// declare it here, and list it in all_modules.cpp.
+#pragma once
+
+#include <lua.hpp>
+
+#include "bind/module.h"
+
+namespace cairn::scripting {
+
+extern const Module kCoreModule;     // cairn
+extern const Module kPhysicsModule;  // cairn.physics
+extern const Module kWorldMethods;
+extern const Module kBodyMethods;
+extern const Module kShapeMethods;
+extern const Module kJointMethods;
+extern const Module kCameraModule;  // cairn.camera
+extern const Module kCameraMethods;
+extern const Module kGraphicsModule;  // cairn.graphics
+extern const Module kImageMethods;
+extern const Module kFontMethods;
+extern const Module kAudioModule;   // cairn.audio
+extern const Module kInputModule;   // cairn.input
+extern const Module kWindowModule;  // cairn.window
+extern const Module kFilesModule;   // cairn.files
+extern const Module kRandomModule;  // cairn.random
+extern const Module kRandomMethods;
+extern const Module kTimerModule;  // cairn.timer
+extern const Module kTimerMethods;
+extern const Module kLevelModule;  // cairn.level
+extern const Module kTestModule;   // cairn.test
+
+/// Frees what a World holds; the finalizer of its type.
+int finalize_world(lua_State* L);
+
+/// Adds `cairn.random.visual` to the table on top of the stack, and makes math.random use the gameplay
+/// stream.
+void install_random(lua_State* L);
+
+/// Makes the global `require`, which runs only the game's own files.
+void install_require(lua_State* L);
+
+}  // namespace cairn::scripting

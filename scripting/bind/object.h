@@ -1,0 +1,90 @@
+// Cairn's own objects in Lua: full userdata that begin with a tag. Invariant: every userdata of a state was
+// made by new_object, because the safe libraries make none, so the first bytes of any userdata are an
+// ObjectHeader. Comparing one number there is the whole type check of a method call.
+#pragma once
+
+#include <cstdint>
+#include <lua.hpp>
+#include <new>
+#include <utility>
+
+namespace cairn::scripting {
+
+/// One per type; also the index of its metatable in the registry.
+enum class ObjectTag : std::uint32_t {
+    World,
+    Body,
+    Shape,
+    Joint,
+    EventCursor,
+    Camera,
+    Image,
+    Font,
+    Random,
+    Timer
+};
+inline constexpr int kObjectTagCount = static_cast<int>(ObjectTag::Timer) + 1;
+
+struct ObjectHeader {
+    ObjectTag tag;
+};
+
+/// "World", "Body", ...: as scripts see the types.
+constexpr const char* object_type_name(ObjectTag tag) {
+    switch (tag) {
+        case ObjectTag::World:
+            return "World";
+        case ObjectTag::Body:
+            return "Body";
+        case ObjectTag::Shape:
+            return "Shape";
+        case ObjectTag::Joint:
+            return "Joint";
+        case ObjectTag::EventCursor:
+            return "EventCursor";
+        case ObjectTag::Camera:
+            return "Camera";
+        case ObjectTag::Image:
+            return "Image";
+        case ObjectTag::Font:
+            return "Font";
+        case ObjectTag::Random:
+            return "Random";
+        case ObjectTag::Timer:
+            return "Timer";
+    }
+    return "userdata";
+}
+/// Of a value that is a userdata.
+const char* object_type_name(lua_State* L, int index);
+
+/// Pushes the metatable of a type, as kept in the registry.
+void push_metatable(lua_State* L, ObjectTag tag);
+/// Pops a table and makes it the metatable of a type.
+void set_metatable(lua_State* L, ObjectTag tag);
+
+/// Makes and pushes an object. T begins with an ObjectHeader and says its tag in T::kTag.
+template <class T, class... Arguments>
+T& new_object(lua_State* L, int user_values, Arguments&&... arguments) {
+    void* block = lua_newuserdatauv(L, sizeof(T), user_values);
+    T* object = new (block) T{{T::kTag}, std::forward<Arguments>(arguments)...};
+    push_metatable(L, T::kTag);
+    lua_setmetatable(L, -2);
+    return *object;
+}
+
+/// Whether the value at an index is an object of that type.
+inline bool is_object(lua_State* L, int index, ObjectTag tag) {
+    return lua_type(L, index) == LUA_TUSERDATA &&
+           static_cast<ObjectHeader*>(lua_touserdata(L, index))->tag == tag;
+}
+
+/// The object at an index, or null when something else stands there.
+template <class T>
+T* object_at(lua_State* L, int index) {
+    if (lua_type(L, index) != LUA_TUSERDATA) return nullptr;
+    auto* header = static_cast<ObjectHeader*>(lua_touserdata(L, index));
+    return header->tag == T::kTag ? static_cast<T*>(static_cast<void*>(header)) : nullptr;
+}
+
+}  // namespace cairn::scripting

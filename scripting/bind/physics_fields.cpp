@@ -1,0 +1,328 @@
+// One constant per field: its name, default, unit and meaning stand here and nowhere else.
+#include "bind/physics_fields.h"
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "bind/function.h"
+#include "bind/physics_objects.h"
+#include "data/nearest.h"
+
+namespace cairn::scripting {
+namespace {
+
+using physics::Vec2;
+
+// ---- World
+constexpr Field kGravityX = number_field("gravity_x", 0, "0", "m/s^2");
+constexpr Field kGravityY = number_field("gravity_y", -10, "-10", "m/s^2");
+constexpr Field kSubsteps = integer_field("substeps", 4, "4", "solver passes per step, 1 to 64");
+constexpr Field kSleep = boolean_field("sleep", true, "whether resting bodies stop being computed");
+constexpr Field kHitSpeed =
+    number_field("hit_speed", 1, "1", "m/s; the least approach speed that makes a \"hit\" event");
+constexpr Field kRestitutionSpeed =
+    number_field("restitution_speed", 1, "1", "m/s; slower approaches do not bounce");
+constexpr const Field* kWorldOwn[] = {&kGravityX, &kGravityY, &kSubsteps,
+                                      &kSleep,    &kHitSpeed, &kRestitutionSpeed};
+
+// ---- Body
+constexpr Field kX = number_field("x", 0, "0", "m");
+constexpr Field kY = number_field("y", 0, "0", "m");
+constexpr Field kAngle = number_field("angle", 0, "0", "rad");
+constexpr Field kType{"type", FieldType::String, "dynamic", "\"static\", \"kinematic\" or \"dynamic\""};
+constexpr Field kVelocityX = number_field("linear_velocity_x", 0, "0", "m/s, of the centre of mass");
+constexpr Field kVelocityY = number_field("linear_velocity_y", 0, "0", "m/s, of the centre of mass");
+constexpr Field kAngularVelocity = number_field("angular_velocity", 0, "0", "rad/s");
+constexpr Field kLinearDamping = number_field("linear_damping", 0, "0", "1/s; c in v e^(-c t)");
+constexpr Field kAngularDamping = number_field("angular_damping", 0, "0", "1/s");
+constexpr Field kGravityScale = number_field("gravity_scale", 1, "1", "");
+constexpr Field kAllowSleep = boolean_field("allow_sleep", true, "");
+constexpr Field kAwake = boolean_field("awake", true, "");
+constexpr Field kData = optional_field("data", FieldType::Table, "becomes body.data");
+constexpr const Field* kPlaceOwn[] = {&kX, &kY, &kAngle};
+constexpr const Field* kBodyOwn[] = {&kX,
+                                     &kY,
+                                     &kAngle,
+                                     &kType,
+                                     &kVelocityX,
+                                     &kVelocityY,
+                                     &kAngularVelocity,
+                                     &kLinearDamping,
+                                     &kAngularDamping,
+                                     &kGravityScale,
+                                     &kAllowSleep,
+                                     &kAwake,
+                                     &kData};
+
+// ---- Shape
+constexpr Field kDensity = number_field("density", 1, "1", "kg/m^2");
+constexpr Field kFriction = number_field("friction", 0.6, "0.6", "Coulomb coefficient, at least 0");
+constexpr Field kRestitution =
+    number_field("restitution", 0, "0", "share of the approach speed given back, 0 to 1");
+constexpr Field kCategories = integer_field("categories", 1, "1", "bit set: what the shape is");
+constexpr Field kMask = integer_field("mask", -1, "-1", "bit set: what it collides with; -1 is everything");
+constexpr Field kGroup = integer_field(
+    "group", 0, "0", "two shapes of the same group other than 0: positive always collide, negative never");
+constexpr Field kContactEvents = boolean_field("contact_events", true, "\"begin\" and \"end\" events");
+constexpr Field kHitEvents = boolean_field("hit_events", true, "\"hit\" events");
+constexpr const Field* kShapeOwn[] = {&kDensity, &kFriction, &kRestitution,   &kCategories,
+                                      &kMask,    &kGroup,    &kContactEvents, &kHitEvents};
+
+// ---- Geometry
+constexpr Field kWidth = required_field("width", FieldType::Number, "m");
+constexpr Field kHeight = required_field("height", FieldType::Number, "m");
+constexpr Field kRadius = required_field("radius", FieldType::Number, "m");
+constexpr Field kRounding = number_field("radius", 0, "0", "m; rounds the corners outward");
+constexpr Field kLength =
+    required_field("length", FieldType::Number, "m, between the centres of the two ends, along x");
+constexpr Field kPoints = required_field(
+    "points", FieldType::Table, "{ {x, y}, ... }, m: 3 to 8 corners, of which the convex hull is taken");
+constexpr const Field* kBoxOwn[] = {&kWidth, &kHeight, &kRounding};
+constexpr const Field* kCircleOwn[] = {&kRadius};
+constexpr const Field* kCapsuleOwn[] = {&kLength, &kRadius};
+constexpr const Field* kPolygonOwn[] = {&kPoints, &kRounding};
+
+// ---- Joints
+constexpr Field kBodyA = required_field("body_a", FieldType::Body, "");
+constexpr Field kBodyB = required_field("body_b", FieldType::Body, "");
+constexpr Field kCollideConnected =
+    boolean_field("collide_connected", false, "whether the two bodies collide");
+constexpr Field kPinX = required_field("x", FieldType::Number, "m; the pin, in the world");
+constexpr Field kPinY = required_field("y", FieldType::Number, "m");
+constexpr Field kLower = optional_field("lower", FieldType::Number, "rad; with upper: turns the limit on");
+constexpr Field kUpper = optional_field("upper", FieldType::Number, "rad");
+constexpr Field kMotorSpeed =
+    optional_field("motor_speed", FieldType::Number, "rad/s, of b against a; turns the motor on");
+constexpr Field kMaxMotorTorque = number_field("max_motor_torque", 0, "0", "N m");
+constexpr const Field* kRevoluteOwn[] = {&kBodyA, &kBodyB, &kPinX,       &kPinY,          &kCollideConnected,
+                                         &kLower, &kUpper, &kMotorSpeed, &kMaxMotorTorque};
+constexpr Field kAnchorXA = optional_field(
+    "x_a", FieldType::Number, "m; the anchor on body a, in the world; absent: the body's origin");
+constexpr Field kAnchorYA = optional_field("y_a", FieldType::Number, "m");
+constexpr Field kAnchorXB = optional_field("x_b", FieldType::Number, "m; the anchor on body b");
+constexpr Field kAnchorYB = optional_field("y_b", FieldType::Number, "m");
+constexpr Field kRestLength = optional_field("length", FieldType::Number, "m; absent: the present distance");
+constexpr Field kFrequency = optional_field("frequency", FieldType::Number, "Hz; turns the spring on");
+constexpr Field kDampingRatio = number_field("damping_ratio", 0, "0", "1 is critical");
+constexpr Field kMinLength = number_field("min_length", 0, "0", "m, of the spring");
+constexpr Field kMaxLength =
+    number_field("max_length", std::numeric_limits<double>::infinity(), "math.huge", "m, of the spring");
+constexpr const Field* kDistanceOwn[] = {&kBodyA,        &kBodyB,     &kAnchorXA,   &kAnchorYA,
+                                         &kAnchorXB,     &kAnchorYB,  &kRestLength, &kFrequency,
+                                         &kDampingRatio, &kMinLength, &kMaxLength,  &kCollideConnected};
+
+constexpr FieldSet kPlaceFields{kPlaceOwn};
+constexpr FieldSet kBodyFields{kBodyOwn};
+constexpr FieldSet kShapeFields{kShapeOwn};
+
+/// { {x, y}, ... } as a list of points.
+std::vector<Vec2> read_points(lua_State* L, const FieldReader& reader) {
+    std::vector<Vec2> points;
+    reader.push(kPoints);
+    const int table = lua_gettop(L);
+    const auto count = static_cast<lua_Integer>(lua_rawlen(L, table));
+    for (lua_Integer i = 1; i <= count; ++i) {
+        lua_rawgeti(L, table, i);
+        const std::string where = "points[" + std::to_string(i) + "]";
+        if (!lua_istable(L, -1)) call_error(L, where + " is " + describe_value(L, -1) + "; expected {x, y}");
+        lua_rawgeti(L, -1, 1);
+        lua_rawgeti(L, -2, 2);
+        if (lua_type(L, -2) != LUA_TNUMBER || lua_type(L, -1) != LUA_TNUMBER) {
+            call_error(L, where + " is {" + describe_value(L, -2) + ", " + describe_value(L, -1) +
+                              "}; expected {x, y}, two numbers");
+        }
+        points.push_back({static_cast<float>(lua_tonumber(L, -2)), static_cast<float>(lua_tonumber(L, -1))});
+        lua_pop(L, 3);
+    }
+    lua_pop(L, 1);
+    return points;
+}
+
+struct LivingBody {
+    physics::BodyId id;
+    physics::Transform transform;
+};
+
+LivingBody read_body(lua_State* L, const FieldReader& reader, const Field& field) {
+    reader.push(field);
+    const auto body = living_body_at(L, -1);
+    if (!body) reader.fail(field, "it was destroyed");
+    lua_pop(L, 1);
+    return {body->id(), body->transform()};
+}
+
+/// Two fields that only make sense together.
+std::optional<std::pair<double, double>> read_pair(lua_State* L, const FieldReader& reader,
+                                                   const Field& first, const Field& second) {
+    const auto a = reader.optional_number(first);
+    const auto b = reader.optional_number(second);
+    if (a.has_value() != b.has_value()) {
+        call_error(L, std::string(a ? first.name : second.name) + " is given without " +
+                          (a ? second.name : first.name) + "; both or neither are expected");
+    }
+    if (!a) return std::nullopt;
+    return std::pair(*a, *b);
+}
+
+}  // namespace
+
+const FieldSet kWorldFields{kWorldOwn};
+const FieldSet kNewBodyFields{kBodyOwn};
+const FieldSet kRevoluteJointFields{kRevoluteOwn};
+const FieldSet kDistanceJointFields{kDistanceOwn};
+
+const FieldSet kWorldAddFields[4] = {
+    {kBoxOwn, {&kBodyFields, &kShapeFields}},
+    {kCircleOwn, {&kBodyFields, &kShapeFields}},
+    {kCapsuleOwn, {&kBodyFields, &kShapeFields}},
+    {kPolygonOwn, {&kBodyFields, &kShapeFields}},
+};
+const FieldSet kBodyAddFields[4] = {
+    {kBoxOwn, {&kPlaceFields, &kShapeFields}},
+    {kCircleOwn, {&kPlaceFields, &kShapeFields}},
+    {kCapsuleOwn, {&kPlaceFields, &kShapeFields}},
+    {kPolygonOwn, {&kPlaceFields, &kShapeFields}},
+};
+
+physics::WorldDef read_world_def(const FieldReader& reader, lua_State* L) {
+    physics::WorldDef def;
+    def.gravity_m_s2 = {reader.real(kGravityX), reader.real(kGravityY)};
+    const std::int64_t substeps = reader.integer(kSubsteps);
+    if (substeps < 1 || substeps > 64) {
+        call_error(L, "substeps = " + std::to_string(substeps) + ": must be 1 to 64");
+    }
+    def.substeps = static_cast<int>(substeps);
+    def.enable_sleep = reader.boolean(kSleep);
+    def.hit_speed_m_s = reader.real(kHitSpeed);
+    def.restitution_speed_m_s = reader.real(kRestitutionSpeed);
+    return def;
+}
+
+physics::BodyDef read_body_def(const FieldReader& reader) {
+    physics::BodyDef def;
+    const std::string_view type = reader.text(kType);
+    if (type == "static") {
+        def.type = physics::BodyType::Static;
+    } else if (type == "kinematic") {
+        def.type = physics::BodyType::Kinematic;
+    } else if (type != "dynamic") {
+        static const std::vector<std::string> types = {"dynamic", "kinematic", "static"};
+        reader.fail(kType, "no such type of body" + suggestion(type, types));
+    }
+    def.position_m = {reader.number(kX), reader.number(kY)};
+    def.angle_rad = reader.number(kAngle);
+    def.linear_velocity_m_s = {reader.real(kVelocityX), reader.real(kVelocityY)};
+    def.angular_velocity_rad_s = reader.real(kAngularVelocity);
+    def.linear_damping_1_s = reader.real(kLinearDamping);
+    def.angular_damping_1_s = reader.real(kAngularDamping);
+    def.gravity_scale = reader.real(kGravityScale);
+    def.allow_sleep = reader.boolean(kAllowSleep);
+    def.awake = reader.boolean(kAwake);
+    return def;
+}
+
+physics::ShapeDef read_shape_def(const FieldReader& reader) {
+    physics::ShapeDef def;
+    def.density_kg_m2 = reader.real(kDensity);
+    def.material = {.friction = reader.real(kFriction), .restitution = reader.real(kRestitution)};
+    def.filter.categories = static_cast<std::uint64_t>(reader.integer(kCategories));
+    def.filter.mask = static_cast<std::uint64_t>(reader.integer(kMask));
+    const std::int64_t group = reader.integer(kGroup);
+    if (group != static_cast<std::int32_t>(group)) reader.fail(kGroup, "must fit into 32 bits");
+    def.filter.group = static_cast<std::int32_t>(group);
+    def.contact_events = reader.boolean(kContactEvents);
+    def.hit_events = reader.boolean(kHitEvents);
+    return def;
+}
+
+ShapePlace read_shape_place(const FieldReader& reader) {
+    return {{reader.real(kX), reader.real(kY)}, reader.number(kAngle)};
+}
+
+void read_geometry(lua_State* L, const FieldReader& reader, GeometryKind kind, const ShapePlace& place,
+                   OwnedGeometry& out) {
+    const physics::Rotation q = physics::Rotation::from_angle(place.angle_rad);
+    switch (kind) {
+        case GeometryKind::Box:
+            out.geometry = physics::Box{.half_width_m = reader.real(kWidth) / 2,
+                                        .half_height_m = reader.real(kHeight) / 2,
+                                        .center_m = place.position_m,
+                                        .angle_rad = static_cast<float>(place.angle_rad),
+                                        .radius_m = reader.real(kRounding)};
+            return;
+        case GeometryKind::Circle:
+            out.geometry = physics::Circle{.center_m = place.position_m, .radius_m = reader.real(kRadius)};
+            return;
+        case GeometryKind::Capsule: {
+            const Vec2 half = physics::rotate(q, {reader.real(kLength) / 2, 0});
+            out.geometry = physics::Capsule{.a_m = place.position_m - half,
+                                            .b_m = place.position_m + half,
+                                            .radius_m = reader.real(kRadius)};
+            return;
+        }
+        case GeometryKind::Polygon:
+            out.points_m = read_points(L, reader);
+            for (Vec2& point : out.points_m) point = place.position_m + physics::rotate(q, point);
+            out.geometry = physics::Polygon{.points_m = out.points_m, .radius_m = reader.real(kRounding)};
+            return;
+    }
+}
+
+void push_data_table(lua_State* L, const FieldReader& reader) {
+    if (!reader.push(kData)) lua_newtable(L);
+}
+
+physics::RevoluteJointDef read_revolute_joint(lua_State* L, const FieldReader& reader) {
+    const LivingBody a = read_body(L, reader, kBodyA);
+    const LivingBody b = read_body(L, reader, kBodyB);
+    const physics::Position pin{reader.number(kPinX), reader.number(kPinY)};
+    physics::RevoluteJointDef def;
+    def.body_a = a.id;
+    def.body_b = b.id;
+    def.local_anchor_a_m = physics::inverse_transform_point(a.transform, pin);
+    def.local_anchor_b_m = physics::inverse_transform_point(b.transform, pin);
+    def.reference_angle_rad =
+        static_cast<double>((physics::inverse(a.transform.q) * b.transform.q).angle_rad());
+    if (const auto limits = read_pair(L, reader, kLower, kUpper)) {
+        def.enable_limit = true;
+        def.lower_rad = static_cast<float>(limits->first);
+        def.upper_rad = static_cast<float>(limits->second);
+    }
+    if (const auto speed = reader.optional_number(kMotorSpeed)) {
+        def.enable_motor = true;
+        def.motor_speed_rad_s = static_cast<float>(*speed);
+    }
+    def.max_motor_torque_nm = reader.real(kMaxMotorTorque);
+    def.collide_connected = reader.boolean(kCollideConnected);
+    return def;
+}
+
+physics::DistanceJointDef read_distance_joint(lua_State* L, const FieldReader& reader) {
+    const LivingBody a = read_body(L, reader, kBodyA);
+    const LivingBody b = read_body(L, reader, kBodyB);
+    physics::Position anchor_a = a.transform.p;
+    physics::Position anchor_b = b.transform.p;
+    if (const auto place = read_pair(L, reader, kAnchorXA, kAnchorYA))
+        anchor_a = {place->first, place->second};
+    if (const auto place = read_pair(L, reader, kAnchorXB, kAnchorYB))
+        anchor_b = {place->first, place->second};
+    physics::DistanceJointDef def;
+    def.body_a = a.id;
+    def.body_b = b.id;
+    def.local_anchor_a_m = physics::inverse_transform_point(a.transform, anchor_a);
+    def.local_anchor_b_m = physics::inverse_transform_point(b.transform, anchor_b);
+    const auto length = reader.optional_number(kRestLength);
+    def.length_m = length ? static_cast<float>(*length) : physics::length(anchor_b - anchor_a);
+    if (const auto frequency = reader.optional_number(kFrequency)) {
+        def.enable_spring = true;
+        def.frequency_hz = static_cast<float>(*frequency);
+    }
+    def.damping_ratio = reader.real(kDampingRatio);
+    def.min_length_m = reader.real(kMinLength);
+    def.max_length_m = reader.real(kMaxLength);
+    def.collide_connected = reader.boolean(kCollideConnected);
+    return def;
+}
+
+}  // namespace cairn::scripting

@@ -1,0 +1,185 @@
+// Identity and lifetime of the physics objects in Lua.
+//
+// A body's methods must be found without calling a function (that would double the cost of body:position()),
+// and `body.data` must be found too. So each body has a metatable of its own whose __index is a small table {
+// data = ... }, and the metatable of that table leads on to the methods that all bodies share.
+#include "bind/physics_objects.h"
+
+#include <string>
+
+#include "bind/fields.h"
+
+namespace cairn::scripting {
+namespace {
+
+void push_world_table(lua_State* L, int world_index, WorldTable table) {
+    lua_getiuservalue(L, world_index, static_cast<int>(table));
+}
+
+/// body.data = t; every other assignment is refused.
+int set_body_field(lua_State* L) {
+    const char* name = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : "";
+    if (std::string_view(name) != "data") {
+        raise(L, "a Body has no field " + describe_value(L, 2) +
+                     " to set; keep values of your own in body.data");
+    }
+    if (!lua_istable(L, 3)) raise(L, "body.data is " + describe_value(L, 3) + "; expected a table");
+    lua_getmetatable(L, 1);
+    lua_getfield(L, -1, "__index");
+    lua_pushvalue(L, 3);
+    lua_setfield(L, -2, "data");
+    return 0;
+}
+
+template <class Object>
+Object& checked_object(lua_State* L, int index) {
+    Object* object = object_at<Object>(L, index);
+    if (object == nullptr) argument_error(L, index, std::string("a ") + object_type_name(Object::kTag));
+    return *object;
+}
+
+[[noreturn]] void stale_error(lua_State* L, const WorldObject& world, const char* what) {
+    call_error(L, !world.world ? std::string("the world of this ") + what + " was destroyed"
+                               : std::string("this ") + what + " was destroyed; is_valid() tells");
+}
+
+/// The world's value of a shape or joint, made when it is first asked for. A dead one, which only events can
+/// still name, gets a value that is not kept: its slot may belong to another by now.
+template <class Object, class Id>
+void push_interned(lua_State* L, int world_index, WorldTable table, WorldObject& world, Id id) {
+    world_index = lua_absindex(L, world_index);
+    push_world_table(L, world_index, table);
+    lua_rawgeti(L, -1, static_cast<lua_Integer>(id.index1));
+    const Object* known = object_at<Object>(L, -1);
+    if (known != nullptr && known->id == id) {
+        lua_remove(L, -2);
+        return;
+    }
+    lua_pop(L, 1);
+    new_object<Object>(L, 1, &world, id);
+    lua_pushvalue(L, world_index);
+    lua_setiuservalue(L, -2, 1);
+    if (world.world && world.world->contains(id)) {
+        lua_pushvalue(L, -1);
+        lua_rawseti(L, -3, static_cast<lua_Integer>(id.index1));
+    }
+    lua_remove(L, -2);
+}
+
+}  // namespace
+
+WorldRef Argument<WorldRef>::get(lua_State* L, int index) {
+    auto& object = checked_object<WorldObject>(L, index);
+    if (!object.world) call_error(L, "this world was destroyed");
+    return {object, *object.world, index};
+}
+
+BodyRef Argument<BodyRef>::get(lua_State* L, int index) {
+    auto& object = checked_object<BodyObject>(L, index);
+    if (!object.world->world) stale_error(L, *object.world, "body");
+    auto body = object.world->world->body(object.id);
+    if (!body) stale_error(L, *object.world, "body");
+    return {object, *body, index};
+}
+
+ShapeRef Argument<ShapeRef>::get(lua_State* L, int index) {
+    auto& object = checked_object<ShapeObject>(L, index);
+    if (!object.world->world) stale_error(L, *object.world, "shape");
+    auto shape = object.world->world->shape(object.id);
+    if (!shape) stale_error(L, *object.world, "shape");
+    return {object, *shape, index};
+}
+
+JointRef Argument<JointRef>::get(lua_State* L, int index) {
+    auto& object = checked_object<JointObject>(L, index);
+    if (!object.world->world) stale_error(L, *object.world, "joint");
+    auto joint = object.world->world->joint(object.id);
+    if (!joint) stale_error(L, *object.world, "joint");
+    return {object, *joint, index};
+}
+
+std::optional<physics::Body> living_body_at(lua_State* L, int index) {
+    const auto* object = object_at<BodyObject>(L, index);
+    if (object == nullptr || !object->world->world) return std::nullopt;
+    auto body = object->world->world->body(object->id);
+    if (!body) return std::nullopt;
+    return *body;
+}
+
+void push_new_body(lua_State* L, int world_index, WorldObject& world, physics::BodyId id) {
+    world_index = lua_absindex(L, world_index);
+    const int data = lua_gettop(L);
+    void* block = lua_newuserdatauv(L, sizeof(BodyObject), 1);
+    new (block) BodyObject{{BodyObject::kTag}, &world, id};
+    lua_pushvalue(L, world_index);
+    lua_setiuservalue(L, -2, 1);
+
+    lua_createtable(L, 0, 3);  // the body's own metatable
+    lua_createtable(L, 0, 1);  // { data = ... }
+    lua_pushvalue(L, data);
+    lua_setfield(L, -2, "data");
+    push_metatable(L, ObjectTag::Body);
+    lua_setmetatable(L, -2);
+    lua_setfield(L, -2, "__index");
+    lua_pushcfunction(L, set_body_field);
+    lua_setfield(L, -2, "__newindex");
+    lua_pushboolean(L, 0);
+    lua_setfield(L, -2, "__metatable");
+    lua_setmetatable(L, -2);
+
+    push_world_table(L, world_index, WorldTable::Bodies);
+    lua_pushvalue(L, -2);
+    lua_rawseti(L, -2, static_cast<lua_Integer>(id.index1));
+    lua_pop(L, 1);
+    lua_remove(L, data);
+}
+
+void push_body(lua_State* L, int world_index, physics::BodyId id) {
+    world_index = lua_absindex(L, world_index);
+    push_world_table(L, world_index, WorldTable::Bodies);
+    lua_rawgeti(L, -1, static_cast<lua_Integer>(id.index1));
+    lua_remove(L, -2);
+    const auto* known = object_at<BodyObject>(L, -1);
+    if (known != nullptr && known->id == id) return;
+    lua_pop(L, 1);
+    for (const WorldTable table : {WorldTable::Retired, WorldTable::RetiredBefore}) {
+        push_world_table(L, world_index, table);
+        lua_rawgeti(L, -1, static_cast<lua_Integer>(id.bits()));
+        lua_remove(L, -2);
+        if (!lua_isnil(L, -1)) return;
+        lua_pop(L, 1);
+    }
+    lua_pushnil(L);
+}
+
+void push_shape(lua_State* L, int world_index, WorldObject& world, physics::ShapeId id) {
+    push_interned<ShapeObject>(L, world_index, WorldTable::Shapes, world, id);
+}
+
+void push_joint(lua_State* L, int world_index, WorldObject& world, physics::JointId id) {
+    push_interned<JointObject>(L, world_index, WorldTable::Joints, world, id);
+}
+
+void retire_body(lua_State* L, int world_index, WorldObject& world, physics::BodyId id) {
+    world_index = lua_absindex(L, world_index);
+    push_world_table(L, world_index, WorldTable::Retired);
+    push_body(L, world_index, id);
+    lua_rawseti(L, -2, static_cast<lua_Integer>(id.bits()));
+    push_world_table(L, world_index, WorldTable::Bodies);
+    lua_pushnil(L);
+    lua_rawseti(L, -2, static_cast<lua_Integer>(id.index1));
+    lua_pop(L, 2);
+    world.steps_with_retired = 2;
+}
+
+void age_retired(lua_State* L, int world_index, WorldObject& world) {
+    if (world.steps_with_retired == 0) return;
+    --world.steps_with_retired;
+    world_index = lua_absindex(L, world_index);
+    push_world_table(L, world_index, WorldTable::Retired);
+    lua_setiuservalue(L, world_index, static_cast<int>(WorldTable::RetiredBefore));
+    lua_newtable(L);
+    lua_setiuservalue(L, world_index, static_cast<int>(WorldTable::Retired));
+}
+
+}  // namespace cairn::scripting

@@ -1,0 +1,111 @@
+// The methods of Shape.
+#include "bind/modules.h"
+#include "bind/physics_objects.h"
+
+namespace cairn::scripting {
+namespace {
+
+using Change = physics::Result<void>;
+
+Pushed body(lua_State* L, ShapeRef self) {
+    push_world_of(L, self.index);
+    push_body(L, -1, self.shape.body());
+    return {1};
+}
+
+std::string_view kind(ShapeRef self) {
+    switch (self.shape.outline().kind) {
+        case physics::ShapeKind::Circle:
+            return "circle";
+        case physics::ShapeKind::Capsule:
+            return "capsule";
+        case physics::ShapeKind::Polygon:
+            return "polygon";
+    }
+    return "";
+}
+
+Pushed points(lua_State* L, ShapeRef self) {
+    const physics::Outline& outline = self.shape.outline();
+    luaL_checkstack(L, 2 * physics::kMaxPolygonVertices, "points of a shape");
+    for (std::size_t i = 0; i < outline.count; ++i) {
+        lua_pushnumber(L, static_cast<double>(outline.points_m[i].x));
+        lua_pushnumber(L, static_cast<double>(outline.points_m[i].y));
+    }
+    return {2 * outline.count};
+}
+
+float radius(ShapeRef self) {
+    return self.shape.outline().radius_m;
+}
+float density(ShapeRef self) {
+    return self.shape.density();
+}
+float friction(ShapeRef self) {
+    return self.shape.material().friction;
+}
+Change set_friction(ShapeRef self, float friction) {
+    physics::Material material = self.shape.material();
+    material.friction = friction;
+    return self.shape.set_material(material);
+}
+float restitution(ShapeRef self) {
+    return self.shape.material().restitution;
+}
+Change set_restitution(ShapeRef self, float restitution) {
+    physics::Material material = self.shape.material();
+    material.restitution = restitution;
+    return self.shape.set_material(material);
+}
+
+std::tuple<std::int64_t, std::int64_t, std::int64_t> filter(ShapeRef self) {
+    const physics::Filter filter = self.shape.filter();
+    return {static_cast<std::int64_t>(filter.categories), static_cast<std::int64_t>(filter.mask),
+            filter.group};
+}
+void set_filter(lua_State* L, ShapeRef self, std::int64_t categories, std::int64_t mask, std::int64_t group) {
+    if (group != static_cast<std::int32_t>(group)) {
+        call_error(L, "group is " + std::to_string(group) + "; it must fit into 32 bits");
+    }
+    self.shape.set_filter({.categories = static_cast<std::uint64_t>(categories),
+                           .mask = static_cast<std::uint64_t>(mask),
+                           .group = static_cast<std::int32_t>(group)});
+}
+
+Change destroy(ShapeRef self) {
+    return self.object.world->world->destroy_shape(self.object.id);
+}
+bool is_valid(Maybe<ShapeObject> self) {
+    const WorldObject& owner = *self.object.world;
+    return owner.world && owner.world->contains(self.object.id);
+}
+
+constexpr std::array<std::string_view, 1> kReturnsBody = {"Body"};
+constexpr std::array<std::string_view, 1> kReturnsNumbers = {"number"};
+
+constexpr Function kFunctions[] = {
+    function_pushing<&body>("body", "", "body", kReturnsBody, ""),
+    function<&kind>("kind", "", "kind", "\"circle\", \"capsule\" or \"polygon\" (boxes are polygons)."),
+    function_pushing<&points>(
+        "points", "", "x1 [m]", kReturnsNumbers,
+        "x1, y1, x2, y2, ...: the centre of a circle, the two ends of a capsule, or the corners of "
+        "a polygon anticlockwise, in the body's frame."),
+    function<&radius>("radius", "", "radius [m]",
+                      "Of the circle or capsule; of a polygon how far its corners are rounded."),
+    function<&density>("density", "", "density [kg/m^2]", ""),
+    function<&friction>("friction", "", "friction", ""),
+    function<&set_friction>("set_friction", "friction", "", "At least 0."),
+    function<&restitution>("restitution", "", "restitution", ""),
+    function<&set_restitution>("set_restitution", "restitution", "", "0 to 1."),
+    function<&filter>("filter", "", "categories, mask, group", ""),
+    function<&set_filter>("set_filter", "categories, mask, group", "",
+                          "Ends touching that the new filter forbids."),
+    function<&destroy>("destroy", "", "", "Removes the shape from its body."),
+    function<&is_valid>("is_valid", "", "valid", "Whether the shape was not destroyed."),
+};
+
+}  // namespace
+
+const Module kShapeMethods = {"Shape", "What a body is made of.", kFunctions, true};
+
+}  // namespace cairn::scripting

@@ -1,0 +1,194 @@
+// cairn.test: a small test API over a game that runs frame by frame.
+#include <cmath>
+
+#include "bind/fields.h"
+#include "bind/modules.h"
+#include "bind/test_driver.h"
+#include "lua/errors.h"
+#include "lua/state.h"
+
+namespace cairn::scripting {
+namespace {
+
+using engine::InputEvent;
+using engine::InputKind;
+
+TestDriver& driver(lua_State* L) {
+    return *context_of(L).test;
+}
+
+void test(lua_State* L, std::string_view name, FunctionArgument body) {
+    lua_pushvalue(L, body.index);
+    driver(L).add_test(L, std::string(name));
+}
+
+constexpr Field kSeed = integer_field("seed", 1, "1", "of the gameplay stream");
+constexpr const Field* kStartOwn[] = {&kSeed};
+constexpr FieldSet kStartFields{kStartOwn};
+
+void start(lua_State* L, std::optional<TableArgument> fields) {
+    if (!fields) lua_newtable(L);
+    const FieldReader reader(L, fields ? fields->index : -1, kStartFields);
+    driver(L).start(L, static_cast<std::uint64_t>(reader.integer(kSeed)));
+}
+
+void run(lua_State* L, std::int64_t frames) {
+    for (std::int64_t i = 0; i < frames; ++i) driver(L).run_frame(L);
+}
+
+bool run_until(lua_State* L, FunctionArgument condition, std::int64_t max_frames) {
+    for (std::int64_t i = 0; i < max_frames; ++i) {
+        driver(L).run_frame(L);
+        lua_pushvalue(L, condition.index);
+        lua_call(L, 0, 1);
+        const bool holds = lua_toboolean(L, -1) != 0;
+        lua_pop(L, 1);
+        if (holds) return true;
+    }
+    return false;
+}
+
+// ---- Input
+
+engine::Key to_key(lua_State* L, std::string_view name) {
+    const auto key = engine::key_from_name(name);
+    if (!key) argument_error(L, 1, "the name of a key, as in cairn.input.is_down");
+    return *key;
+}
+engine::MouseButton to_button(lua_State* L, std::optional<std::string_view> name) {
+    const auto button = engine::mouse_button_from_name(name.value_or("left"));
+    if (!button) argument_error(L, 3, "\"left\", \"middle\" or \"right\"");
+    return *button;
+}
+
+void press(lua_State* L, std::string_view key) {
+    driver(L).send(L, {.kind = InputKind::KeyPressed, .key = to_key(L, key)});
+}
+void release(lua_State* L, std::string_view key) {
+    driver(L).send(L, {.kind = InputKind::KeyReleased, .key = to_key(L, key)});
+}
+void mouse_move(lua_State* L, float x, float y) {
+    const engine::Vec2 from = context_of(L).input.mouse_position();
+    driver(L).send(L,
+                   {.kind = InputKind::MouseMoved, .position = {x, y}, .delta = engine::Vec2{x, y} - from});
+}
+void mouse_press(lua_State* L, float x, float y, std::optional<std::string_view> button) {
+    driver(L).send(L, {.kind = InputKind::MousePressed, .button = to_button(L, button), .position = {x, y}});
+}
+void mouse_release(lua_State* L, float x, float y, std::optional<std::string_view> button) {
+    driver(L).send(L, {.kind = InputKind::MouseReleased, .button = to_button(L, button), .position = {x, y}});
+}
+void wheel(lua_State* L, float dx, float dy) {
+    driver(L).send(
+        L,
+        {.kind = InputKind::WheelMoved, .position = context_of(L).input.mouse_position(), .delta = {dx, dy}});
+}
+
+// ---- Expectations
+
+void expect(lua_State* L, AnyArgument condition, std::optional<std::string_view> message) {
+    if (lua_toboolean(L, condition.index) != 0) return;
+    raise(L, "expected a true value, got " + describe_value(L, condition.index) +
+                 (message ? ": " + std::string(*message) : std::string()));
+}
+
+void expect_equal(lua_State* L, AnyArgument actual, AnyArgument expected) {
+    if (lua_compare(L, actual.index, expected.index, LUA_OPEQ) != 0) return;
+    raise(L, "expected " + describe_value(L, expected.index) + ", got " + describe_value(L, actual.index));
+}
+
+void expect_near(lua_State* L, double actual, double expected, double tolerance) {
+    if (std::abs(actual - expected) <= tolerance) return;
+    raise(L, "expected " + describe_value(L, 2) + " within " + describe_value(L, 3) + ", got " +
+                 describe_value(L, 1));
+}
+
+void expect_error(lua_State* L, FunctionArgument action, std::string_view text) {
+    lua_pushvalue(L, action.index);
+    if (lua_pcall(L, 0, 0, 0) == LUA_OK) {
+        raise(L, "expected an error with \"" + std::string(text) + "\", but there was none");
+    }
+    const std::string message = lua_type(L, -1) == LUA_TSTRING ? lua_tostring(L, -1) : describe_value(L, -1);
+    if (message.find(text) == std::string::npos) {
+        raise(L, "expected an error with \"" + std::string(text) + "\", got \"" + message + "\"");
+    }
+}
+
+// ---- Outcomes
+
+void push_result(lua_State* L, const std::optional<GameResult>& result) {
+    if (!result) {
+        lua_pushnil(L);
+        return;
+    }
+    lua_newtable(L);
+    lua_pushstring(L, result->outcome.c_str());
+    lua_setfield(L, -2, "outcome");
+    if (result->level) {
+        lua_pushstring(L, result->level->c_str());
+        lua_setfield(L, -2, "level");
+    }
+    if (result->score) {
+        lua_pushnumber(L, *result->score);
+        lua_setfield(L, -2, "score");
+    }
+    if (result->stars) {
+        lua_pushinteger(L, *result->stars);
+        lua_setfield(L, -2, "stars");
+    }
+}
+
+Pushed result(lua_State* L) {
+    push_result(L, context_of(L).result);
+    return {1};
+}
+std::string state_hash(lua_State* L) {
+    return driver(L).state_hash(L);
+}
+Pushed play_replay(lua_State* L, std::string_view path) {
+    push_result(L, value_or_raise(L, driver(L).play_replay(std::string(path))));
+    return {1};
+}
+std::string recording(lua_State* L) {
+    return driver(L).recording(L);
+}
+
+constexpr std::array<std::string_view, 1> kReturnsResult = {"table?"};
+
+constexpr Function kFunctions[] = {
+    function<&test>("test", "name, body", "",
+                    "Adds a test: `body()` runs in a fresh state and fails by raising an error."),
+    function<&start>("start", "fields = {}", "", "Runs main.lua and `cairn.load`.", &kStartFields),
+    function<&run>("run", "frames", "", "Runs that many updates."),
+    function<&run_until>("run_until", "condition, max_frames", "reached",
+                         "Runs updates until `condition()` is true; false when it never was."),
+    function<&press>("press", "key", "", "Input of the next frame."),
+    function<&release>("release", "key", "", ""),
+    function<&mouse_move>("mouse_move", "x [px], y [px]", "", ""),
+    function<&mouse_press>("mouse_press", "x [px], y [px], button = \"left\"", "", ""),
+    function<&mouse_release>("mouse_release", "x [px], y [px], button = \"left\"", "", ""),
+    function<&wheel>("wheel", "dx, dy", "", ""),
+    function<&expect>("expect", "condition, message = nil", "", "Fails unless the condition is true."),
+    function<&expect_equal>("expect_equal", "actual, expected", "", "By `==`."),
+    function<&expect_near>("expect_near", "actual, expected, tolerance", "", ""),
+    function<&expect_error>("expect_error", "action, text", "",
+                            "`action()` must raise an error whose message contains the text."),
+    function_pushing<&result>("result", "", "result", kReturnsResult,
+                              "What `cairn.result` reported last, or nil."),
+    function<&state_hash>("state_hash", "", "hash", "That of `--hash`: all worlds and the gameplay stream."),
+    function_pushing<&play_replay>(
+        "play_replay", "path", "result", kReturnsResult,
+        "Plays a recording of the game to its end, in a state of its own; a hash that differs is "
+        "an error."),
+    function<&recording>("recording", "", "text", "The run since `start` as the text of a replay."),
+};
+
+}  // namespace
+
+const Module kTestModule = {"cairn.test",
+                            "Only in `cairn test GAME`, which runs each `tests/*.lua` of the game. Every "
+                            "test has a fresh state, in which `require` "
+                            "finds the game's modules.",
+                            kFunctions};
+
+}  // namespace cairn::scripting

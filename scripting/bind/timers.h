@@ -1,0 +1,42 @@
+// Functions to be called after some game time. Invariant: timers run in order of their due frame, then of
+// their making, so that a replay runs them alike.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <utility>
+
+namespace cairn::scripting {
+
+/// Updates per second of every game.
+inline constexpr int kUpdatesPerSecond = 60;
+
+class Timers {
+  public:
+    struct Timer {
+        std::uint64_t number = 0;  ///< from 1, in order of making
+        int function = 0;          ///< reference in the registry
+        std::uint64_t period = 0;  ///< in frames; 0: runs once
+    };
+
+    /// Whole updates that make up a time, at least one: a timer never runs in the update that sets it.
+    static std::uint64_t frames_of(double time_s);
+
+    /// Returns the timer's number.
+    std::uint64_t add(std::uint64_t now, std::uint64_t delay, bool repeats, int function);
+    /// Gives the function reference that is no longer needed, if the timer was still waiting.
+    std::optional<int> cancel(std::uint64_t number);
+    /// Takes out the next timer due at `now`.
+    std::optional<Timer> take_due(std::uint64_t now);
+    /// Puts a repeating timer back for its next turn.
+    void repeat(const Timer& timer, std::uint64_t now);
+
+    [[nodiscard]] std::size_t count() const { return waiting_.size(); }
+
+  private:
+    std::map<std::pair<std::uint64_t, std::uint64_t>, Timer> waiting_;  ///< by due frame and number
+    std::uint64_t made_ = 0;
+};
+
+}  // namespace cairn::scripting

@@ -1,0 +1,260 @@
+// cairn.physics and the methods of World.
+#include <cstdio>
+
+#include "bind/context.h"
+#include "bind/modules.h"
+#include "bind/physics_fields.h"
+#include "bind/physics_objects.h"
+#include "lua/state.h"
+
+namespace cairn::scripting {
+namespace {
+
+using physics::Position;
+using physics::Vec2;
+
+/// More living worlds than any game needs are worlds that somebody forgot to destroy.
+constexpr std::size_t kMaxWorlds = 64;
+
+Pushed new_world(lua_State* L, std::optional<TableArgument> description) {
+    Context& context = context_of(L);
+    if (context.worlds.size() >= kMaxWorlds) {
+        call_error(L, "there are " + std::to_string(kMaxWorlds) +
+                          " worlds already; free those that are no longer used with world:destroy()");
+    }
+    if (!description) lua_newtable(L);
+    const FieldReader reader(L, description ? description->index : -1, kWorldFields);
+    auto created = physics::World::create(read_world_def(reader, L));
+    if (!created) call_error(L, created.error().message);
+    auto& object = new_object<WorldObject>(L, kWorldTableCount, std::nullopt, 0, 0);
+    object.world.emplace(*std::move(created));
+    for (int table = 1; table <= kWorldTableCount; ++table) {
+        lua_newtable(L);
+        lua_setiuservalue(L, -2, table);
+    }
+    lua_pushvalue(L, -1);
+    object.reference = luaL_ref(L, LUA_REGISTRYINDEX);
+    context.worlds.push_back(&object);
+    return {1};
+}
+
+constexpr std::array<std::string_view, 1> kReturnsWorld = {"World"};
+constexpr std::array<std::string_view, 1> kReturnsBody = {"Body"};
+constexpr std::array<std::string_view, 1> kReturnsJoint = {"Joint"};
+constexpr std::array<std::string_view, 1> kReturnsTable = {"table"};
+
+constexpr Function kPhysicsFunctions[] = {
+    function_pushing<&new_world>("new_world", "fields = {}", "world", kReturnsWorld,
+                                 "Makes an empty world. It lives until `world:destroy()`.", &kWorldFields),
+};
+
+// ---- World
+
+physics::Result<void> step(lua_State* L, WorldRef self, double dt_s) {
+    age_retired(L, self.index, self.object);
+    return self.world.step(static_cast<float>(dt_s));
+}
+
+Pushed new_body(lua_State* L, WorldRef self, TableArgument description) {
+    const FieldReader reader(L, description.index, kNewBodyFields);
+    const physics::BodyId id = value_or_raise(L, self.world.create_body(read_body_def(reader)));
+    push_data_table(L, reader);
+    push_new_body(L, self.index, self.object, id);
+    return {1};
+}
+
+template <GeometryKind kKind>
+Pushed add_body(lua_State* L, WorldRef self, TableArgument description) {
+    const FieldReader reader(L, description.index, fields_of_world_add(kKind));
+    OwnedGeometry geometry;
+    read_geometry(L, reader, kKind, {}, geometry);
+    const physics::ShapeDef shape = read_shape_def(reader);
+    const physics::BodyId id = value_or_raise(L, self.world.create_body(read_body_def(reader)));
+    if (const auto made = self.world.create_shape(id, geometry.geometry, shape); !made) {
+        check_or_raise(L, self.world.destroy_body(id));
+        call_error(L, made.error().message);
+    }
+    push_data_table(L, reader);
+    push_new_body(L, self.index, self.object, id);
+    return {1};
+}
+
+Pushed add_revolute_joint(lua_State* L, WorldRef self, TableArgument description) {
+    const FieldReader reader(L, description.index, kRevoluteJointFields);
+    const auto id = value_or_raise(L, self.world.create_joint(read_revolute_joint(L, reader)));
+    push_joint(L, self.index, self.object, id);
+    return {1};
+}
+
+Pushed add_distance_joint(lua_State* L, WorldRef self, TableArgument description) {
+    const FieldReader reader(L, description.index, kDistanceJointFields);
+    const auto id = value_or_raise(L, self.world.create_joint(read_distance_joint(L, reader)));
+    push_joint(L, self.index, self.object, id);
+    return {1};
+}
+
+Pushed events(lua_State* L, WorldRef self, std::optional<std::string_view> kind) {
+    return {push_events(L, self, kind)};
+}
+
+Pushed bodies(lua_State* L, WorldRef self) {
+    const std::vector<physics::BodyId> ids = self.world.bodies();
+    lua_createtable(L, static_cast<int>(ids.size()), 0);
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+        push_body(L, self.index, ids[i]);
+        lua_rawseti(L, -2, static_cast<lua_Integer>(i + 1));
+    }
+    return {1};
+}
+
+Pushed body_at(lua_State* L, WorldRef self, double x, double y) {
+    const auto found = value_or_raise(L, self.world.shape_at({x, y}));
+    if (!found) return lua_pushnil(L), Pushed{1};
+    push_body(L, self.index, value_or_raise(L, self.world.shape(*found)).body());
+    push_shape(L, self.index, self.object, *found);
+    return {2};
+}
+
+Pushed cast_ray(lua_State* L, WorldRef self, double x1, double y1, double x2, double y2,
+                std::optional<std::int64_t> mask) {
+    const physics::QueryFilter filter{.mask = static_cast<std::uint64_t>(mask.value_or(-1))};
+    const Position origin{x1, y1};
+    const auto hit = value_or_raise(L, self.world.cast_ray(origin, Position{x2, y2} - origin, filter));
+    if (!hit) return lua_pushnil(L), Pushed{1};
+    push_body(L, self.index, hit->body);
+    lua_pushnumber(L, hit->point_m.x);
+    lua_pushnumber(L, hit->point_m.y);
+    lua_pushnumber(L, static_cast<double>(hit->normal.x));
+    lua_pushnumber(L, static_cast<double>(hit->normal.y));
+    lua_pushnumber(L, static_cast<double>(hit->fraction));
+    return {6};
+}
+
+std::tuple<float, float> gravity(WorldRef self) {
+    const Vec2 g = self.world.gravity();
+    return {g.x, g.y};
+}
+physics::Result<void> set_gravity(WorldRef self, float x, float y) {
+    return self.world.set_gravity({x, y});
+}
+
+std::int64_t body_count(WorldRef self) {
+    return self.world.counts().bodies;
+}
+std::int64_t awake_count(WorldRef self) {
+    return self.world.counts().awake_bodies;
+}
+std::int64_t joint_count(WorldRef self) {
+    return self.world.counts().joints;
+}
+std::int64_t contact_count(WorldRef self) {
+    return self.world.counts().touching;
+}
+std::int64_t step_count(WorldRef self) {
+    return static_cast<std::int64_t>(self.world.step_count());
+}
+
+std::string state_hash(WorldRef self) {
+    char text[17];
+    std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(self.world.state_hash()));
+    return text;
+}
+
+void destroy(lua_State* L, WorldRef self) {
+    std::erase(context_of(L).worlds, &self.object);
+    luaL_unref(L, LUA_REGISTRYINDEX, self.object.reference);
+    self.object.world.reset();
+}
+
+bool is_valid(Maybe<WorldObject> self) {
+    return self.object.world.has_value();
+}
+
+constexpr std::array<std::string_view, 1> kReturnsIterator = {
+    "fun(): string, Body, Body, number, number, number, number, number, number"};
+constexpr std::array<std::string_view, 2> kReturnsBodyAndShape = {"Body?", "Shape?"};
+constexpr std::array<std::string_view, 6> kReturnsRayHit = {"Body?",  "number", "number",
+                                                            "number", "number", "number"};
+
+constexpr Function kWorldFunctions[] = {
+    function<&step>("step", "dt [s]", "",
+                    "Moves the world on and replaces its events by those of this step."),
+    function_pushing<&new_body>(
+        "new_body", "fields", "body", kReturnsBody,
+        "Adds a body without shapes; give it some with `body:add_box{...}` and the like.", &kNewBodyFields),
+    function_pushing<&add_body<GeometryKind::Box>>("add_box", "fields", "body", kReturnsBody,
+                                                   "Adds a body with one rectangle around its origin.",
+                                                   &fields_of_world_add(GeometryKind::Box)),
+    function_pushing<&add_body<GeometryKind::Circle>>("add_circle", "fields", "body", kReturnsBody,
+                                                      "Adds a body with one disc around its origin.",
+                                                      &fields_of_world_add(GeometryKind::Circle)),
+    function_pushing<&add_body<GeometryKind::Capsule>>(
+        "add_capsule", "fields", "body", kReturnsBody,
+        "Adds a body with one capsule: all points within `radius` of a segment along its x axis.",
+        &fields_of_world_add(GeometryKind::Capsule)),
+    function_pushing<&add_body<GeometryKind::Polygon>>("add_polygon", "fields", "body", kReturnsBody,
+                                                       "Adds a body with one convex polygon.",
+                                                       &fields_of_world_add(GeometryKind::Polygon)),
+    function_pushing<&add_revolute_joint>(
+        "add_revolute_joint", "fields", "joint", kReturnsJoint,
+        "Pins two bodies together at a point about which they turn. Angle 0 is how they stand now.",
+        &kRevoluteJointFields),
+    function_pushing<&add_distance_joint>("add_distance_joint", "fields", "joint", kReturnsJoint,
+                                          "Keeps two points at a distance: rigidly, or as a spring.",
+                                          &kDistanceJointFields),
+    function_pushing<&events>(
+        "events", "kind = nil", "iterator", kReturnsIterator,
+        "Iterates over the events of the last step: `for kind, a, b, impulse, x, y, nx, ny, speed in "
+        "world:events(\"hit\") do`. `kind` is \"begin\", \"end\" or \"hit\"; without an argument all come, "
+        "begins first, "
+        "then hits, then ends. `a` and `b` are the bodies, `x, y` the place, `nx, ny` the unit normal from a "
+        "to b, "
+        "`impulse` (N s) what the contact exchanged in the step and `speed` (m/s) how fast they met; what an "
+        "event does "
+        "not have is 0. A body destroyed since the step is still given: `is_valid()` tells, and its `data` "
+        "can be read. "
+        "Anything may be done in the loop; stepping the world ends it."),
+    function_pushing<&bodies>("bodies", "", "bodies", kReturnsTable,
+                              "A new list of all bodies, in a fixed order."),
+    function_pushing<&body_at>(
+        "body_at", "x [m], y [m]", "body, shape", kReturnsBodyAndShape,
+        "A body with a shape that contains the point, and that shape; of several the newest "
+        "shape's; nil when there is none."),
+    function_pushing<&cast_ray>(
+        "cast_ray", "x1 [m], y1 [m], x2 [m], y2 [m], mask = -1", "body, x [m], y [m], nx, ny, fraction",
+        kReturnsRayHit,
+        "The first shape that the ray meets from outside: its body, the point, the normal out "
+        "of the shape and the share of the ray's length; nil when it meets none. Only shapes "
+        "with a category in `mask` are seen."),
+    function<&gravity>("gravity", "", "x [m/s^2], y [m/s^2]", ""),
+    function<&set_gravity>("set_gravity", "x [m/s^2], y [m/s^2]", "", "Wakes every body."),
+    function<&body_count>("body_count", "", "count", ""),
+    function<&awake_count>("awake_count", "", "count", "How many dynamic and kinematic bodies are awake."),
+    function<&joint_count>("joint_count", "", "count", ""),
+    function<&contact_count>("contact_count", "", "count", "How many pairs of shapes touch."),
+    function<&step_count>("step_count", "", "count", "Steps since the world was made."),
+    function<&state_hash>(
+        "state_hash", "", "hash",
+        "16 hexadecimal digits over all that decides the future of the bodies: equal hashes, equal "
+        "worlds."),
+    function<&destroy>("destroy", "", "", "Frees the world; its bodies become invalid."),
+    function<&is_valid>("is_valid", "", "valid", "Whether the world was not destroyed."),
+};
+
+}  // namespace
+
+int finalize_world(lua_State* L) {
+    object_at<WorldObject>(L, 1)->~WorldObject();
+    return 0;
+}
+
+const Module kPhysicsModule = {
+    "cairn.physics",
+    "Worlds of rigid bodies. Metres, kilograms, seconds, radians; y points up. No world is ever locked: "
+    "bodies may be made, "
+    "moved and destroyed at any time, also while events are read.",
+    kPhysicsFunctions,
+};
+const Module kWorldMethods = {"World", "A world of rigid bodies.", kWorldFunctions, true};
+
+}  // namespace cairn::scripting

@@ -1,0 +1,26 @@
+// What a game says about itself in conf.lua: data, never run.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include <cairn/engine/geometry.h>
+#include <cairn/engine/result.h>
+
+namespace cairn::scripting {
+
+struct Conf {
+    std::string title;
+    std::string identity;  ///< names the save folder
+    engine::Size size{1280, 720};
+    bool is_resizable = true;
+    engine::Color background{0, 0, 0, 1};
+};
+
+/// Of a game without conf.lua.
+Conf default_conf(const std::string& game_name);
+
+/// `path` is for messages.
+engine::Result<Conf> parse_conf(std::string_view text, const std::string& path, const std::string& game_name);
+
+}  // namespace cairn::scripting

@@ -1,0 +1,118 @@
+// Layout from top to bottom: headline, message, source, calls, keys.
+#include "bridge/error_screen.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include <cairn/engine/log.h>
+
+namespace cairn::scripting {
+namespace {
+
+using engine::Color;
+using engine::Vec2;
+
+constexpr Color kBackground{0.13f, 0.16f, 0.20f, 1};
+constexpr Color kPanel{0.10f, 0.12f, 0.15f, 1};
+constexpr Color kHeadline{0.95f, 0.76f, 0.46f, 1};
+constexpr Color kText{0.92f, 0.93f, 0.94f, 1};
+constexpr Color kQuiet{0.60f, 0.65f, 0.70f, 1};
+
+std::vector<std::string> split_lines(const std::string& text) {
+    std::vector<std::string> lines;
+    for (std::size_t start = 0; start <= text.size();) {
+        const std::size_t end = std::min(text.find('\n', start), text.size());
+        lines.push_back(text.substr(start, end - start));
+        start = end + 1;
+    }
+    return lines;
+}
+
+/// Tabs have no width that fonts agree on.
+std::string without_tabs(const std::string& line) {
+    std::string out;
+    for (const char c : line) out += c == '\t' ? std::string(4, ' ') : std::string(1, c);
+    return out;
+}
+
+/// Writes lines one below the other.
+class Column {
+  public:
+    Column(engine::Renderer& renderer, engine::FontId font, float x, float y, float width)
+        : renderer_(renderer), font_(font), x_(x), y_(y), width_(width) {}
+
+    void write(const std::string& text, Color color) {
+        renderer_.draw_text(font_, text, {.position = {x_, y_}, .color = color, .wrap_width = width_});
+        y_ += std::max(renderer_.measure_text(font_, text, width_).y, renderer_.line_height(font_));
+    }
+    void skip(float height) { y_ += height; }
+    [[nodiscard]] float y() const { return y_; }
+    void use(engine::FontId font) { font_ = font; }
+
+  private:
+    engine::Renderer& renderer_;
+    engine::FontId font_;
+    float x_;
+    float y_;
+    float width_;
+};
+
+}  // namespace
+
+ErrorScreen make_error_screen(const ScriptError& error, const engine::Files& files) {
+    constexpr int kLinesAround = 3;
+    ErrorScreen screen{error, {}};
+    const auto place = place_of(error.message);
+    if (!place) return screen;
+    const auto text = files.read_text(place->file);
+    if (!text) return screen;
+    const std::vector<std::string> lines = split_lines(*text);
+    const int last = std::min(place->line + kLinesAround, static_cast<int>(lines.size()));
+    for (int line = std::max(1, place->line - kLinesAround); line <= last; ++line) {
+        char number[24];
+        std::snprintf(number, sizeof number, "%s %4d   ", line == place->line ? ">" : "  ", line);
+        screen.excerpt.push_back(number + without_tabs(lines[static_cast<std::size_t>(line - 1)]));
+    }
+    return screen;
+}
+
+void draw_error_screen(const ErrorScreen& screen, engine::Renderer& renderer) {
+    const auto width = static_cast<float>(renderer.logical_size().width);
+    const auto height = static_cast<float>(renderer.logical_size().height);
+    const auto large = renderer.load_font("fonts/default.ttf", std::max(14.0f, height / 24));
+    const auto small = renderer.load_font("fonts/default.ttf", std::max(10.0f, height / 40));
+    renderer.reset_transform();
+    renderer.fill_rectangle({0, 0, width, height}, kBackground);
+    if (!large || !small) return;  // without a font the message is on standard error only
+
+    const float margin = width / 16;
+    Column column(renderer, *large, margin, height / 14, width - 2 * margin);
+    column.write("The game stopped", kHeadline);
+    column.skip(height / 60);
+    column.use(*small);
+    column.write(screen.error.message, kText);
+    column.skip(height / 40);
+    if (!screen.excerpt.empty()) {
+        const float line = renderer.line_height(*small);
+        const float padding = line / 2;
+        renderer.fill_rectangle({margin - padding, column.y() - padding, width - 2 * (margin - padding),
+                                 line * static_cast<float>(screen.excerpt.size()) + 2 * padding},
+                                kPanel);
+        for (const std::string& text : screen.excerpt) {
+            renderer.draw_text(
+                *small, text,
+                {.position = {margin, column.y()}, .color = text[0] == '>' ? kHeadline : kQuiet});
+            column.skip(line);
+        }
+        column.skip(height / 40 + padding);
+    }
+    const float bottom = height - height / 9;
+    for (const std::string& call : screen.error.traceback) {
+        if (column.y() > bottom - renderer.line_height(*small)) break;
+        column.write(call, kQuiet);
+    }
+    renderer.draw_text(*small, "R: try again      C: copy the message      Esc: quit",
+                       {.position = {margin, bottom + height / 40}, .color = kText});
+}
+
+}  // namespace cairn::scripting

@@ -1,0 +1,25 @@
+// What the window shows when a script failed: calm, readable, with the way out.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <cairn/engine/files.h>
+#include <cairn/engine/renderer.h>
+
+#include "lua/errors.h"
+
+namespace cairn::scripting {
+
+struct ErrorScreen {
+    ScriptError error;
+    std::vector<std::string> excerpt;  ///< "  12  local x = 1"; the line of the error begins with ">"
+};
+
+/// Reads the lines around the place of the error, if the game has that file.
+ErrorScreen make_error_screen(const ScriptError& error, const engine::Files& files);
+
+/// Draws it, between begin_frame and end_frame.
+void draw_error_screen(const ErrorScreen& screen, engine::Renderer& renderer);
+
+}  // namespace cairn::scripting

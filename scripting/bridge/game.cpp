@@ -1,0 +1,187 @@
+// Calls the callbacks of a game.
+#include "bridge/game.h"
+
+#include <string_view>
+
+#include <cairn/engine/fixed_step.h>
+
+#include "bind/fields.h"
+#include "bind/module.h"
+#include "bind/physics_objects.h"
+
+namespace cairn::scripting {
+namespace {
+
+using engine::InputEvent;
+using engine::InputKind;
+
+void push(lua_State* L, double value) {
+    lua_pushnumber(L, value);
+}
+void push(lua_State* L, bool value) {
+    lua_pushboolean(L, value ? 1 : 0);
+}
+void push(lua_State* L, std::string_view value) {
+    lua_pushlstring(L, value.data(), value.size());
+}
+// Floats become doubles here, so that 0.1f is not taken for a boolean or ambiguous.
+void push(lua_State* L, float value) {
+    lua_pushnumber(L, static_cast<double>(value));
+}
+void push(lua_State* L, const std::vector<std::string>& list) {
+    lua_createtable(L, static_cast<int>(list.size()), 0);
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        push(L, std::string_view(list[i]));
+        lua_rawseti(L, -2, static_cast<lua_Integer>(i + 1));
+    }
+}
+
+/// Mixes a value into a hash so that order matters. Source: the finaliser of SplitMix64, Steele, Lea and
+/// Flood 2014.
+std::uint64_t mix(std::uint64_t hash, std::uint64_t value) {
+    std::uint64_t z = (hash ^ value) + 0x9e3779b97f4a7c15u;
+    z = (z ^ z >> 30) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ z >> 27) * 0x94d049bb133111ebu;
+    return z ^ z >> 31;
+}
+
+}  // namespace
+
+Game::Game(const Services& services, const GameOptions& options)
+    : context_{.services = services,
+               .random = engine::Random(options.seed),
+               .visual_random = engine::Random(options.visual_seed, 1)} {
+    context_.test = options.test;
+    if (options.plays_saves) context_.played_saves.emplace();
+    state_.set_context(&context_);
+    register_all(state_.get());
+    lua_getglobal(state_.get(), "cairn");
+    cairn_ = luaL_ref(state_.get(), LUA_REGISTRYINDEX);
+}
+
+Game::~Game() = default;
+
+std::optional<ScriptError> Game::run_file(const std::string& path,
+                                          const std::vector<std::string>& arguments) {
+    lua_State* L = state_.get();
+    const auto text = context_.services.files.read_text(path);
+    if (!text) return ScriptError{text.error().message, {}};
+    if (auto error = load_text(L, *text, path)) return error;
+    luaL_checkstack(L, static_cast<int>(arguments.size()), "arguments of a script");
+    for (const std::string& argument : arguments) push(L, std::string_view(argument));
+    return protected_call(L, static_cast<int>(arguments.size()), 0);
+}
+
+std::optional<ScriptError> Game::load(const std::string& main_path,
+                                      const std::vector<std::string>& arguments) {
+    if (auto error = run_file(main_path)) return error;
+    return call("load", nullptr, arguments);
+}
+
+std::optional<ScriptError> Game::push_callback(const char* name, bool& is_there) {
+    lua_State* L = state_.get();
+    lua_rawgeti(L, LUA_REGISTRYINDEX, cairn_);
+    lua_pushstring(L, name);
+    lua_rawget(L,
+               -2);  // raw: a metatable that a game gives to `cairn` must not run outside of a protected call
+    lua_remove(L, -2);
+    is_there = lua_isfunction(L, -1);
+    if (is_there) return std::nullopt;
+    std::optional<ScriptError> error;
+    if (!lua_isnil(L, -1)) {
+        error = ScriptError{
+            std::string("cairn.") + name + " is " + describe_value(L, -1) + "; expected a function", {}};
+    }
+    lua_pop(L, 1);
+    return error;
+}
+
+template <class... Arguments>
+std::optional<ScriptError> Game::call(const char* name, bool* result, const Arguments&... arguments) {
+    lua_State* L = state_.get();
+    bool is_there = false;
+    if (auto error = push_callback(name, is_there); error || !is_there) return error;
+    (push(L, arguments), ...);
+    if (auto error = protected_call(L, sizeof...(Arguments), 1)) return error;
+    if (result != nullptr) *result = lua_toboolean(L, -1) != 0;
+    lua_pop(L, 1);
+    return std::nullopt;
+}
+
+std::optional<ScriptError> Game::deliver(const InputEvent& event) {
+    context_.input.apply(event);
+    const engine::Vec2 p = event.position;
+    switch (event.kind) {
+        case InputKind::KeyPressed:
+            return call("key_pressed", nullptr, engine::key_name(event.key), event.is_repeat);
+        case InputKind::KeyReleased:
+            return call("key_released", nullptr, engine::key_name(event.key));
+        case InputKind::TextEntered:
+            return call("text_input", nullptr, std::string_view(event.text));
+        case InputKind::MouseMoved:
+            return call("mouse_moved", nullptr, p.x, p.y, event.delta.x, event.delta.y);
+        case InputKind::MousePressed:
+            return call("mouse_pressed", nullptr, p.x, p.y, engine::mouse_button_name(event.button));
+        case InputKind::MouseReleased:
+            return call("mouse_released", nullptr, p.x, p.y, engine::mouse_button_name(event.button));
+        case InputKind::WheelMoved:
+            return call("wheel", nullptr, event.delta.x, event.delta.y);
+        case InputKind::WindowResized:
+            return call("resized", nullptr, event.delta.x, event.delta.y);
+        case InputKind::FocusGained:
+            return call("focus", nullptr, true);
+        case InputKind::FocusLost:
+            return call("focus", nullptr, false);
+        case InputKind::QuitRequested: {
+            bool goes_on = false;
+            auto error = call("quit_requested", &goes_on);
+            if (!goes_on) context_.wants_quit = true;
+            return error;
+        }
+    }
+    return std::nullopt;
+}
+
+std::optional<ScriptError> Game::run_timers() {
+    lua_State* L = state_.get();
+    while (const auto timer = context_.timers.take_due(context_.frame)) {
+        lua_rawgeti(L, LUA_REGISTRYINDEX, timer->function);
+        // Put back first, so that the action can cancel its own timer.
+        if (timer->period > 0) context_.timers.repeat(*timer, context_.frame);
+        if (auto error = protected_call(L, 0, 1)) return error;
+        const bool is_over = lua_isboolean(L, -1) && lua_toboolean(L, -1) == 0;
+        lua_pop(L, 1);
+        if (timer->period > 0 && is_over) context_.timers.cancel(timer->number);
+        if (timer->period == 0 || is_over) luaL_unref(L, LUA_REGISTRYINDEX, timer->function);
+    }
+    return std::nullopt;
+}
+
+std::optional<ScriptError> Game::update(std::span<const InputEvent> events) {
+    ++context_.frame;
+    for (const InputEvent& event : events) {
+        if (auto error = deliver(event)) return error;
+    }
+    if (auto error = run_timers()) return error;
+    auto error = call("update", nullptr, engine::FixedStep::kDefaultStep_s);
+    context_.services.audio.advance(engine::FixedStep::kDefaultStep_s);
+    return error;
+}
+
+std::optional<ScriptError> Game::draw(double alpha) {
+    context_.alpha = alpha;
+    context_.draw = {};
+    context_.is_drawing = true;
+    auto error = call("draw", nullptr, alpha);
+    context_.is_drawing = false;
+    return error;
+}
+
+std::uint64_t Game::state_hash() const {
+    std::uint64_t hash = context_.worlds.size();
+    for (const WorldObject* world : context_.worlds) hash = mix(hash, world->world->state_hash());
+    const engine::RandomState random = context_.random.state();
+    return mix(mix(hash, random.state), random.increment);
+}
+
+}  // namespace cairn::scripting

@@ -1,0 +1,65 @@
+// One game in one Lua state: its callbacks, frame by frame. Invariant: what a game does depends on its files,
+// the seed and the events given to update(), and on nothing else.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <cairn/engine/input.h>
+
+#include "bind/context.h"
+#include "lua/errors.h"
+#include "lua/state.h"
+
+namespace cairn::scripting {
+
+struct GameOptions {
+    std::uint64_t seed = 1;
+    /// Of the visual stream, which decides nothing.
+    std::uint64_t visual_seed = 1;
+    /// Keep written files in memory instead of the save folder.
+    bool plays_saves = false;
+    TestDriver* test = nullptr;
+};
+
+class Game {
+  public:
+    Game(const Services& services, const GameOptions& options);
+    ~Game();
+    Game(const Game&) = delete;
+    Game& operator=(const Game&) = delete;
+
+    /// Runs a script of the game's files.
+    std::optional<ScriptError> run_file(const std::string& path,
+                                        const std::vector<std::string>& arguments = {});
+    /// Runs main.lua, then cairn.load.
+    std::optional<ScriptError> load(const std::string& main_path, const std::vector<std::string>& arguments);
+    /// One frame: the events, the timers, cairn.update.
+    std::optional<ScriptError> update(std::span<const engine::InputEvent> events);
+    /// Between begin_frame and end_frame of the renderer.
+    std::optional<ScriptError> draw(double alpha);
+
+    /// Every world, in order of creation, and the gameplay random stream.
+    [[nodiscard]] std::uint64_t state_hash() const;
+    [[nodiscard]] const std::optional<GameResult>& result() const { return context_.result; }
+    [[nodiscard]] bool wants_quit() const { return context_.wants_quit; }
+    [[nodiscard]] std::uint64_t frame() const { return context_.frame; }
+    [[nodiscard]] lua_State* lua() const { return state_.get(); }
+
+  private:
+    std::optional<ScriptError> push_callback(const char* name, bool& is_there);
+    std::optional<ScriptError> deliver(const engine::InputEvent& event);
+    std::optional<ScriptError> run_timers();
+    template <class... Arguments>
+    std::optional<ScriptError> call(const char* name, bool* result, const Arguments&... arguments);
+
+    Context context_;  // outlives the state, which uses it when it closes
+    State state_;
+    int cairn_ = 0;  ///< reference to the table of the callbacks
+};
+
+}  // namespace cairn::scripting

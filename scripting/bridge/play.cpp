@@ -1,0 +1,278 @@
+// The two loops around a game: with a window and real time, and headless. Both feed it the same way: whatever
+// enters the game is a list of events per update, taken from the platform or from a recording, and noted down
+// when asked for.
+#include <chrono>
+#include <cstdio>
+#include <fstream>
+#include <sstream>
+
+#include <cairn/engine/fixed_step.h>
+#include <cairn/engine/image.h>
+#include <cairn/scripting/play.h>
+
+#include "bridge/error_screen.h"
+#include "bridge/game.h"
+#include "bridge/machine.h"
+#include "bridge/replay.h"
+
+namespace cairn::scripting {
+namespace {
+
+using engine::InputEvent;
+using engine::InputKind;
+using Outcome = std::optional<ScriptError>;
+
+int fail(const std::string& message) {
+    std::fprintf(stderr, "cairn: error: %s\n", message.c_str());
+    return 1;
+}
+
+engine::Result<Replay> read_replay(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    if (!file) return engine::Error{"cannot read the recording \"" + path + "\""};
+    std::ostringstream text;
+    text << file.rdbuf();
+    return parse_replay(text.str(), path);
+}
+
+/// The clock is asked once, for the seed of a new game.
+std::uint64_t seed_by_clock() {
+    return static_cast<std::uint64_t>(std::chrono::system_clock::now().time_since_epoch().count());
+}
+
+class Session {
+  public:
+    Session(const PlayOptions& options, Machine& machine, std::optional<Replay> replay)
+        : options_(options), machine_(machine), replay_(std::move(replay)) {
+        seed_ = replay_ ? replay_->seed : options.seed.value_or(options.headless ? 1 : seed_by_clock());
+        last_frame_ = options.frames;
+        if (replay_) last_frame_ = std::min(options.frames.value_or(replay_->frames), replay_->frames);
+        if (options.headless && !last_frame_) last_frame_ = kDefaultHeadlessFrames;
+    }
+
+    int run() {
+        Outcome error = start();
+        if (options_.headless) {
+            if (!error) error = run_headless();
+            if (error) return report(*error);
+        } else if (!run_in_window(std::move(error))) {
+            return 1;
+        }
+        return finish();
+    }
+
+  private:
+    Outcome start() {
+        game_ = std::make_unique<Game>(machine_.services(),
+                                       GameOptions{.seed = seed_,
+                                                   .visual_seed = options_.headless ? 1 : seed_by_clock(),
+                                                   .plays_saves = options_.headless || replay_.has_value()});
+        recorded_.clear();
+        next_event_ = 0;
+        return game_->load(machine_.main_path, options_.arguments);
+    }
+
+    /// One update, with events from the recording or those given.
+    Outcome update(std::vector<InputEvent>& events) {
+        if (replay_) {
+            events.clear();
+            const auto& recorded = replay_->events;
+            for (; next_event_ < recorded.size() && recorded[next_event_].frame <= game_->frame() + 1;
+                 ++next_event_) {
+                events.push_back(recorded[next_event_].event);
+            }
+        }
+        for (const InputEvent& event : events) recorded_.push_back({game_->frame() + 1, event});
+        Outcome error = game_->update(events);
+        events.clear();
+        return error;
+    }
+
+    bool is_over() const { return game_->wants_quit() || (last_frame_ && game_->frame() >= *last_frame_); }
+
+    /// Draws and, when it is due, writes the picture to its file.
+    Outcome draw(double alpha, bool captures) {
+        engine::Renderer& renderer = *machine_.renderer;
+        renderer.begin_frame(machine_.conf.background);
+        Outcome error = game_->draw(alpha);
+        if (!error && captures) error = write_screenshot();
+        renderer.end_frame();
+        return error;
+    }
+
+    Outcome write_screenshot() {
+        is_captured_ = true;
+        const auto image = machine_.renderer->capture();
+        if (!image) return ScriptError{image.error().message, {}};
+        if (auto saved = engine::save_png(*image, options_.screenshot); !saved)
+            return ScriptError{saved.error().message, {}};
+        return std::nullopt;
+    }
+
+    bool captures_now() const {
+        return !options_.screenshot.empty() && !is_captured_ && options_.screenshot_frame == game_->frame();
+    }
+    bool captures_at_end() const { return !options_.screenshot.empty() && !is_captured_; }
+
+    Outcome run_headless() {
+        // Pictures cost time and decide nothing, but a draw callback that fails must not go unnoticed: once a
+        // second of game time is enough for that.
+        constexpr std::uint64_t kFramesPerPicture = 60;
+        std::vector<InputEvent> events;
+        while (!is_over()) {
+            if (Outcome error = update(events)) return error;
+            const bool captures = captures_now();
+            const bool is_sample = options_.screenshot.empty() && game_->frame() % kFramesPerPicture == 1;
+            if (captures || is_sample) {
+                if (Outcome error = draw(1, captures)) return error;
+            }
+        }
+        return captures_at_end() ? draw(1, true) : std::nullopt;
+    }
+
+    /// False when the session ends with an error that nobody could mend.
+    bool run_in_window(Outcome error) {
+        engine::Platform& platform = *machine_.platform;
+        engine::FixedStep step;
+        std::vector<InputEvent> waiting;
+        double then = platform.now_s();
+        while (true) {
+            if (error) {
+                report(*error);
+                // A run of fixed length is a test: there is nobody to press a key.
+                if (last_frame_ || !wait_at_error_screen(*error)) return false;
+                error = start();
+                step.reset();
+                then = platform.now_s();
+                continue;
+            }
+            platform.poll_events(waiting);
+            if (replay_ && asks_to_quit(waiting)) return true;
+            const double now = platform.now_s();
+            const engine::FixedStep::Frame frame = step.advance(now - then);
+            then = now;
+            for (int i = 0; i < frame.updates && !error && !is_over(); ++i) error = update(waiting);
+            if (error) continue;
+            const bool ends = is_over();
+            error = draw(frame.alpha, captures_now() || (ends && captures_at_end()));
+            if (ends && !error) return true;
+            if (!platform.window().is_visible()) platform.sleep_s(engine::FixedStep::kDefaultStep_s);
+        }
+    }
+
+    static bool asks_to_quit(const std::vector<InputEvent>& events) {
+        for (const InputEvent& event : events) {
+            if (event.kind == InputKind::QuitRequested) return true;
+        }
+        return false;
+    }
+
+    /// True: try again; false: quit.
+    bool wait_at_error_screen(const ScriptError& error) {
+        const ErrorScreen screen = make_error_screen(error, *machine_.files);
+        std::vector<InputEvent> events;
+        while (true) {
+            events.clear();
+            machine_.platform->poll_events(events);
+            for (const InputEvent& event : events) {
+                if (event.kind == InputKind::QuitRequested) return false;
+                if (event.kind != InputKind::KeyPressed) continue;
+                if (event.key == engine::Key::Escape) return false;
+                if (event.key == engine::Key::R) return true;
+                if (event.key == engine::Key::C) copy(error);
+            }
+            machine_.renderer->begin_frame(machine_.conf.background);
+            draw_error_screen(screen, *machine_.renderer);
+            machine_.renderer->end_frame();
+            machine_.platform->sleep_s(engine::FixedStep::kDefaultStep_s);
+        }
+    }
+
+    void copy(const ScriptError& error) {
+        if (auto copied = machine_.platform->set_clipboard_text(error.to_text()); !copied)
+            fail(copied.error().message);
+    }
+
+    static int report(const ScriptError& error) { return fail(error.to_text()); }
+
+    int finish() {
+        if (const auto& result = game_->result()) {
+            std::printf("result: %s\n", result->outcome.c_str());
+            if (result->level) std::printf("level: %s\n", result->level->c_str());
+            if (result->score) std::printf("score: %.14g\n", *result->score);
+            if (result->stars) std::printf("stars: %lld\n", static_cast<long long>(*result->stars));
+        }
+        const std::uint64_t hash = game_->state_hash();
+        if (options_.print_hash) std::printf("hash: %s\n", hash_text(hash).c_str());
+        std::fflush(stdout);
+        if (!options_.record.empty()) {
+            if (const int status = write_recording(hash); status != 0) return status;
+        }
+        if (replay_ && replay_->hash && game_->frame() == replay_->frames && *replay_->hash != hash) {
+            return fail("the replay " + options_.replay + " ended in another state: recorded hash " +
+                        hash_text(*replay_->hash) + ", now " + hash_text(hash));
+        }
+        return 0;
+    }
+
+    int write_recording(std::uint64_t hash) {
+        const Replay recording{.game = options_.source.name,
+                               .seed = seed_,
+                               .size = machine_.conf.size,
+                               .frames = game_->frame(),
+                               .hash = hash,
+                               .events = recorded_};
+        std::ofstream file(options_.record, std::ios::binary | std::ios::trunc);
+        file << to_text(recording);
+        file.close();
+        return file ? 0 : fail("cannot write the recording \"" + options_.record + "\"");
+    }
+
+    const PlayOptions& options_;
+    Machine& machine_;
+    std::optional<Replay> replay_;
+    std::uint64_t seed_ = 1;
+    std::optional<std::uint64_t> last_frame_;
+    std::unique_ptr<Game> game_;
+    std::vector<ReplayEvent> recorded_;
+    std::size_t next_event_ = 0;
+    bool is_captured_ = false;
+};
+
+/// What a recording says about its game must fit the game at hand.
+std::optional<std::string> misfit(const Replay& replay, const PlayOptions& options, const Conf& conf) {
+    if (replay.game != options.source.name) {
+        return "the recording " + options.replay + " is of the game \"" + replay.game + "\", not of \"" +
+               options.source.name + '"';
+    }
+    if (replay.size != conf.size) {
+        const auto text = [](engine::Size s) {
+            return std::to_string(s.width) + " x " + std::to_string(s.height);
+        };
+        return "the recording " + options.replay + " was made at " + text(replay.size) +
+               " logical pixels; the game now has " + text(conf.size);
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+int play(const PlayOptions& options) {
+    std::optional<Replay> replay;
+    if (!options.replay.empty()) {
+        auto read = read_replay(options.replay);
+        if (!read) return fail(read.error().message);
+        replay = *std::move(read);
+    }
+    MachineKind kind = MachineKind::Window;
+    if (options.headless)
+        kind = options.screenshot.empty() ? MachineKind::Headless : MachineKind::HeadlessDrawing;
+    auto machine = make_machine(options.source, kind);
+    if (!machine) return fail(machine.error().message);
+    if (replay) {
+        if (const auto problem = misfit(*replay, options, (*machine)->conf)) return fail(*problem);
+    }
+    return Session(options, **machine, std::move(replay)).run();
+}
+
+}  // namespace cairn::scripting

@@ -1,0 +1,179 @@
+// Writes the reference and the editor annotations from the descriptions of the bindings.
+#include <string_view>
+
+#include <cairn/scripting/reference.h>
+
+#include "bind/fields.h"
+#include "bind/module.h"
+
+namespace cairn::scripting {
+namespace {
+
+constexpr const char* kPreamble = R"(# The Lua API
+
+One global table, `cairn`, holds everything; a game puts its callbacks into it. How a game's folder looks, what `conf.lua`
+says and which callbacks there are stands in [Games](games.md); the format of recordings in [Replays](replays.md).
+
+- Getters are nouns and return plain values (`local x, y = body:position()`), setters begin with `set_`, creators with
+  `new_` or `add_`.
+- **World**: metres, y up, radians (anticlockwise), seconds, kilograms. **Screen**: logical pixels, y down, (0, 0) at the
+  top left. Only a camera converts between the two.
+- Colors are 0..1. `name = value` shows a default: the argument may be left out.
+- A wrong argument raises an error that names the function, the argument, the value and the rule, at the caller's
+  `file:line`.
+
+This page is written by `cairn help --reference` from the descriptions that also check the arguments.
+)";
+
+constexpr const char* kStandardLibrary = R"(
+## Lua's own library
+
+Lua 5.4 with `table`, `string`, `math`, `utf8` and `coroutine`. Left out: `io`, `os`, `package`, `debug`, `dofile`,
+`loadfile`, `string.dump`, `warn`, finalizers (`__gc`) and `collectgarbage` except `collectgarbage("count")`. `load` takes
+text only. `require "src.aim"` runs the game's `src/aim.lua` once and returns what it returned; only the game's own files
+are found. `print` writes to standard output. `tostring` and `string.format` show no addresses.
+
+`math.sin cos tan asin acos atan exp log` and the added `math.pow(x, y)` give the same bits on every machine; `math.random`
+draws from the gameplay stream (see cairn.random). The operator `^` is the C library's `pow`, whose last bit may differ
+between machines for exponents other than 2: gameplay takes `math.pow` or products.
+)";
+
+std::string anchor_text(const Function& function, const Module& module) {
+    std::string text(module.is_type ? "" : module.name);
+    if (module.is_type) {
+        for (const char c : std::string_view(module.name))
+            text += static_cast<char>(c >= 'A' && c <= 'Z' ? c + 32 : c);
+    }
+    return text + (module.is_type ? ':' : '.') + function.name;
+}
+
+/// "x: number, angle: number = 0" for the reference.
+std::string parameter_list(const Function& function, const Module& module) {
+    std::string text;
+    std::size_t type = module.is_type ? 1 : 0;
+    for (const Parameter& parameter : parse_parameters(function.parameters)) {
+        if (!text.empty()) text += ", ";
+        text += parameter.name;
+        if (!parameter.default_value.empty()) text += " = " + std::string(parameter.default_value);
+        ++type;
+    }
+    return text;
+}
+
+std::string result_list(const Function& function) {
+    std::string text;
+    for (const Parameter& result : parse_parameters(function.results)) {
+        text += (text.empty() ? "" : ", ") + std::string(result.name);
+    }
+    return text;
+}
+
+/// "x, y in m; dt in s".
+std::string units(const Function& function) {
+    std::vector<std::pair<std::string_view, std::string>> groups;
+    const auto add = [&](const char* list) {
+        for (const Parameter& parameter : parse_parameters(list)) {
+            if (parameter.unit.empty()) continue;
+            auto group = groups.begin();
+            while (group != groups.end() && group->first != parameter.unit) ++group;
+            if (group == groups.end()) group = groups.insert(groups.end(), {parameter.unit, ""});
+            if ((", " + group->second + ",").find(", " + std::string(parameter.name) + ",") !=
+                std::string::npos)
+                continue;
+            group->second += (group->second.empty() ? "" : ", ") + std::string(parameter.name);
+        }
+    };
+    add(function.parameters);
+    add(function.results);
+    std::string text;
+    for (const auto& [unit, names] : groups)
+        text += (text.empty() ? "" : "; ") + names + " in " + std::string(unit);
+    return text;
+}
+
+void write_fields(const Function& function, std::string& out) {
+    out += "\n| field | type | default | |\n|---|---|---|---|\n";
+    for (const Field* field : all_fields(*function.fields)) {
+        std::string default_text = "required";
+        if (field->default_text != nullptr) {
+            const bool is_quoted = field->type == FieldType::String && *field->default_text != '\0';
+            default_text = is_quoted ? '"' + std::string(field->default_text) + '"' : field->default_text;
+        }
+        out += std::string("| `") + field->name + "` | " + field_type_name(field->type) + " | " +
+               default_text + " | " + field->doc + " |\n";
+    }
+}
+
+void write_function(const Function& function, const Module& module, std::string& out) {
+    const std::string results = result_list(function);
+    out += "\n### `" + anchor_text(function, module) + '(' + parameter_list(function, module) + ')' +
+           (results.empty() ? "" : " -> " + results) + "`\n";
+    std::string text = function.doc;
+    if (const std::string unit_text = units(function); !unit_text.empty()) {
+        text += (text.empty() ? "" : " ") + std::string("Units: ") + unit_text + '.';
+    }
+    if (!text.empty()) out += '\n' + text + '\n';
+    if (function.fields != nullptr) write_fields(function, out);
+}
+
+// ---- Annotations
+
+std::string annotated_type(std::string_view type, bool is_optional) {
+    return std::string(type) + (is_optional && type.back() != '?' ? "?" : "");
+}
+
+void annotate(const Function& function, const Module& module, std::string& out) {
+    out += '\n';
+    if (*function.doc != '\0') out += std::string("---") + function.doc + '\n';
+    std::size_t type = module.is_type ? 1 : 0;
+    std::string names;
+    for (const Parameter& parameter : parse_parameters(function.parameters)) {
+        const std::string type_name =
+            annotated_type(function.parameter_types[type++], !parameter.default_value.empty());
+        out += "---@param " + std::string(parameter.name) + ' ' + type_name;
+        if (!parameter.unit.empty()) out += " [" + std::string(parameter.unit) + ']';
+        out += '\n';
+        names += (names.empty() ? "" : ", ") + std::string(parameter.name);
+    }
+    std::size_t result_type = 0;
+    for (const Parameter& result : parse_parameters(function.results)) {
+        const std::string_view type_name =
+            function.result_types[std::min(result_type++, function.result_types.size() - 1)];
+        out += "---@return " + std::string(type_name) + ' ' + std::string(result.name);
+        if (!result.unit.empty()) out += " [" + std::string(result.unit) + ']';
+        out += '\n';
+    }
+    out += "function " + std::string(module.name) + (module.is_type ? ':' : '.') + function.name + '(' +
+           names + ") end\n";
+}
+
+}  // namespace
+
+std::string reference_markdown() {
+    std::string out = kPreamble;
+    for (const Module* module : all_modules()) {
+        out += std::string("\n## ") + module->name + "\n\n" + module->doc + '\n';
+        for (const Function& function : module->functions) write_function(function, *module, out);
+    }
+    return out + kStandardLibrary;
+}
+
+std::string editor_annotations() {
+    std::string out =
+        "---@meta\n-- Written by `cairn help --types`: annotations for the Lua language server. Never run.\n";
+    for (const Module* module : all_modules()) {
+        out += '\n';
+        if (module->is_type) {
+            out += std::string("---@class ") + module->name + '\n';
+            if (std::string_view(module->name) == "Body") out += "---@field data table\n";
+            out += std::string("local ") + module->name + " = {}\n";
+        } else {
+            out += std::string(module->name) + " = {}\n";
+        }
+        for (const Function& function : module->functions) annotate(function, *module, out);
+    }
+    out += "\n---@type Random\ncairn.random.visual = nil\n---@type string\ncairn.version = nil\n";
+    return out;
+}
+
+}  // namespace cairn::scripting

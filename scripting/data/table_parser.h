@@ -1,0 +1,21 @@
+// Reads Lua table text as data: `return { ... }` or `{ ... }` with numbers, strings, booleans, nested tables
+// and comments. Invariant: nothing is ever executed; whatever is not plain data (names, calls, operators) is
+// an error with its place. Source: Lua 5.4 Reference Manual, 3.1 (lexical conventions) and 3.4.9 (table
+// constructors).
+#pragma once
+
+#include <string_view>
+
+#include <cairn/engine/result.h>
+
+#include "data/value.h"
+
+namespace cairn::scripting {
+
+/// How deep tables may be nested: more is an accident or an attack on the stack.
+inline constexpr int kMaxTableDepth = 64;
+
+/// Errors read "NAME:LINE:COLUMN: what is wrong".
+engine::Result<Value> parse_table_text(std::string_view text, std::string_view name);
+
+}  // namespace cairn::scripting

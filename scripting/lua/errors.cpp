@@ -1,0 +1,118 @@
+// The message handler runs where the error happened, so that the traceback still shows the calls.
+#include "lua/errors.h"
+
+#include <cstdlib>
+
+#include "lua/sandbox.h"
+
+namespace cairn::scripting {
+namespace {
+
+/// "src/aim.lua:12: in function 'release'" for each Lua function on the stack. C functions without a name are
+/// the program's own frames and tell an author nothing.
+std::vector<std::string> traceback_of(lua_State* L, int first_level) {
+    constexpr int kMostLines = 24;  // an endless recursion has 200,000
+    std::vector<std::string> lines;
+    lua_Debug frame;
+    int level = first_level;
+    for (; lua_getstack(L, level, &frame) != 0 && static_cast<int>(lines.size()) < kMostLines; ++level) {
+        lua_getinfo(L, "Slnt", &frame);
+        const bool is_c = *frame.what == 'C';
+        if (is_c && (frame.name == nullptr || *frame.namewhat == '\0')) continue;
+        std::string line;
+        if (is_c) {
+            line = std::string("[built in]: in '") + frame.name + "'";
+        } else {
+            line = std::string(frame.short_src) + ':' + std::to_string(frame.currentline) + ": in ";
+            if (*frame.what == 'm') {
+                line += "the main chunk";
+            } else if (frame.name != nullptr && *frame.namewhat != '\0') {
+                line += std::string(frame.namewhat) + " '" + frame.name + "'";
+            } else {
+                line += "the function of line " + std::to_string(frame.linedefined);
+            }
+        }
+        lines.push_back(line);
+    }
+    if (lua_getstack(L, level, &frame) != 0 && static_cast<int>(lines.size()) >= kMostLines)
+        lines.push_back("...");
+    return lines;
+}
+
+/// Upvalue 1 points to the ScriptError to fill.
+int handle_error(lua_State* L) {
+    auto& error = *static_cast<ScriptError*>(lua_touserdata(L, lua_upvalueindex(1)));
+    if (lua_type(L, 1) == LUA_TSTRING || luaL_getmetafield(L, 1, "__tostring") != LUA_TNIL) {
+        lua_settop(L, 1);
+        push_text(L, 1);
+        error.message = lua_tostring(L, -1);
+    } else {
+        error.message = std::string("an error value that is ") + luaL_typename(L, 1) + " was raised";
+    }
+    error.traceback = traceback_of(L, 1);
+    // error("text", 0) and errors that are not strings come without a place; the innermost Lua call is the
+    // best known.
+    if (!place_of(error.message)) {
+        for (const std::string& line : error.traceback) {
+            if (const auto place = place_of(line)) {
+                error.message = place->file + ':' + std::to_string(place->line) + ": " + error.message;
+                break;
+            }
+        }
+    }
+    return 1;
+}
+
+}  // namespace
+
+std::string ScriptError::to_text() const {
+    std::string text = message;
+    for (const std::string& line : traceback) text += "\n    " + line;
+    return text;
+}
+
+std::optional<ScriptPlace> place_of(const std::string& message) {
+    // A file's name holds no blank before its ":LINE:", which tells it from prose with a colon.
+    const std::size_t colon = message.find(':');
+    if (colon == std::string::npos || colon == 0 || message[0] == '[') return std::nullopt;
+    char* end = nullptr;
+    const long line = std::strtol(message.c_str() + colon + 1, &end, 10);
+    if (line <= 0 || *end != ':') return std::nullopt;
+    return ScriptPlace{message.substr(0, colon), static_cast<int>(line)};
+}
+
+std::optional<ScriptError> protected_call(lua_State* L, int arguments, int results) {
+    ScriptError error;
+    const int handler = lua_gettop(L) - arguments;
+    lua_pushlightuserdata(L, &error);
+    lua_pushcclosure(L, handle_error, 1);
+    lua_insert(L, handler);
+    const int status = lua_pcall(L, arguments, results, handler);
+    lua_remove(L, handler);
+    if (status == LUA_OK) return std::nullopt;
+    if (status == LUA_ERRMEM) error.message = "not enough memory: the script used up what a game may have";
+    if (status == LUA_ERRERR) error.message = "an error happened while another one was handled";
+    if (status < 0)
+        error.message = "the program ran out of memory";  // a C++ exception: only allocations throw
+    lua_pop(L, 1);
+    return error;
+}
+
+std::optional<ScriptError> load_text(lua_State* L, const std::string& text, const std::string& name) {
+    if (luaL_loadbufferx(L, text.data(), text.size(), ('@' + name).c_str(), "t") == LUA_OK)
+        return std::nullopt;
+    ScriptError error;
+    error.message = lua_tostring(L, -1);
+    lua_pop(L, 1);
+    return error;
+}
+
+void raise(lua_State* L, const std::string& message) {
+    luaL_where(L, 1);
+    lua_pushlstring(L, message.data(), message.size());
+    lua_concat(L, 2);
+    lua_error(L);
+    std::abort();  // lua_error never returns; its declaration does not say so
+}
+
+}  // namespace cairn::scripting

@@ -1,0 +1,48 @@
+// One Lua state: its memory, its safe libraries, its end. Invariant: scripts in it reach nothing but what was
+// put there.
+#pragma once
+
+#include <cstddef>
+#include <lua.hpp>
+#include <memory>
+#include <string>
+#include <string_view>
+
+namespace cairn::scripting {
+
+struct Context;
+
+/// 256 MiB: ten times what a large 2D game keeps in Lua, and little enough that a runaway script fails before
+/// the machine swaps.
+inline constexpr std::size_t kDefaultMemoryCap = std::size_t{256} << 20;
+
+class State {
+  public:
+    explicit State(std::size_t memory_cap = kDefaultMemoryCap);
+    ~State();
+    State(const State&) = delete;
+    State& operator=(const State&) = delete;
+
+    [[nodiscard]] lua_State* get() const { return lua_; }
+    [[nodiscard]] std::size_t used_bytes() const { return memory_.used; }
+
+    /// What bindings find with context_of(); null until it is set. Must outlive the state.
+    void set_context(Context* context);
+
+  private:
+    struct Memory {
+        std::size_t used = 0;
+        std::size_t cap = 0;
+    };
+    static void* allocate(void* memory, void* block, std::size_t old_size, std::size_t new_size);
+
+    Memory memory_;
+    lua_State* lua_ = nullptr;
+};
+
+/// The context of the state that L, a coroutine or not, belongs to.
+inline Context& context_of(lua_State* L) {
+    return **static_cast<Context**>(lua_getextraspace(L));
+}
+
+}  // namespace cairn::scripting

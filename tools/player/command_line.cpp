@@ -1,0 +1,135 @@
+// CLI11 does the parsing; its errors are turned into the program's own words, with the nearest known name.
+#include "command_line.h"
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+
+#include <cairn/scripting/suggest.h>
+
+namespace cairn::player {
+namespace {
+
+/// FILE or FILE@FRAME.
+void split_screenshot(const std::string& text, scripting::PlayOptions& options) {
+    options.screenshot = text;
+    const std::size_t at = text.rfind('@');
+    if (at == std::string::npos || at + 1 == text.size()) return;
+    const std::string frame = text.substr(at + 1);
+    if (frame.find_first_not_of("0123456789") != std::string::npos || frame.size() > 15) return;
+    options.screenshot = text.substr(0, at);
+    options.screenshot_frame = std::stoull(frame);
+}
+
+std::vector<std::string> option_names(const CLI::App& command) {
+    std::vector<std::string> names;
+    for (const CLI::Option* option : command.get_options()) {
+        for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    }
+    return names;
+}
+
+/// What an unknown word on the command line was probably meant to be.
+std::string unknown_word_message(const CLI::App& app, const std::string& word) {
+    const CLI::App* command = &app;
+    for (const CLI::App* chosen : app.get_subcommands()) command = chosen;
+    const std::string where = command == &app ? "cairn" : "cairn " + command->get_name();
+    if (!word.empty() && word[0] == '-') {
+        return "unknown option \"" + word.substr(0, word.find('=')) + "\" of " + where +
+               scripting::suggestion(word.substr(0, word.find('=')), option_names(*command));
+    }
+    if (command != &app)
+        return "unexpected argument \"" + word + "\" of " + where + "; see " + where + " --help";
+    std::vector<std::string> commands;
+    for (const CLI::App* known : app.get_subcommands([](const CLI::App*) { return true; })) {
+        commands.push_back(known->get_name());
+    }
+    return "unknown command \"" + word + "\"" + scripting::suggestion(word, commands);
+}
+
+}  // namespace
+
+ParsedLine parse_command_line(int argc, char** argv) {
+    ParsedLine parsed;
+    CommandLine& line = parsed.line;
+    scripting::PlayOptions& play = line.play;
+    CLI::App app("Cairn, a 2D game framework with Lua scripting.", "cairn");
+    app.footer("cairn COMMAND --help says more about a command.");
+    bool wants_version = false;
+    app.add_flag("--version", wants_version, "print the version");
+
+    CLI::App* play_command =
+        app.add_subcommand("play", "play a game: a folder, a .lua file, or the name of a bundled game");
+    play_command
+        ->add_option("GAME", line.target, "folder with main.lua, .lua file, or name of a bundled game")
+        ->required();
+    play_command->add_option("ARGS", line.arguments, "arguments for cairn.load; after --");
+    play_command->add_flag("--headless", play.headless, "without window and sound, as fast as possible");
+    play_command->add_option("--frames", play.frames, "end after N updates (headless default: 600)")
+        ->type_name("N");
+    play_command->add_option("--seed", play.seed, "of the gameplay random stream (headless default: 1)")
+        ->type_name("S");
+    play_command->add_option("--record", play.record, "write the run to FILE")->type_name("FILE");
+    play_command->add_option("--replay", play.replay, "take the input from FILE, and end with it")
+        ->type_name("FILE");
+    std::string screenshot;
+    play_command->add_option("--screenshot", screenshot, "write a PNG picture of a frame (default: the last)")
+        ->type_name("FILE[@FRAME]");
+    play_command->add_flag("--hash", play.print_hash, "print the hash of the last state");
+
+    CLI::App* run_command = app.add_subcommand("run", "run a Lua file headlessly");
+    run_command->add_option("FILE", line.target, "the .lua file")->required();
+    run_command->add_option("ARGS", line.arguments, "the script's own arguments");
+    run_command->prefix_command();
+
+    CLI::App* test_command = app.add_subcommand("test", "run the tests of a game: its tests/*.lua");
+    test_command->add_option("GAME", line.target, "as for cairn play")->required();
+
+    CLI::App* new_command = app.add_subcommand("new", "start a new game in a folder");
+    new_command->add_option("DIR", line.target, "a folder that is empty or does not exist yet")->required();
+
+    CLI::App* help_command = app.add_subcommand("help", "print this help, or the Lua reference");
+    bool wants_reference = false;
+    bool wants_types = false;
+    help_command->add_flag("--reference", wants_reference, "print the Lua reference in Markdown");
+    help_command->add_flag("--types", wants_types, "print annotations for the Lua language server");
+
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::CallForHelp&) {
+        const CLI::App* command = &app;
+        for (const CLI::App* chosen : app.get_subcommands()) command = chosen;
+        std::fputs(command->help().c_str(), stdout);
+        parsed.is_done = true;
+        return parsed;
+    } catch (const CLI::ExtrasError&) {
+        const std::vector<std::string> extras = app.remaining(true);
+        std::fprintf(stderr, "cairn: error: %s\n",
+                     unknown_word_message(app, extras.empty() ? std::string() : extras.front()).c_str());
+        parsed.is_done = true;
+        parsed.status = 1;
+        return parsed;
+    } catch (const CLI::ParseError& error) {
+        std::fprintf(stderr, "cairn: error: %s; see cairn --help\n", error.what());
+        parsed.is_done = true;
+        parsed.status = 1;
+        return parsed;
+    }
+    if (!screenshot.empty()) split_screenshot(screenshot, play);
+    play.arguments = line.arguments;
+    if (wants_version) line.command = Command::Version;
+    if (play_command->parsed()) line.command = Command::Play;
+    if (run_command->parsed()) {
+        line.command = Command::Run;
+        for (const std::string& word : run_command->remaining()) line.arguments.push_back(word);
+    }
+    if (test_command->parsed()) line.command = Command::Test;
+    if (new_command->parsed()) line.command = Command::New;
+    if (wants_reference) line.command = Command::Reference;
+    if (wants_types) line.command = Command::Types;
+    if (line.command == Command::Help) {
+        std::fputs(app.help().c_str(), stdout);
+    }
+    return parsed;
+}
+
+}  // namespace cairn::player

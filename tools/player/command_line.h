@@ -1,0 +1,29 @@
+// The commands and options of the program, and what to say about wrong ones.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <cairn/scripting/play.h>
+
+namespace cairn::player {
+
+enum class Command { Help, Play, Run, Test, New, Reference, Types, Version };
+
+struct CommandLine {
+    Command command = Command::Help;
+    std::string target;  ///< the game, file or folder
+    std::vector<std::string> arguments;
+    scripting::PlayOptions play;  ///< without its source
+};
+
+/// Either a command line, or what was printed and the exit status.
+struct ParsedLine {
+    bool is_done = false;
+    int status = 0;
+    CommandLine line;
+};
+
+ParsedLine parse_command_line(int argc, char** argv);
+
+}  // namespace cairn::player

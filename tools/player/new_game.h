@@ -1,0 +1,13 @@
+// `cairn new`: a game to begin with.
+#pragma once
+
+#include <string>
+
+#include <cairn/engine/result.h>
+
+namespace cairn::player {
+
+/// Writes conf.lua, main.lua and a test into a new or empty folder.
+engine::Result<void> new_game(const std::string& folder);
+
+}  // namespace cairn::player
