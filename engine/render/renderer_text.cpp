@@ -101,7 +101,7 @@ void Renderer::draw_text(FontId font, std::string_view text, const TextDraw& dra
                 x_axis = map.apply_vector({size.x * picture_scale, 0});
                 y_axis = map.apply_vector({0, size.y * picture_scale});
             }
-            std::vector<Vec2> corners = {corner, corner + x_axis, corner + x_axis + y_axis, corner + y_axis};
+            std::array corners = {corner, corner + x_axis, corner + x_axis + y_axis, corner + y_axis};
             if (!s.prepare(corners, 0)) continue;
 
             TriangleList& out = s.batch.triangles(glyph->texture);

@@ -81,6 +81,8 @@ TEST_CASE_METHOD(Drawing, "lines break at spaces, and words that are too wide br
     REQUIRE(face);
     const auto width = [&](std::string_view text) { return layout_text(*face, text, 0)[0].width; };
     CHECK(as_text(layout_text(*face, "one two three", width("one two ") + 1)) == "one two|three|");
+    CHECK(as_text(layout_text(*face, "one two three", width("one two three"))) == "one two three|");
+    CHECK(as_text(layout_text(*face, "one two three", width("one two three") - 1)) == "one two|three|");
     CHECK(as_text(layout_text(*face, "one two", width("one"))) == "one|two|");
     CHECK(as_text(layout_text(*face, "iiiiii", width("iii"))) == "iii|iii|");
     CHECK(as_text(layout_text(*face, "a\n\nb\r\n", 0)) == "a||b||");
