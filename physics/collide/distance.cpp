@@ -3,6 +3,7 @@
 // "Collision Detection in Interactive 3D Environments", 2003.
 #include "collide/distance.h"
 
+#include <algorithm>
 #include <array>
 #include <limits>
 
@@ -111,12 +112,26 @@ Distance distance_between(const Convex& a, const Convex& b, const RelativePose& 
         if (simplex.count == 2) {
             nearest = reduce_segment(simplex, 0, 1);
         } else if (!reduce_triangle(simplex, nearest)) {
-            return {0, {}};
+            return {};
         }
-        if (length_squared(nearest) == 0) return {0, {}};
+        if (length_squared(nearest) == 0) return {};
     }
     const float core = length(nearest);
-    return {core - a.radius() - b.radius(), core > 0 ? (1 / core) * nearest : Vec2{}};
+    const Vertex& first = simplex.vertices[0];
+    Distance result{core - a.radius() - b.radius(),
+                    core > 0 ? (1 / core) * nearest : Vec2{},
+                    a.point(first.index_a),
+                    {},
+                    first.index_a,
+                    first.index_b};
+    if (simplex.count == 2) {
+        const Vertex& second = simplex.vertices[1];
+        const Vec2 edge = second.w - first.w;
+        const float t = std::clamp(dot(nearest - first.w, edge) / length_squared(edge), 0.0f, 1.0f);
+        result.point_a += t * (a.point(second.index_a) - a.point(first.index_a));
+    }
+    result.point_b = result.point_a + nearest;
+    return result;
 }
 
 }  // namespace cairn::physics

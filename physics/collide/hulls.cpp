@@ -3,15 +3,21 @@
 // clipped to the reference edge. Cores that are apart and meet corner to corner get one point, with the
 // normal between the corners. Source: Gregorius, "The Separating Axis Test between Convex Polyhedra", GDC
 // 2013.
+#include <algorithm>
 #include <limits>
 
 #include <cairn/physics/tuning.h>
 
-#include "collide/clip.h"
+#include "collide/distance.h"
 #include "collide/manifold.h"
 
 namespace cairn::physics {
 namespace {
+
+struct Segment {
+    Vec2 a;
+    Vec2 b;
+};
 
 struct Edges {  // a convex shape in the frame of A
     std::array<Vec2, kMaxPolygonVertices> points;
@@ -67,31 +73,13 @@ int facing_edge(const Edges& of, Vec2 normal) {
     return best;
 }
 
-std::uint16_t make_id(bool flipped, int reference_edge, int incident_edge, int end) {
-    return static_cast<std::uint16_t>(flipped << 12 | reference_edge << 8 | incident_edge << 4 | end);
-}
+// The part of the incident edge that lies in front of the reference edge.
+struct Clipped {
+    std::array<Vec2, 2> ends;
+    std::array<float, 2> separations;  // of the cores
+};
 
-// One point between two corners; ids continue those of clipped points, so a contact that rocks over a corner
-// keeps its impulse.
-Manifold between_corners(Vec2 on_reference, Vec2 on_incident, const Edges& reference, const Edges& incident,
-                         bool flipped, std::uint16_t id, float reach) {
-    const Vec2 d = on_incident - on_reference;
-    const float distance = length(d);
-    const float separation = distance - reference.radius - incident.radius;
-    if (separation > reach) return {};
-    const Vec2 normal = (1 / distance) * d;
-    Manifold m;
-    m.count = 1;
-    m.normal = flipped ? -normal : normal;
-    m.points[0] = {
-        0.5f * ((on_reference + reference.radius * normal) + (on_incident - incident.radius * normal)),
-        separation, id};
-    return m;
-}
-
-// The part of the incident edge between the ends of the reference edge.
-Manifold clip(const Edges& reference, int reference_edge, const Edges& incident, int incident_edge,
-              bool flipped, float reach) {
+Clipped clip(const Edges& reference, int reference_edge, const Edges& incident, int incident_edge) {
     const Segment base = reference.edge(reference_edge);
     const Segment face = incident.edge(incident_edge);
     const Vec2 normal = reference.normals[reference_edge];
@@ -100,21 +88,65 @@ Manifold clip(const Edges& reference, int reference_edge, const Edges& incident,
     // Along the tangent the incident edge runs the other way: b comes first.
     const float first = dot(face.b - base.a, tangent);
     const float last = dot(face.a - base.a, tangent);
-    const float span = last - first;
     const auto at = [&](float along) {
-        return span > 1e-9f ? face.b + (along - first) / span * (face.a - face.b) : face.b;
+        if (along <= first) return face.b;
+        if (along >= last) return face.a;
+        return face.b + (along - first) / (last - first) * (face.a - face.b);
     };
-    const std::array<Vec2, 2> ends{first < 0 && last > 0 ? at(0) : face.b,
-                                   last > length_base && first < length_base ? at(length_base) : face.a};
-    Manifold m;
-    m.normal = flipped ? -normal : normal;
-    for (int end = 0; end < 2; ++end) {
-        const float core = dot(ends[end] - base.a, normal);
-        const float separation = core - reference.radius - incident.radius;
-        if (separation > reach) continue;
-        const Vec2 middle = ends[end] + 0.5f * (reference.radius - incident.radius - core) * normal;
-        m.points[m.count++] = {middle, separation, make_id(flipped, reference_edge, incident_edge, end)};
+    // An edge wholly beyond an end shrinks to its nearer end point.
+    const std::array<Vec2, 2> ends{at(std::clamp(first, 0.0f, length_base)),
+                                   at(std::clamp(last, 0.0f, length_base))};
+    return {ends, {dot(ends[0] - base.a, normal), dot(ends[1] - base.a, normal)}};
+}
+
+struct Candidate {
+    const Edges& reference;
+    const Edges& incident;
+    Axis axis;
+    bool flipped;  // the reference is B
+    int face;      // of the incident shape
+    Clipped clipped;
+
+    Candidate(const Edges& reference_, const Edges& incident_, Axis axis_, bool flipped_)
+        : reference(reference_),
+          incident(incident_),
+          axis(axis_),
+          flipped(flipped_),
+          face(facing_edge(incident_, reference_.normals[axis_.edge])),
+          clipped(clip(reference_, axis_.edge, incident_, face)) {}
+
+    // Whether the least distance is indeed found in front of the reference edge, and not past its end.
+    [[nodiscard]] bool is_nearest() const {
+        const float found = std::min(clipped.separations[0], clipped.separations[1]);
+        return found <= axis.separation + 1e-3f * tuning::kLinearSlop_m;
     }
+
+    [[nodiscard]] Manifold manifold(float reach) const {
+        const Vec2 normal = reference.normals[axis.edge];
+        Manifold m;
+        m.normal = flipped ? -normal : normal;
+        for (int end = 0; end < 2; ++end) {
+            const float separation = clipped.separations[end] - reference.radius - incident.radius;
+            if (separation > reach) continue;
+            if (m.count == 1 && clipped.ends[0] == clipped.ends[1]) continue;
+            const float to_middle = 0.5f * (reference.radius - incident.radius - clipped.separations[end]);
+            const auto id = static_cast<std::uint16_t>(flipped << 12 | axis.edge << 8 | face << 4 | end);
+            m.points[m.count++] = {clipped.ends[end] + to_middle * normal, separation, id};
+        }
+        return m;
+    }
+};
+
+Manifold between_corners(const Convex& a, const Convex& b, const RelativePose& b_in_a, float reach) {
+    const Distance nearest = distance_between(a, b, b_in_a);
+    if (nearest.distance > reach || nearest.normal == Vec2{}) return {};
+    const Vec2 on_a = nearest.point_a + a.radius() * nearest.normal;
+    const Vec2 on_b = nearest.point_b - b.radius() * nearest.normal;
+    Manifold m;
+    m.normal = nearest.normal;
+    m.count = 1;
+    m.points[0] = {0.5f * (on_a + on_b), nearest.distance,
+                   static_cast<std::uint16_t>(1 << 13 | nearest.vertex_a << 4 | nearest.vertex_b)};
     return m;
 }
 
@@ -131,24 +163,18 @@ Manifold collide_hulls(const Convex& shape_a, const Convex& shape_b, const Relat
     if (axis_b.separation > reach) return {};
 
     // A is preferred when the two are about equal, so that the reference does not flip back and forth.
-    const bool flipped = axis_b.separation > axis_a.separation + 0.1f * tuning::kLinearSlop_m;
-    const Edges& reference = flipped ? b : a;
-    const Edges& incident = flipped ? a : b;
-    const Axis axis = flipped ? axis_b : axis_a;
-    const int face = facing_edge(incident, reference.normals[axis.edge]);
+    constexpr float kAboutEqual_m = 0.1f * tuning::kLinearSlop_m;
+    const bool prefer_b = axis_b.separation > axis_a.separation + kAboutEqual_m;
+    const Candidate preferred = prefer_b ? Candidate(b, a, axis_b, true) : Candidate(a, b, axis_a, false);
+    const bool apart = std::max(axis_a.separation, axis_b.separation) > kAboutEqual_m;
+    if (!apart || preferred.is_nearest()) return preferred.manifold(reach_m);
 
-    if (axis.separation > 0.1f * tuning::kLinearSlop_m) {  // the cores are apart: corners may be nearest
-        const SegmentDistance nearest = nearest_points(reference.edge(axis.edge), incident.edge(face));
-        const bool corner1 = nearest.fraction1 == 0 || nearest.fraction1 == 1;
-        const bool corner2 = nearest.fraction2 == 0 || nearest.fraction2 == 1;
-        const Vec2 d = nearest.point2 - nearest.point1;
-        if (corner1 && corner2 && length_squared(d) > axis.separation * axis.separation * 1.0001f) {
-            const int end = nearest.fraction2 == 0 ? 1 : 0;
-            return between_corners(nearest.point1, nearest.point2, reference, incident, flipped,
-                                   make_id(flipped, axis.edge, face, end), reach_m);
-        }
+    const bool other_is_about_equal = std::fabs(axis_a.separation - axis_b.separation) <= kAboutEqual_m;
+    if (other_is_about_equal) {
+        const Candidate other = prefer_b ? Candidate(a, b, axis_a, false) : Candidate(b, a, axis_b, true);
+        if (other.is_nearest()) return other.manifold(reach_m);
     }
-    return clip(reference, axis.edge, incident, face, flipped, reach_m);
+    return between_corners(shape_a, shape_b, b_in_a, reach_m);
 }
 
 }  // namespace cairn::physics
