@@ -77,6 +77,7 @@ int facing_edge(const Edges& of, Vec2 normal) {
 struct Clipped {
     std::array<Vec2, 2> ends;
     std::array<float, 2> separations;  // of the cores
+    bool beside;                       // no part does: the nearer end point stands for it
 };
 
 Clipped clip(const Edges& reference, int reference_edge, const Edges& incident, int incident_edge) {
@@ -93,10 +94,10 @@ Clipped clip(const Edges& reference, int reference_edge, const Edges& incident, 
         if (along >= last) return face.a;
         return face.b + (along - first) / (last - first) * (face.a - face.b);
     };
-    // An edge wholly beyond an end shrinks to its nearer end point.
     const std::array<Vec2, 2> ends{at(std::clamp(first, 0.0f, length_base)),
                                    at(std::clamp(last, 0.0f, length_base))};
-    return {ends, {dot(ends[0] - base.a, normal), dot(ends[1] - base.a, normal)}};
+    const bool beside = last < 0 || first > length_base;
+    return {ends, {dot(ends[0] - base.a, normal), dot(ends[1] - base.a, normal)}, beside};
 }
 
 struct Candidate {
@@ -118,7 +119,7 @@ struct Candidate {
     // Whether the least distance is indeed found in front of the reference edge, and not past its end.
     [[nodiscard]] bool is_nearest() const {
         const float found = std::min(clipped.separations[0], clipped.separations[1]);
-        return found <= axis.separation + 1e-3f * tuning::kLinearSlop_m;
+        return !clipped.beside && found <= axis.separation + 1e-3f * tuning::kLinearSlop_m;
     }
 
     [[nodiscard]] Manifold manifold(float reach) const {
