@@ -154,7 +154,7 @@ local function draw_end(match)
         line = #match.grumps == 1 and "one grump is still grumpy" or ("%d grumps are still grumpy"):format(#match.grumps)
     end
     print_ink(line, WIDTH / 2, PANEL.y + rise + 274, "center", fonts.small, 0.75)
-    print_ink("R", WIDTH / 2, PANEL.y + rise + 378, "center", fonts.small, 0.55)
+    print_ink("play again (R)", WIDTH / 2, PANEL.y + rise + 378, "center", fonts.small, 0.55)
 end
 
 local function draw_pause()
