@@ -18,12 +18,18 @@ function game.restart()
     game.start(game.match.level.id)
 end
 
+--- A pebble that the mouse holds is put back: the mouse may be let go elsewhere meanwhile.
 function game.pause()
     game.paused = not game.match:is_over()
+    game.match.slingshot:drop()
 end
 
 function game.toggle_pause()
-    game.paused = not game.paused and not game.match:is_over()
+    if game.paused then
+        game.paused = false
+    else
+        game.pause()
+    end
 end
 
 function game.update(dt)

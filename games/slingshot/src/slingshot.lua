@@ -22,8 +22,10 @@ function slingshot.new(x)
         pull_x = 0,
         pull_y = 0,
         held = nil,                  -- "mouse" or "keys" while somebody aims
-        grab_x = 0,
+        grab_x = 0,                  -- from the mouse to the pebble when it was grabbed
         grab_y = 0,
+        last_x = -1.3,               -- the pull of the last shot: aiming with keys goes on from there
+        last_y = -0.4,
     }, slingshot)
 end
 
@@ -64,6 +66,13 @@ function slingshot:drag(x, y)
     end
 end
 
+--- Puts the pebble back if the mouse holds it.
+function slingshot:drop()
+    if self.held == "mouse" then
+        self.pull_x, self.pull_y, self.held = 0, 0, nil
+    end
+end
+
 --- One update of aiming with the arrow keys: up and down turn, left and right pull and slacken.
 function slingshot:update_keys(dt, is_down)
     local turn = (is_down("up") and 1 or 0) - (is_down("down") and 1 or 0)
@@ -74,7 +83,7 @@ function slingshot:update_keys(dt, is_down)
     if self.held ~= "keys" then
         self.held = "keys"
         if self:pull() < slingshot.LEAST_PULL then
-            self:set_pull(-1.3, -0.4)
+            self:set_pull(self.last_x, self.last_y)
         end
     end
     local length = math.max(slingshot.LEAST_PULL, math.min(slingshot.REACH, self:pull() + pull * KEY_PULL * dt))
@@ -93,6 +102,9 @@ function slingshot:release()
     local x, y = self:pouch()
     local vx, vy = self:velocity()
     local enough = self:pull() >= slingshot.LEAST_PULL
+    if enough then
+        self.last_x, self.last_y = self.pull_x, self.pull_y
+    end
     self.pull_x, self.pull_y, self.held = 0, 0, nil
     if enough then
         return x, y, vx, vy

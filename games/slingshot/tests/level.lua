@@ -149,6 +149,27 @@ test.test("a drag with the mouse shoots, and a click beside the pebble does not"
     test.expect_equal(match.phase, "flying")
 end)
 
+test.test("a pause during a drag puts the pebble back", function()
+    test.start{}
+    local match = require("src.game").match
+    test.run(5)
+    local x, y = match.view.camera:to_screen(match.slingshot:pouch())
+    test.mouse_press(x, y)
+    test.mouse_move(x - 90, y + 20)
+    test.run(1)
+    test.expect(match.slingshot:pull() > 1)
+    test.press("p")
+    test.run(1)
+    test.release("p")
+    test.mouse_release(x - 90, y + 20)
+    test.press("p")
+    test.run(1)
+    test.mouse_move(x - 200, y)
+    test.run(1)
+    test.expect_equal(match.slingshot:pull(), 0)
+    test.expect_equal(match.phase, "aiming")
+end)
+
 test.test("the recorded run wins", function()
     local result = test.play_replay("replays/level-01.replay")
     test.expect_equal(result.outcome, "won")

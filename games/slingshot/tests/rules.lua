@@ -90,6 +90,17 @@ test.test("letting go of a band that is hardly pulled does not shoot", function(
     test.expect_equal(sling:pull(), 0)
 end)
 
+test.test("aiming with keys goes on from the last shot", function()
+    local slingshot = require "src.slingshot"
+    local sling = slingshot.new(0)
+    sling:set_pull(-0.8, 0.3)
+    sling:release()
+    sling:update_keys(0, function(key) return key == "up" end)
+    test.expect_equal(sling.held, "keys")
+    test.expect_near(sling.pull_x, -0.8, 1e-6)
+    test.expect_near(sling.pull_y, 0.3, 1e-6)
+end)
+
 test.test("the outline of a piece stays inside its corners and keeps nearly all of its area", function()
     local outline = require "src.outline"
     local corners = outline.corners("box", 2, 0.4)
