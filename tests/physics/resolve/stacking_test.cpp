@@ -1,0 +1,139 @@
+// Things that stand must stand still.
+#include <algorithm>
+#include <array>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <vector>
+
+#include "physics/support/making.h"
+
+namespace cairn::physics {
+namespace {
+
+using namespace test;
+
+std::vector<BodyId> add_stack(World& world, int count, double gap = 0) {
+    std::vector<BodyId> boxes;
+    for (int i = 0; i < count; ++i)
+        boxes.push_back(add(world, {.position_m = {0, 0.5 + i * (1 + gap)}}, Box{0.5f, 0.5f}));
+    return boxes;
+}
+
+std::vector<Position> centers(World& world, const std::vector<BodyId>& ids) {
+    std::vector<Position> result;
+    for (const BodyId id : ids) result.push_back(world.body(id)->world_center());
+    return result;
+}
+
+double farthest_moved(World& world, const std::vector<BodyId>& ids, const std::vector<Position>& from) {
+    double farthest = 0;
+    for (std::size_t i = 0; i < ids.size(); ++i)
+        farthest =
+            std::max(farthest, static_cast<double>(length(world.body(ids[i])->world_center() - from[i])));
+    return farthest;
+}
+
+// Largest distance of any body from where it was after the first two seconds, over the rest of the time.
+double trembling(World& world, const std::vector<BodyId>& ids, double time_s) {
+    run_for(world, 2);
+    const std::vector<Position> settled = centers(world, ids);
+    double farthest = 0;
+    for (int i = 0; i < static_cast<int>(time_s * 60) - 120; ++i) {
+        world.step(kStep_s).value();
+        farthest = std::max(farthest, farthest_moved(world, ids, settled));
+    }
+    return farthest;
+}
+
+}  // namespace
+
+TEST_CASE("ten boxes stand for a minute: none moves 1 mm after the first 2 s, and all sleep") {
+    World world;
+    add_ground(world);
+    const std::vector<BodyId> boxes = add_stack(world, 10);
+    CHECK(trembling(world, boxes, 60) < 1e-3);
+    CHECK(world.counts().awake_bodies == 0);
+}
+
+TEST_CASE("ten boxes stand for a minute without sleep and without trembling") {
+    World world({.enable_sleep = false});
+    add_ground(world);
+    const std::vector<BodyId> boxes = add_stack(world, 10);
+    run_for(world, 13);  // they sway a little at first
+    CHECK(trembling(world, boxes, 47) < 1e-4);
+    float fastest = 0;
+    for (const BodyId id : boxes) fastest = std::max(fastest, length(world.body(id)->linear_velocity()));
+    CHECK(fastest < 1e-4f);
+    CHECK(world.counts().awake_bodies == 10);
+}
+
+TEST_CASE("a stack sinks as far as its soft contacts yield") {
+    // At rest a contact of frequency w / 2 pi and effective mass m yields to the load F by F / (m w^2). A
+    // point at the corner of a unit box has 1/m = 1 + (1/2)^2 / (1/6) = 2.5, two boxes have twice that, and
+    // each contact has two points. On the ground the frequency is twice as high.
+    const double w = 2 * 3.14159265358979 * 30;
+    World world({.enable_sleep = false});
+    add_ground(world);
+    const std::vector<BodyId> boxes = add_stack(world, 10);
+    run_for(world, 20);
+    double yielded = 10 * 10 / 2.0 * 2.5 / (4 * w * w);
+    for (int i = 0; i < 10; ++i) {
+        CHECK(0.5 + i - world.body(boxes[i])->position().y == Approx(yielded).epsilon(0.02));
+        yielded += (9 - i) * 10 / 2.0 * 5 / (w * w);
+    }
+}
+
+TEST_CASE("ten boxes dropped onto each other come to stand") {
+    World world;
+    add_ground(world);
+    const std::vector<BodyId> boxes = add_stack(world, 10, 0.05);
+    run_for(world, 10);
+    CHECK(world.counts().awake_bodies == 0);
+    for (int i = 0; i < 10; ++i) {
+        CHECK(world.body(boxes[i])->position().x == Approx(0).margin(0.02));
+        CHECK(world.body(boxes[i])->position().y == Approx(0.5 + i).margin(0.04));  // what the contacts yield
+        CHECK(world.body(boxes[i])->angle() == Approx(0).margin(0.01));
+    }
+}
+
+TEST_CASE("a tower of five boxes of different sizes stands") {
+    for (const auto& halves :
+         {std::array{1.0f, 0.8f, 0.6f, 0.4f, 0.2f}, std::array{0.5f, 0.3f, 0.6f, 0.4f, 0.5f}}) {
+        World world({.enable_sleep = false});
+        add_ground(world);
+        std::vector<BodyId> boxes;
+        double height = 0;
+        for (const float half : halves) {
+            boxes.push_back(
+                add(world, {.position_m = {0, height + static_cast<double>(half)}}, Box{half, half}));
+            height += 2 * static_cast<double>(half);
+        }
+        run_for(world, 3);
+        CHECK(trembling(world, boxes, 12) < 1e-3);
+        for (const BodyId id : boxes) CHECK(world.body(id)->angle() == Approx(0).margin(2e-3));
+    }
+}
+
+TEST_CASE("a ball rests on a lying capsule, and a capsule on two balls") {
+    World world({.enable_sleep = false});
+    add(world, {.type = BodyType::Static}, Capsule{{-2, 0}, {2, 0}, 0.5f});
+    const BodyId ball = add(world, {.position_m = {0, 1}}, Circle{});
+    add(world, {.type = BodyType::Static, .position_m = {10, 0}}, Circle{});
+    add(world, {.type = BodyType::Static, .position_m = {12, 0}}, Circle{});
+    const BodyId capsule = add(world, {.position_m = {11, 0.75}}, Capsule{{-1.5f, 0}, {1.5f, 0}, 0.25f});
+    CHECK(trembling(world, {ball, capsule}, 12) < 1e-3);
+    CHECK(world.body(ball)->position().y == Approx(1).margin(0.005));
+    CHECK(world.body(capsule)->position().y == Approx(0.75).margin(0.005));
+}
+
+TEST_CASE("a bridge of a plank on two posts stands") {
+    World world;
+    add_ground(world);
+    std::vector<BodyId> parts{add(world, {.position_m = {-2, 1}}, Box{0.2f, 1}),
+                              add(world, {.position_m = {2, 1}}, Box{0.2f, 1}),
+                              add(world, {.position_m = {0, 2.1}}, Box{2.5f, 0.1f})};
+    CHECK(trembling(world, parts, 20) < 1e-3);
+    CHECK(world.counts().awake_bodies == 0);
+}
+
+}  // namespace cairn::physics
