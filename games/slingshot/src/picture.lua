@@ -11,6 +11,7 @@ local picture = {}
 
 local PREVIEW_INTERVAL, PREVIEW_COUNT = 0.07, 18
 local LOADING_TIME = 0.35        -- s in which the next pebble hops into the pouch
+local SWING_TIME = 0.8           -- s for which the empty band swings
 local fonts = {}
 
 function picture.load()
@@ -131,7 +132,29 @@ local function draw_waiting(match)
     end
 end
 
---- The pebble in the pouch, with the leather behind it and the band to the far prong.
+--- Where the leather is. It lies behind a pebble in the pouch, seen from where that will fly (without a pull, to its
+--- left), goes along with a pebble that was let go as far as the fork, and swings there for a moment.
+local function leather_place(match)
+    local sling = match.slingshot
+    local function behind(x, y, pull_x, pull_y)
+        local reach = things.PEBBLE_RADIUS / math.sqrt(pull_x * pull_x + pull_y * pull_y)
+        return x + pull_x * reach, y + pull_y * reach
+    end
+    local x, y = sling:pouch()
+    if match.phase == "aiming" then
+        return behind(x, y, sling.pull_x - 0.06, sling.pull_y - 0.02)
+    elseif match.phase == "flying" and match.pebble and match.phase_time < SWING_TIME then
+        local px, py = match.pebble:interpolated_transform()
+        if (px - x) * sling.last_x + (py - y) * sling.last_y > 0 then
+            return behind(px, py, sling.last_x, sling.last_y)
+        end
+        local swing = 0.2 * math.exp(-6 * match.phase_time) * math.cos(42 * match.phase_time)
+        return x + swing * sling.last_x, y + swing * sling.last_y
+    end
+    return x, y
+end
+
+--- The fork, the band, and the pebble in the pouch.
 local function draw_slingshot(match)
     local graphics = cairn.graphics
     local sling = match.slingshot
@@ -139,13 +162,7 @@ local function draw_slingshot(match)
     graphics.draw(art.image("fork-back"), sling.x, 0, 0, art.SCALE, art.SCALE, art.SLINGSHOT.x, art.SLINGSHOT.y)
     local px, py = sling:pouch()
     local is_loaded = match.phase == "aiming"
-    local lx, ly = px, py
-    if is_loaded then
-        -- The leather lies behind the pebble, seen from where it will fly; without a pull, to its left.
-        local dx, dy = sling.pull_x - 0.06, sling.pull_y - 0.02
-        local reach = things.PEBBLE_RADIUS / math.sqrt(dx * dx + dy * dy)
-        lx, ly = px + dx * reach, py + dy * reach
-    end
+    local lx, ly = leather_place(match)
     draw_band(art.CORD_BACK, sling.x, lx, ly)
     if is_loaded then
         local x, y = px, py
