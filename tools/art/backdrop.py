@@ -5,7 +5,7 @@ import math
 import palette as p
 from canvas import Canvas, Shape, blob, circle, ellipse, polygon, taper
 from characters import lit, outlined
-from noise import clamp, fractal_noise, hash01, mix_color, smoothstep
+from noise import fractal_noise, hash01, mix_color, smoothstep
 
 HILL_WIDTH = 1280
 
@@ -73,7 +73,12 @@ def _tree(canvas, x, y, size, dark, light):
         crown = circle(ax, y - size * 0.9, size * 0.55) | circle(ax - size * 0.38, y - size * 0.55, size * 0.42)
         crown = crown | circle(ax + size * 0.40, y - size * 0.50, size * 0.40)
         canvas.fill(taper(ax, y + 3, ax, y - size * 0.5, size * 0.09), mix_color(dark, p.EARTH_DARK, 0.4))
-        canvas.fill(crown, lambda px, py: mix_color(light, dark, smoothstep(-0.5, 0.6, ((px - ax) * 0.5 + py - y + size * 0.8) / size)))
+
+        def shade(px, py, ax=ax):
+            depth = ((px - ax) * 0.5 + py - y + size * 0.8) / size
+            return mix_color(light, dark, smoothstep(-0.5, 0.6, depth))
+
+        canvas.fill(crown, shade)
 
 
 def _stones(canvas, x, y, size, dark, light):
@@ -91,7 +96,9 @@ def far_hills():
     height = 260
     canvas = Canvas(HILL_WIDTH, height)
     back = _ridge([(2, 34, 0.4), (3, 22, 1.9), (7, 6, 0.3)], 78)
-    canvas.fill(_under(back, height), lambda x, y: mix_color(p.FAR_HILL, p.FAR_HILL_LOW, smoothstep(30, 190, y)) + (0.75,))
+    canvas.fill(
+        _under(back, height), lambda x, y: mix_color(p.FAR_HILL, p.FAR_HILL_LOW, smoothstep(30, 190, y)) + (0.75,)
+    )
     front = _ridge([(1, 20, 2.6), (3, 26, 4.2), (5, 9, 1.2)], 130)
     canvas.fill(
         _under(front, height),
@@ -107,9 +114,14 @@ def middle_hills():
     for i in range(34):
         x = hash01(i, 1, 5) * HILL_WIDTH
         if fractal_noise(x / 160, 0.5, 8, 1, 7, 1) > 0.48:
-            _tree(canvas, x, ridge(x) + 2, 15 + 11 * hash01(i, 2, 5), p.MIDDLE_HILL, mix_color(p.MIDDLE_HILL_LOW, p.MIDDLE_HILL, 0.3))
-    _stones(canvas, 905, ridge(905) + 3, 40, mix_color(p.STONE, p.MIDDLE_HILL, 0.55), mix_color(p.STONE_LIGHT, p.FAR_HILL_LOW, 0.6))
-    canvas.fill(_under(ridge, height), lambda x, y: mix_color(p.MIDDLE_HILL, p.MIDDLE_HILL_LOW, smoothstep(ridge(x), ridge(x) + 130, y)))
+            light = mix_color(p.MIDDLE_HILL_LOW, p.MIDDLE_HILL, 0.3)
+            _tree(canvas, x, ridge(x) + 2, 15 + 11 * hash01(i, 2, 5), p.MIDDLE_HILL, light)
+    dark, light = mix_color(p.STONE, p.MIDDLE_HILL, 0.55), mix_color(p.STONE_LIGHT, p.FAR_HILL_LOW, 0.6)
+    _stones(canvas, 905, ridge(905) + 3, 40, dark, light)
+    canvas.fill(
+        _under(ridge, height),
+        lambda x, y: mix_color(p.MIDDLE_HILL, p.MIDDLE_HILL_LOW, smoothstep(ridge(x), ridge(x) + 130, y)),
+    )
     return canvas.png(matte=p.MIDDLE_HILL)
 
 
@@ -120,9 +132,11 @@ def near_hills():
     for i in range(20):
         x = hash01(i, 3, 9) * HILL_WIDTH
         if fractal_noise(x / 128, 0.5, 10, 1, 15, 1) > 0.50:
-            _tree(canvas, x, ridge(x) + 4, 26 + 20 * hash01(i, 4, 9), mix_color(p.NEAR_HILL, p.GRASS_DARK, 0.45), p.NEAR_HILL_LOW)
+            dark = mix_color(p.NEAR_HILL, p.GRASS_DARK, 0.45)
+            _tree(canvas, x, ridge(x) + 4, 26 + 20 * hash01(i, 4, 9), dark, p.NEAR_HILL_LOW)
     for x, size in ((300, 66), (352, 40)):
-        _stones(canvas, x, ridge(x) + 5, size, mix_color(p.STONE_DARK, p.NEAR_HILL, 0.25), mix_color(p.STONE_LIGHT, p.NEAR_HILL_LOW, 0.2))
+        dark, light = mix_color(p.STONE_DARK, p.NEAR_HILL, 0.25), mix_color(p.STONE_LIGHT, p.NEAR_HILL_LOW, 0.2)
+        _stones(canvas, x, ridge(x) + 5, size, dark, light)
 
     def color_at(x, y):
         depth = y - ridge(x)
@@ -189,7 +203,8 @@ def tuft():
     for i in range(13):
         x = 8 + i * 4.6
         lean, tall = (x - 36) * 0.42 + 5 * (hash01(i, 1, 91) - 0.5), 18 + 22 * hash01(i, 2, 91) - abs(x - 36) * 0.25
-        canvas.fill(taper(x, 54, x + lean, 52 - tall, 3.4, 0.5), mix_color(p.GRASS_DARK, p.GRASS_LIGHT, hash01(i, 3, 91)))
+        tint = mix_color(p.GRASS_DARK, p.GRASS_LIGHT, hash01(i, 3, 91))
+        canvas.fill(taper(x, 54, x + lean, 52 - tall, 3.4, 0.5), tint)
     for k in range(6):
         a = k * math.pi / 3
         canvas.fill(ellipse(47 + 5 * math.cos(a), 17 + 5 * math.sin(a), 3.4, 3.4), p.CREAM)

@@ -151,7 +151,8 @@ local function draw_end(match)
     elseif won then
         line = "with the very last pebble"
     else
-        line = #match.grumps == 1 and "one grump is still grumpy" or ("%d grumps are still grumpy"):format(#match.grumps)
+        local count = #match.grumps
+        line = count == 1 and "one grump is still grumpy" or ("%d grumps are still grumpy"):format(count)
     end
     print_ink(line, WIDTH / 2, PANEL.y + rise + 274, "center", fonts.small, 0.75)
     print_ink("play again (R)", WIDTH / 2, PANEL.y + rise + 378, "center", fonts.small, 0.55)

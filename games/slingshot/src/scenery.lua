@@ -25,7 +25,8 @@ local CLOUD_ROUND = 1600         -- after so many pixels a cloud comes in again 
 -- Things on the ground: name, x in metres, size, is it in front of the level
 local GROWTH = {
     { "tuft", -3.1, 1.0, true }, { "tuft", 1.5, 0.8, true }, { "tuft", 5.2, 1.1, true }, { "tuft", 7.9, 0.7, true },
-    { "tuft", 17.3, 1.0, true }, { "tuft", 18.6, 0.8, true }, { "cairn", 6.3, 0.62, false }, { "tuft", 5.75, 0.75, false },
+    { "tuft", 17.3, 1.0, true }, { "tuft", 18.6, 0.8, true },
+    { "cairn", 6.3, 0.62, false }, { "tuft", 5.75, 0.75, false },
 }
 
 local function draw_tiled(image, left, bottom, width, height)
