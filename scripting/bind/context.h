@@ -50,24 +50,24 @@ struct Context {
     Services services;
     engine::Random random;         ///< of gameplay: seeded, recorded, hashed
     engine::Random visual_random;  ///< of what decides nothing
-    engine::InputState input;
-    Timers timers;
+    engine::InputState input{};
+    Timers timers{};
 
     std::uint64_t frame = 0;  ///< updates so far
     double alpha = 1;         ///< of the picture being drawn
     bool is_drawing = false;
     bool wants_quit = false;
-    std::optional<GameResult> result;
-    DrawState draw;
-    engine::FontId default_font;
+    std::optional<GameResult> result{};
+    DrawState draw{};
+    engine::FontId default_font{};
 
     /// In order of creation; each is kept alive until the script destroys it, because the state hash covers
     /// all of them and must not depend on when garbage is collected.
-    std::vector<WorldObject*> worlds;
+    std::vector<WorldObject*> worlds{};
 
     /// With a value, the save folder is only played: files written are kept here and the real folder is
     /// neither read nor written, so that a replay does not depend on what the player saved.
-    std::optional<std::map<std::string, std::string, std::less<>>> played_saves;
+    std::optional<std::map<std::string, std::string, std::less<>>> played_saves{};
 
     /// In `cairn test`: what the running test does to its game; else null.
     TestDriver* test = nullptr;

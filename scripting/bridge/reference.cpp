@@ -9,6 +9,9 @@
 namespace cairn::scripting {
 namespace {
 
+/// How descriptions call a parameter that is a table with described fields.
+constexpr std::string_view kFieldsParameter = "fields";
+
 constexpr const char* kPreamble = R"(# The Lua API
 
 One global table, `cairn`, holds everything; a game puts its callbacks into it. How a game's folder looks, what `conf.lua`
@@ -38,26 +41,29 @@ draws from the gameplay stream (see cairn.random). The operator `^` is the C lib
 between machines for exponents other than 2: gameplay takes `math.pow` or products.
 )";
 
-std::string anchor_text(const Function& function, const Module& module) {
+/// "world:step" or "cairn.audio.play": as a script writes it.
+std::string call_text(const Function& function, const Module& module) {
     std::string text(module.is_type ? "" : module.name);
     if (module.is_type) {
-        for (const char c : std::string_view(module.name))
-            text += static_cast<char>(c >= 'A' && c <= 'Z' ? c + 32 : c);
+        text = module.name;
+        text[0] = static_cast<char>(text[0] + ('a' - 'A'));
     }
     return text + (module.is_type ? ':' : '.') + function.name;
 }
 
-/// "x: number, angle: number = 0" for the reference.
-std::string parameter_list(const Function& function, const Module& module) {
+/// "(x, y, angle = 0)"; a table with described fields is "{...}".
+std::string parameter_list(const Function& function) {
     std::string text;
-    std::size_t type = module.is_type ? 1 : 0;
     for (const Parameter& parameter : parse_parameters(function.parameters)) {
         if (!text.empty()) text += ", ";
+        if (function.fields != nullptr && parameter.name == kFieldsParameter) {
+            text += "{...}";
+            continue;
+        }
         text += parameter.name;
         if (!parameter.default_value.empty()) text += " = " + std::string(parameter.default_value);
-        ++type;
     }
-    return text;
+    return text == "{...}" ? text : '(' + text + ')';
 }
 
 std::string result_list(const Function& function) {
@@ -94,10 +100,11 @@ std::string units(const Function& function) {
 void write_fields(const Function& function, std::string& out) {
     out += "\n| field | type | default | |\n|---|---|---|---|\n";
     for (const Field* field : all_fields(*function.fields)) {
-        std::string default_text = "required";
-        if (field->default_text != nullptr) {
-            const bool is_quoted = field->type == FieldType::String && *field->default_text != '\0';
-            default_text = is_quoted ? '"' + std::string(field->default_text) + '"' : field->default_text;
+        std::string default_text = field->default_text == nullptr ? "required" : field->default_text;
+        if (default_text.empty()) {
+            default_text = "nil";
+        } else if (field->type == FieldType::String && field->default_text != nullptr) {
+            default_text = '"' + default_text + '"';
         }
         out += std::string("| `") + field->name + "` | " + field_type_name(field->type) + " | " +
                default_text + " | " + field->doc + " |\n";
@@ -106,7 +113,7 @@ void write_fields(const Function& function, std::string& out) {
 
 void write_function(const Function& function, const Module& module, std::string& out) {
     const std::string results = result_list(function);
-    out += "\n### `" + anchor_text(function, module) + '(' + parameter_list(function, module) + ')' +
+    out += "\n### `" + call_text(function, module) + parameter_list(function) +
            (results.empty() ? "" : " -> " + results) + "`\n";
     std::string text = function.doc;
     if (const std::string unit_text = units(function); !unit_text.empty()) {
@@ -122,14 +129,34 @@ std::string annotated_type(std::string_view type, bool is_optional) {
     return std::string(type) + (is_optional && type.back() != '?' ? "?" : "");
 }
 
+/// The class of a table with described fields: "World.add_box.Fields".
+std::string fields_class(const Function& function, const Module& module) {
+    return std::string(module.name) + '.' + function.name + ".Fields";
+}
+
+void annotate_fields(const Function& function, const Module& module, std::string& out) {
+    out += "\n---@class " + fields_class(function, module) + '\n';
+    for (const Field* field : all_fields(*function.fields)) {
+        const bool is_optional = field->default_text != nullptr;
+        out += std::string("---@field ") + field->name + (is_optional ? "? " : " ") +
+               field_type_name(field->type);
+        if (*field->doc != '\0') out += std::string(" ") + field->doc;
+        out += '\n';
+    }
+}
+
 void annotate(const Function& function, const Module& module, std::string& out) {
+    if (function.fields != nullptr) annotate_fields(function, module, out);
     out += '\n';
     if (*function.doc != '\0') out += std::string("---") + function.doc + '\n';
     std::size_t type = module.is_type ? 1 : 0;
     std::string names;
     for (const Parameter& parameter : parse_parameters(function.parameters)) {
-        const std::string type_name =
-            annotated_type(function.parameter_types[type++], !parameter.default_value.empty());
+        const bool has_fields = function.fields != nullptr && parameter.name == kFieldsParameter;
+        const std::string class_name = has_fields ? fields_class(function, module) : "";
+        const std::string type_name = annotated_type(has_fields ? class_name : function.parameter_types[type],
+                                                     !parameter.default_value.empty());
+        ++type;
         out += "---@param " + std::string(parameter.name) + ' ' + type_name;
         if (!parameter.unit.empty()) out += " [" + std::string(parameter.unit) + ']';
         out += '\n';

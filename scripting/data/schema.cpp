@@ -76,9 +76,9 @@ class Checker {
         const std::size_t faults_before = faults_.size();
         if (value.is_number()) check_range(value, schema, path);
         if (value.kind() == Value::Kind::String)
-            check_length(value, schema, path, value.text().size(), "bytes");
+            check_length(value, schema, path, value.text().size(), "byte");
         if (schema.type == SchemaType::List)
-            check_length(value, schema, path, value.entries().size(), "members");
+            check_length(value, schema, path, value.entries().size(), "member");
         if (!schema.one_of.empty()) check_one_of(value, schema, path);
         if (value.kind() == Value::Kind::Table && schema.has_fields) check_fields(value, schema, path);
         if (value.kind() == Value::Kind::Table && schema.items) check_items(value, schema, path);
@@ -109,12 +109,13 @@ class Checker {
     void check_length(const Value& value, const Schema& schema, const std::string& path, std::size_t length,
                       const std::string& unit) {
         const std::string has = ", has " + std::to_string(length);
+        const auto count = [&](std::size_t n) {
+            return std::to_string(n) + ' ' + unit + (n == 1 ? "" : "s");
+        };
         if (length < schema.min_length) {
-            fault(value, path, true,
-                  "must have at least " + std::to_string(schema.min_length) + ' ' + unit + has);
+            fault(value, path, true, "must have at least " + count(schema.min_length) + has);
         } else if (length > schema.max_length) {
-            fault(value, path, true,
-                  "must have at most " + std::to_string(schema.max_length) + ' ' + unit + has);
+            fault(value, path, true, "must have at most " + count(schema.max_length) + has);
         }
     }
 

@@ -1,0 +1,1232 @@
+---@meta
+-- Written by `cairn help --types`: annotations for the Lua language server. Never run.
+
+cairn = {}
+
+---Ends the game after this frame.
+function cairn.quit() end
+
+---@class cairn.result.Fields
+---@field outcome string "won", "lost", ...
+---@field level? string
+---@field score? number
+---@field stars? integer
+
+---Reports how a level ended. Headless runs print the last report.
+---@param fields cairn.result.Fields
+function cairn.result(fields) end
+
+---Iterates like `pairs`, in one fixed order: numbers ascending, then strings bytewise, then false, true. Plain `pairs` visits keys that are not list indices in an order that differs between runs, because Lua seeds its string hash anew in each process; whatever that order decides would break replays. Use `ipairs` or `sorted_pairs` for all that gameplay depends on.
+---@param t table
+---@return fun(): any, any iterator
+function cairn.sorted_pairs(t) end
+
+cairn.physics = {}
+
+---@class cairn.physics.new_world.Fields
+---@field gravity_x? number m/s^2
+---@field gravity_y? number m/s^2
+---@field substeps? integer solver passes per step, 1 to 64
+---@field sleep? boolean whether resting bodies stop being computed
+---@field hit_speed? number m/s; the least approach speed that makes a "hit" event
+---@field restitution_speed? number m/s; slower approaches do not bounce
+
+---Makes an empty world. It lives until `world:destroy()`.
+---@param fields cairn.physics.new_world.Fields?
+---@return World world
+function cairn.physics.new_world(fields) end
+
+---@class World
+local World = {}
+
+---Moves the world on and replaces its events by those of this step.
+---@param dt number [s]
+function World:step(dt) end
+
+---@class World.new_body.Fields
+---@field x? number m
+---@field y? number m
+---@field angle? number rad
+---@field type? string "static", "kinematic" or "dynamic"
+---@field linear_velocity_x? number m/s, of the centre of mass
+---@field linear_velocity_y? number m/s, of the centre of mass
+---@field angular_velocity? number rad/s
+---@field linear_damping? number 1/s; c in v e^(-c t)
+---@field angular_damping? number 1/s
+---@field gravity_scale? number
+---@field allow_sleep? boolean
+---@field awake? boolean
+---@field data? table becomes body.data
+
+---Adds a body without shapes; give it some with `body:add_box{...}` and the like.
+---@param fields World.new_body.Fields
+---@return Body body
+function World:new_body(fields) end
+
+---@class World.add_box.Fields
+---@field width number m
+---@field height number m
+---@field radius? number m; rounds the corners outward
+---@field x? number m
+---@field y? number m
+---@field angle? number rad
+---@field type? string "static", "kinematic" or "dynamic"
+---@field linear_velocity_x? number m/s, of the centre of mass
+---@field linear_velocity_y? number m/s, of the centre of mass
+---@field angular_velocity? number rad/s
+---@field linear_damping? number 1/s; c in v e^(-c t)
+---@field angular_damping? number 1/s
+---@field gravity_scale? number
+---@field allow_sleep? boolean
+---@field awake? boolean
+---@field data? table becomes body.data
+---@field density? number kg/m^2
+---@field friction? number Coulomb coefficient, at least 0
+---@field restitution? number share of the approach speed given back, 0 to 1
+---@field categories? integer bit set: what the shape is
+---@field mask? integer bit set: what it collides with; -1 is everything
+---@field group? integer two shapes of the same group other than 0: positive always collide, negative never
+---@field contact_events? boolean "begin" and "end" events
+---@field hit_events? boolean "hit" events
+
+---Adds a body with one rectangle around its origin.
+---@param fields World.add_box.Fields
+---@return Body body
+function World:add_box(fields) end
+
+---@class World.add_circle.Fields
+---@field radius number m
+---@field x? number m
+---@field y? number m
+---@field angle? number rad
+---@field type? string "static", "kinematic" or "dynamic"
+---@field linear_velocity_x? number m/s, of the centre of mass
+---@field linear_velocity_y? number m/s, of the centre of mass
+---@field angular_velocity? number rad/s
+---@field linear_damping? number 1/s; c in v e^(-c t)
+---@field angular_damping? number 1/s
+---@field gravity_scale? number
+---@field allow_sleep? boolean
+---@field awake? boolean
+---@field data? table becomes body.data
+---@field density? number kg/m^2
+---@field friction? number Coulomb coefficient, at least 0
+---@field restitution? number share of the approach speed given back, 0 to 1
+---@field categories? integer bit set: what the shape is
+---@field mask? integer bit set: what it collides with; -1 is everything
+---@field group? integer two shapes of the same group other than 0: positive always collide, negative never
+---@field contact_events? boolean "begin" and "end" events
+---@field hit_events? boolean "hit" events
+
+---Adds a body with one disc around its origin.
+---@param fields World.add_circle.Fields
+---@return Body body
+function World:add_circle(fields) end
+
+---@class World.add_capsule.Fields
+---@field length number m, between the centres of the two ends, along x
+---@field radius number m
+---@field x? number m
+---@field y? number m
+---@field angle? number rad
+---@field type? string "static", "kinematic" or "dynamic"
+---@field linear_velocity_x? number m/s, of the centre of mass
+---@field linear_velocity_y? number m/s, of the centre of mass
+---@field angular_velocity? number rad/s
+---@field linear_damping? number 1/s; c in v e^(-c t)
+---@field angular_damping? number 1/s
+---@field gravity_scale? number
+---@field allow_sleep? boolean
+---@field awake? boolean
+---@field data? table becomes body.data
+---@field density? number kg/m^2
+---@field friction? number Coulomb coefficient, at least 0
+---@field restitution? number share of the approach speed given back, 0 to 1
+---@field categories? integer bit set: what the shape is
+---@field mask? integer bit set: what it collides with; -1 is everything
+---@field group? integer two shapes of the same group other than 0: positive always collide, negative never
+---@field contact_events? boolean "begin" and "end" events
+---@field hit_events? boolean "hit" events
+
+---Adds a body with one capsule: all points within `radius` of a segment along its x axis.
+---@param fields World.add_capsule.Fields
+---@return Body body
+function World:add_capsule(fields) end
+
+---@class World.add_polygon.Fields
+---@field points table { {x, y}, ... }, m: 3 to 8 corners, of which the convex hull is taken
+---@field radius? number m; rounds the corners outward
+---@field x? number m
+---@field y? number m
+---@field angle? number rad
+---@field type? string "static", "kinematic" or "dynamic"
+---@field linear_velocity_x? number m/s, of the centre of mass
+---@field linear_velocity_y? number m/s, of the centre of mass
+---@field angular_velocity? number rad/s
+---@field linear_damping? number 1/s; c in v e^(-c t)
+---@field angular_damping? number 1/s
+---@field gravity_scale? number
+---@field allow_sleep? boolean
+---@field awake? boolean
+---@field data? table becomes body.data
+---@field density? number kg/m^2
+---@field friction? number Coulomb coefficient, at least 0
+---@field restitution? number share of the approach speed given back, 0 to 1
+---@field categories? integer bit set: what the shape is
+---@field mask? integer bit set: what it collides with; -1 is everything
+---@field group? integer two shapes of the same group other than 0: positive always collide, negative never
+---@field contact_events? boolean "begin" and "end" events
+---@field hit_events? boolean "hit" events
+
+---Adds a body with one convex polygon.
+---@param fields World.add_polygon.Fields
+---@return Body body
+function World:add_polygon(fields) end
+
+---@class World.add_revolute_joint.Fields
+---@field body_a Body
+---@field body_b Body
+---@field x number m; the pin, in the world
+---@field y number m
+---@field collide_connected? boolean whether the two bodies collide
+---@field lower? number rad; with upper: turns the limit on
+---@field upper? number rad
+---@field motor_speed? number rad/s, of b against a; turns the motor on
+---@field max_motor_torque? number N m
+
+---Pins two bodies together at a point about which they turn. Angle 0 is how they stand now.
+---@param fields World.add_revolute_joint.Fields
+---@return Joint joint
+function World:add_revolute_joint(fields) end
+
+---@class World.add_distance_joint.Fields
+---@field body_a Body
+---@field body_b Body
+---@field x_a? number m; the anchor on body a, in the world; absent: the body's origin
+---@field y_a? number m
+---@field x_b? number m; the anchor on body b
+---@field y_b? number m
+---@field length? number m; absent: the present distance
+---@field frequency? number Hz; turns the spring on
+---@field damping_ratio? number 1 is critical
+---@field min_length? number m, of the spring
+---@field max_length? number m, of the spring
+---@field collide_connected? boolean whether the two bodies collide
+
+---Keeps two points at a distance: rigidly, or as a spring.
+---@param fields World.add_distance_joint.Fields
+---@return Joint joint
+function World:add_distance_joint(fields) end
+
+---Iterates over the events of the last step: `for kind, a, b, impulse, x, y, nx, ny, speed in world:events("hit") do`. `kind` is "begin", "end" or "hit"; without an argument all come, begins first, then hits, then ends. `a` and `b` are the bodies, `x, y` the place, `nx, ny` the unit normal from a to b, `impulse` (N s) what the contact exchanged in the step and `speed` (m/s) how fast they met; what an event does not have is 0. A body destroyed since the step is still given: `is_valid()` tells, and its `data` can be read. Anything may be done in the loop; stepping the world ends it.
+---@param kind string?
+---@return fun(): string, Body, Body, number, number, number, number, number, number iterator
+function World:events(kind) end
+
+---A new list of all bodies, in a fixed order.
+---@return table bodies
+function World:bodies() end
+
+---A body with a shape that contains the point, and that shape; of several the newest shape's; nil when there is none.
+---@param x number [m]
+---@param y number [m]
+---@return Body? body
+---@return Shape? shape
+function World:body_at(x, y) end
+
+---The first shape that the ray meets from outside: its body, the point, the normal out of the shape and the share of the ray's length; nil when it meets none. Only shapes with a category in `mask` are seen.
+---@param x1 number [m]
+---@param y1 number [m]
+---@param x2 number [m]
+---@param y2 number [m]
+---@param mask integer?
+---@return Body? body
+---@return number x [m]
+---@return number y [m]
+---@return number nx
+---@return number ny
+---@return number fraction
+function World:cast_ray(x1, y1, x2, y2, mask) end
+
+---@return number x [m/s^2]
+---@return number y [m/s^2]
+function World:gravity() end
+
+---Wakes every body.
+---@param x number [m/s^2]
+---@param y number [m/s^2]
+function World:set_gravity(x, y) end
+
+---@return integer count
+function World:body_count() end
+
+---How many dynamic and kinematic bodies are awake.
+---@return integer count
+function World:awake_count() end
+
+---@return integer count
+function World:joint_count() end
+
+---How many pairs of shapes touch.
+---@return integer count
+function World:contact_count() end
+
+---Steps since the world was made.
+---@return integer count
+function World:step_count() end
+
+---16 hexadecimal digits over all that decides the future of the bodies: equal hashes, equal worlds.
+---@return string hash
+function World:state_hash() end
+
+---Frees the world; its bodies become invalid.
+function World:destroy() end
+
+---Whether the world was not destroyed.
+---@return boolean valid
+function World:is_valid() end
+
+---@class Body
+---@field data table
+local Body = {}
+
+---"static", "kinematic" or "dynamic".
+---@return string type
+function Body:type() end
+
+---The place of the body's origin.
+---@return number x [m]
+---@return number y [m]
+function Body:position() end
+
+---@param x number [m]
+---@param y number [m]
+function Body:set_position(x, y) end
+
+---In (-pi, pi].
+---@return number angle [rad]
+function Body:angle() end
+
+---@param angle number [rad]
+function Body:set_angle(angle) end
+
+---Position and angle in one call.
+---@return number x [m]
+---@return number y [m]
+---@return number angle [rad]
+function Body:transform() end
+
+---@param x number [m]
+---@param y number [m]
+---@param angle number [rad]
+function Body:set_transform(x, y, angle) end
+
+---Where to draw the body: between the last two steps, alpha 0 is before the last step and 1 after it.
+---@param alpha number?
+---@return number x [m]
+---@return number y [m]
+---@return number angle [rad]
+function Body:interpolated_transform(alpha) end
+
+---The centre of mass.
+---@return number x [m]
+---@return number y [m]
+function Body:world_center() end
+
+---From the body's frame to the world.
+---@param x number [m]
+---@param y number [m]
+---@return number x [m]
+---@return number y [m]
+function Body:to_world(x, y) end
+
+---From the world to the body's frame.
+---@param x number [m]
+---@param y number [m]
+---@return number x [m]
+---@return number y [m]
+function Body:to_local(x, y) end
+
+---Of the centre of mass.
+---@return number x [m/s]
+---@return number y [m/s]
+function Body:linear_velocity() end
+
+---@param x number [m/s]
+---@param y number [m/s]
+function Body:set_linear_velocity(x, y) end
+
+---@return number velocity [rad/s]
+function Body:angular_velocity() end
+
+---@param velocity number [rad/s]
+function Body:set_angular_velocity(velocity) end
+
+---Of the point of the body that is at a place in the world.
+---@param x number [m]
+---@param y number [m]
+---@return number x [m/s]
+---@return number y [m/s]
+function Body:velocity_at(x, y) end
+
+---At a place in the world; acts during the next step.
+---@param fx number [N]
+---@param fy number [N]
+---@param x number [m]
+---@param y number [m]
+function Body:apply_force(fx, fy, x, y) end
+
+---Acts during the next step.
+---@param fx number [N]
+---@param fy number [N]
+function Body:apply_force_to_center(fx, fy) end
+
+---Acts during the next step.
+---@param torque number [N m]
+function Body:apply_torque(torque) end
+
+---At a place in the world; changes the velocity at once.
+---@param ix number [N s]
+---@param iy number [N s]
+---@param x number [m]
+---@param y number [m]
+function Body:apply_impulse(ix, iy, x, y) end
+
+---Changes the velocity at once.
+---@param ix number [N s]
+---@param iy number [N s]
+function Body:apply_impulse_to_center(ix, iy) end
+
+---Changes the angular velocity at once.
+---@param impulse number [N m s]
+function Body:apply_angular_impulse(impulse) end
+
+---0 unless dynamic.
+---@return number mass [kg]
+function Body:mass() end
+
+---About the centre of mass; 0 unless dynamic.
+---@return number inertia [kg m^2]
+function Body:inertia() end
+
+---@return number damping [1/s]
+function Body:linear_damping() end
+
+---c in v e^(-c t), at least 0.
+---@param damping number [1/s]
+function Body:set_linear_damping(damping) end
+
+---@return number damping [1/s]
+function Body:angular_damping() end
+
+---@param damping number [1/s]
+function Body:set_angular_damping(damping) end
+
+---@return number scale
+function Body:gravity_scale() end
+
+---0 lets the body float, 1 is the world's gravity.
+---@param scale number
+function Body:set_gravity_scale(scale) end
+
+---@return boolean awake
+function Body:is_awake() end
+
+---Putting a body to sleep puts to sleep all that it touches.
+---@param awake boolean
+function Body:set_awake(awake) end
+
+---@return boolean allows
+function Body:allows_sleep() end
+
+---@param allow boolean
+function Body:set_allow_sleep(allow) end
+
+---@class Body.add_box.Fields
+---@field width number m
+---@field height number m
+---@field radius? number m; rounds the corners outward
+---@field x? number m
+---@field y? number m
+---@field angle? number rad
+---@field density? number kg/m^2
+---@field friction? number Coulomb coefficient, at least 0
+---@field restitution? number share of the approach speed given back, 0 to 1
+---@field categories? integer bit set: what the shape is
+---@field mask? integer bit set: what it collides with; -1 is everything
+---@field group? integer two shapes of the same group other than 0: positive always collide, negative never
+---@field contact_events? boolean "begin" and "end" events
+---@field hit_events? boolean "hit" events
+
+---Adds a rectangle, placed in the body's frame.
+---@param fields Body.add_box.Fields
+---@return Shape shape
+function Body:add_box(fields) end
+
+---@class Body.add_circle.Fields
+---@field radius number m
+---@field x? number m
+---@field y? number m
+---@field angle? number rad
+---@field density? number kg/m^2
+---@field friction? number Coulomb coefficient, at least 0
+---@field restitution? number share of the approach speed given back, 0 to 1
+---@field categories? integer bit set: what the shape is
+---@field mask? integer bit set: what it collides with; -1 is everything
+---@field group? integer two shapes of the same group other than 0: positive always collide, negative never
+---@field contact_events? boolean "begin" and "end" events
+---@field hit_events? boolean "hit" events
+
+---Adds a disc.
+---@param fields Body.add_circle.Fields
+---@return Shape shape
+function Body:add_circle(fields) end
+
+---@class Body.add_capsule.Fields
+---@field length number m, between the centres of the two ends, along x
+---@field radius number m
+---@field x? number m
+---@field y? number m
+---@field angle? number rad
+---@field density? number kg/m^2
+---@field friction? number Coulomb coefficient, at least 0
+---@field restitution? number share of the approach speed given back, 0 to 1
+---@field categories? integer bit set: what the shape is
+---@field mask? integer bit set: what it collides with; -1 is everything
+---@field group? integer two shapes of the same group other than 0: positive always collide, negative never
+---@field contact_events? boolean "begin" and "end" events
+---@field hit_events? boolean "hit" events
+
+---Adds a capsule.
+---@param fields Body.add_capsule.Fields
+---@return Shape shape
+function Body:add_capsule(fields) end
+
+---@class Body.add_polygon.Fields
+---@field points table { {x, y}, ... }, m: 3 to 8 corners, of which the convex hull is taken
+---@field radius? number m; rounds the corners outward
+---@field x? number m
+---@field y? number m
+---@field angle? number rad
+---@field density? number kg/m^2
+---@field friction? number Coulomb coefficient, at least 0
+---@field restitution? number share of the approach speed given back, 0 to 1
+---@field categories? integer bit set: what the shape is
+---@field mask? integer bit set: what it collides with; -1 is everything
+---@field group? integer two shapes of the same group other than 0: positive always collide, negative never
+---@field contact_events? boolean "begin" and "end" events
+---@field hit_events? boolean "hit" events
+
+---Adds a convex polygon.
+---@param fields Body.add_polygon.Fields
+---@return Shape shape
+function Body:add_polygon(fields) end
+
+---A new list, in order of creation.
+---@return table shapes
+function Body:shapes() end
+
+---A new list.
+---@return table joints
+function Body:joints() end
+
+---@return World world
+function Body:world() end
+
+---Removes the body with its shapes and joints. What rested on it wakes.
+function Body:destroy() end
+
+---Whether the body was not destroyed.
+---@return boolean valid
+function Body:is_valid() end
+
+---@class Shape
+local Shape = {}
+
+---@return Body body
+function Shape:body() end
+
+---"circle", "capsule" or "polygon" (boxes are polygons).
+---@return string kind
+function Shape:kind() end
+
+---x1, y1, x2, y2, ...: the centre of a circle, the two ends of a capsule, or the corners of a polygon anticlockwise, in the body's frame.
+---@return number x1 [m]
+function Shape:points() end
+
+---Of the circle or capsule; of a polygon how far its corners are rounded.
+---@return number radius [m]
+function Shape:radius() end
+
+---@return number density [kg/m^2]
+function Shape:density() end
+
+---@return number friction
+function Shape:friction() end
+
+---At least 0.
+---@param friction number
+function Shape:set_friction(friction) end
+
+---@return number restitution
+function Shape:restitution() end
+
+---0 to 1.
+---@param restitution number
+function Shape:set_restitution(restitution) end
+
+---@return integer categories
+---@return integer mask
+---@return integer group
+function Shape:filter() end
+
+---Ends touching that the new filter forbids.
+---@param categories integer
+---@param mask integer
+---@param group integer
+function Shape:set_filter(categories, mask, group) end
+
+---Removes the shape from its body.
+function Shape:destroy() end
+
+---Whether the shape was not destroyed.
+---@return boolean valid
+function Shape:is_valid() end
+
+---@class Joint
+local Joint = {}
+
+---"revolute" or "distance".
+---@return string kind
+function Joint:kind() end
+
+---@return Body body
+function Joint:body_a() end
+
+---@return Body body
+function Joint:body_b() end
+
+---In the world.
+---@return number x [m]
+---@return number y [m]
+function Joint:anchor_a() end
+
+---In the world.
+---@return number x [m]
+---@return number y [m]
+function Joint:anchor_b() end
+
+---What the joint did to body b in the last step.
+---@return number x [N]
+---@return number y [N]
+function Joint:reaction_force() end
+
+---What the joint did to body b in the last step.
+---@return number torque [N m]
+function Joint:reaction_torque() end
+
+---Of a revolute joint: of b relative to a; 0 for others.
+---@return number angle [rad]
+function Joint:angle() end
+
+---The distance between the two anchors.
+---@return number length [m]
+function Joint:length() end
+
+---Of a revolute joint.
+---@param enabled boolean
+---@param speed number [rad/s]
+---@param max_torque number [N m]
+function Joint:set_motor(enabled, speed, max_torque) end
+
+---Of a revolute joint.
+---@param enabled boolean
+---@param lower number [rad]
+---@param upper number [rad]
+function Joint:set_limits(enabled, lower, upper) end
+
+---Of a distance joint: its rest length.
+---@param length number [m]
+function Joint:set_length(length) end
+
+---Of a distance joint.
+---@param enabled boolean
+---@param frequency number [Hz]
+---@param damping_ratio number
+function Joint:set_spring(enabled, frequency, damping_ratio) end
+
+function Joint:destroy() end
+
+---Whether the joint was not destroyed; it goes with either of its bodies.
+---@return boolean valid
+function Joint:is_valid() end
+
+cairn.camera = {}
+
+---@class cairn.camera.new.Fields
+---@field x? number m; what the middle of the picture shows
+---@field y? number m
+---@field height? number m from the bottom to the top of the picture; above 0
+
+---Makes a camera.
+---@param fields cairn.camera.new.Fields?
+---@return Camera camera
+function cairn.camera.new(fields) end
+
+---@class Camera
+local Camera = {}
+
+---From here on drawing is in the world's metres, y up; only in `cairn.draw`.
+function Camera:attach() end
+
+---Drawing is again as it was before `attach`.
+function Camera:detach() end
+
+---Where in the world a point of the screen is.
+---@param x number [px]
+---@param y number [px]
+---@return number x [m]
+---@return number y [m]
+function Camera:to_world(x, y) end
+
+---Where on the screen a point of the world is.
+---@param x number [m]
+---@param y number [m]
+---@return number x [px]
+---@return number y [px]
+function Camera:to_screen(x, y) end
+
+---What the middle of the picture shows.
+---@return number x [m]
+---@return number y [m]
+function Camera:position() end
+
+---@param x number [m]
+---@param y number [m]
+function Camera:set_position(x, y) end
+
+---How much of the world fits from the bottom to the top.
+---@return number height [m]
+function Camera:height() end
+
+---@param height number [m]
+function Camera:set_height(height) end
+
+---How much of the world fits from left to right.
+---@return number width [m]
+function Camera:width() end
+
+---Moves the picture, not the position.
+---@param dx number [px]
+---@param dy number [px]
+function Camera:set_shake(dx, dy) end
+
+cairn.graphics = {}
+
+---Of all that is drawn; it tints images. Starts white.
+---@param r number
+---@param g number
+---@param b number
+---@param a number?
+function cairn.graphics.set_color(r, g, b, a) end
+
+---@return number r
+---@return number g
+---@return number b
+---@return number a
+function cairn.graphics.color() end
+
+---In the present units. Starts 1.
+---@param width number
+function cairn.graphics.set_line_width(width) end
+
+---"alpha" covers, "add" adds light.
+---@param mode string
+function cairn.graphics.set_blend_mode(mode) end
+
+---Only what lies inside is drawn; screen pixels, whatever the transform. Without arguments: everything.
+---@param x number? [px]
+---@param y number? [px]
+---@param width number? [px]
+---@param height number? [px]
+function cairn.graphics.set_scissor(x, y, width, height) end
+
+---Fills the picture.
+---@param r number
+---@param g number
+---@param b number
+function cairn.graphics.clear(r, g, b) end
+
+---Remembers the transform.
+function cairn.graphics.push() end
+
+---Goes back to the transform of the last push.
+function cairn.graphics.pop() end
+
+---@param x number
+---@param y number
+function cairn.graphics.translate(x, y) end
+
+---From the x axis towards the y axis.
+---@param angle number [rad]
+function cairn.graphics.rotate(angle) end
+
+---@param x number
+---@param y number?
+function cairn.graphics.scale(x, y) end
+
+---`mode` is "fill" or "line"; (x, y) is the corner of least x and y; the radius rounds the corners inward.
+---@param mode string
+---@param x number
+---@param y number
+---@param width number
+---@param height number
+---@param radius number?
+function cairn.graphics.rectangle(mode, x, y, width, height, radius) end
+
+---@param mode string
+---@param x number
+---@param y number
+---@param radius number
+function cairn.graphics.circle(mode, x, y, radius) end
+
+---@param mode string
+---@param x1 number
+---@param y1 number
+---@param x2 number
+---@param y2 number
+---@param radius number
+function cairn.graphics.capsule(mode, x1, y1, x2, y2, radius) end
+
+---Convex; points = { x1, y1, x2, y2, ... }.
+---@param mode string
+---@param points table
+function cairn.graphics.polygon(mode, points) end
+
+---Through all points: `line{ x1, y1, x2, y2, ... }`, or the numbers as arguments, `line(x1, y1, x2, y2, ...)`.
+---@param points any
+function cairn.graphics.line(points) end
+
+---Triangles without smooth edges: three vertices each, { x, y, r, g, b, a, ... }, with an image { x, y, r, g, b, a, u, v, ... }. For gradients.
+---@param vertices table
+---@param image Image?
+function cairn.graphics.mesh(vertices, image) end
+
+---Loads a PNG or JPEG file; the same path gives the same picture.
+---@param path string
+---@return Image image
+function cairn.graphics.new_image(path) end
+
+---Draws an image with its origin (pixels from its top left) at (x, y). Under a camera the scale is metres per pixel of the image.
+---@param image Image
+---@param x number
+---@param y number
+---@param angle number? [rad]
+---@param scale_x number?
+---@param scale_y number?
+---@param origin_x number? [px]
+---@param origin_y number? [px]
+function cairn.graphics.draw(image, x, y, angle, scale_x, scale_y, origin_x, origin_y) end
+
+---Draws an image centred at (x, y) with a size in the present units.
+---@param image Image
+---@param x number
+---@param y number
+---@param width number
+---@param height number
+---@param angle number? [rad]
+function cairn.graphics.draw_sized(image, x, y, width, height, angle) end
+
+---As draw_sized, with a part of the image.
+---@param image Image
+---@param source_x number [px]
+---@param source_y number [px]
+---@param source_width number [px]
+---@param source_height number [px]
+---@param x number
+---@param y number
+---@param width number
+---@param height number
+---@param angle number? [rad]
+function cairn.graphics.draw_region(image, source_x, source_y, source_width, source_height, x, y, width, height, angle) end
+
+---A convex polygon, { x1, y1, ... }, filled with the image; uvs = { u1, v1, ... } says which place of the image, 0 to 1 from its top left, lies at each point. The image is laid on flat: three of the points decide how.
+---@param image Image
+---@param points table
+---@param uvs table
+function cairn.graphics.draw_polygon(image, points, uvs) end
+
+---Loads a TrueType font; size 4 to 256.
+---@param size number [px]
+---@param path string?
+---@return Font font
+function cairn.graphics.new_font(size, path) end
+
+---Starts with the default font at 18 pixels.
+---@param font Font
+function cairn.graphics.set_font(font) end
+
+---(x, y) is the top of the text at its left, center or right, by `align`; with a wrap width, lines are broken to fit x .. x + wrap_width and aligned inside. Under a camera (x, y) is in the world and the letters keep their size in pixels.
+---@param text any
+---@param x number
+---@param y number
+---@param align string?
+---@param wrap_width number? [px]
+function cairn.graphics.print(text, x, y, align, wrap_width) end
+
+---Draws the body's shapes between the last two steps: with `body.data.image`, an Image spread over each shape, or `body.data.color`, {r, g, b, a?}, or a default. Not when `body.data.visible` is false.
+---@param body Body
+function cairn.graphics.draw_body(body) end
+
+---Draws every body, in the order of `world:bodies()`.
+---@param world World
+function cairn.graphics.draw_world(world) end
+
+---The logical size of the picture.
+---@return integer width [px]
+---@return integer height [px]
+function cairn.graphics.size() end
+
+---How far the picture lies between the last two updates, 0 to 1.
+---@return number alpha
+function cairn.graphics.alpha() end
+
+---Of the picture before.
+---@return integer draw_calls
+---@return integer vertices
+function cairn.graphics.stats() end
+
+---@class Image
+local Image = {}
+
+---@return integer width [px]
+---@return integer height [px]
+function Image:size() end
+
+---@return integer width [px]
+function Image:width() end
+
+---@return integer height [px]
+function Image:height() end
+
+---@class Font
+local Font = {}
+
+---The width of the longest line and the height of all lines.
+---@param text any
+---@param wrap_width number? [px]
+---@return number width [px]
+---@return number height [px]
+function Font:measure(text, wrap_width) end
+
+---From the top of one line to the top of the next.
+---@return number height [px]
+function Font:height() end
+
+---@return number size [px]
+function Font:size() end
+
+cairn.audio = {}
+
+---@class cairn.audio.play.Fields
+---@field volume? number 0 to 1
+---@field pan? number -1 left to 1 right
+---@field pitch? number 0.25 to 4
+---@field loop? boolean
+
+---Starts a sound, an Ogg Vorbis or WAV file. The voice is an integer, 0 when the rate cap swallowed the sound.
+---@param path string
+---@param fields cairn.audio.play.Fields?
+---@return integer voice
+function cairn.audio.play(path, fields) end
+
+---Nothing happens when the voice has ended.
+---@param voice integer
+function cairn.audio.stop(voice) end
+
+---All sounds; the music goes on.
+function cairn.audio.stop_all() end
+
+---@param voice integer
+---@return boolean playing
+function cairn.audio.is_playing(voice) end
+
+---@param voice integer
+---@param volume number
+function cairn.audio.set_voice_volume(voice, volume) end
+
+---The same sound starts at most once per `seconds` and plays in at most `voices` voices; every sound begins with 0.03 and 8.
+---@param path string
+---@param seconds number [s]
+---@param voices integer
+function cairn.audio.set_rate_cap(path, seconds, voices) end
+
+---@class cairn.audio.play_music.Fields
+---@field volume? number 0 to 1
+---@field loop? boolean
+
+---Replaces the music that plays.
+---@param path string
+---@param fields cairn.audio.play_music.Fields?
+function cairn.audio.play_music(path, fields) end
+
+function cairn.audio.stop_music() end
+
+---Group "sfx" or "music"; 0 to 1.
+---@param group string
+---@param volume number
+function cairn.audio.set_volume(group, volume) end
+
+---@param group string
+---@return number volume
+function cairn.audio.volume(group) end
+
+cairn.input = {}
+
+---Keys: "a" to "z", "0" to "9", "space", "return", "escape", "tab", "backspace", "delete", "insert", "home", "end", "page_up", "page_down", "left", "right", "up", "down", "f1" to "f12", "left_shift", "right_shift", "left_control", "right_control", "left_alt", "right_alt", punctuation by its sign ("-"), "keypad_0", ...
+---@param key string
+---@return boolean down
+function cairn.input.is_down(key) end
+
+---Buttons: "left", "middle", "right", "x1", "x2". A touch is the left button.
+---@param button string
+---@return boolean down
+function cairn.input.is_mouse_down(button) end
+
+---Logical pixels.
+---@return number x [px]
+---@return number y [px]
+function cairn.input.mouse_position() end
+
+cairn.window = {}
+
+---Logical pixels, as conf.lua says, whatever the real window is.
+---@return integer width [px]
+---@return integer height [px]
+function cairn.window.size() end
+
+---@param title string
+function cairn.window.set_title(title) end
+
+---@param on boolean
+function cairn.window.set_fullscreen(on) end
+
+---@return boolean on
+function cairn.window.is_fullscreen() end
+
+---@return boolean focus
+function cairn.window.has_focus() end
+
+cairn.files = {}
+
+---The contents of a file.
+---@param path string
+---@return string text
+function cairn.files.read(path) end
+
+---Replaces a file below `save/` in one stroke; folders are made as needed.
+---@param path string
+---@param text string
+function cairn.files.write(path, text) end
+
+---@param path string
+---@return boolean exists
+function cairn.files.exists(path) end
+
+---Sorted names of what a folder holds; "" is the game.
+---@param folder string
+---@return table names
+function cairn.files.list(folder) end
+
+---Reads Lua table text, `return { ... }`, as data: it is never run.
+---@param path string
+---@return table data
+function cairn.files.read_data(path) end
+
+---Writes a table of numbers, strings, booleans and such tables so that read_data reads it back.
+---@param path string
+---@param data table
+function cairn.files.write_data(path, data) end
+
+cairn.random = {}
+
+---In [0, 1).
+---@return number number
+function cairn.random.uniform() end
+
+---In [low, high).
+---@param low number
+---@param high number
+---@return number number
+function cairn.random.number(low, high) end
+
+---In [low, high], both included, all equally likely.
+---@param low integer
+---@param high integer
+---@return integer integer
+function cairn.random.integer(low, high) end
+
+---Starts the stream anew.
+---@param seed integer
+function cairn.random.seed(seed) end
+
+---A generator of its own; it is not part of the state hash.
+---@param seed integer
+---@return Random random
+function cairn.random.new(seed) end
+
+---@class Random
+local Random = {}
+
+---In [0, 1).
+---@return number number
+function Random:uniform() end
+
+---In [low, high).
+---@param low number
+---@param high number
+---@return number number
+function Random:number(low, high) end
+
+---In [low, high], both included.
+---@param low integer
+---@param high integer
+---@return integer integer
+function Random:integer(low, high) end
+
+---Starts the stream anew.
+---@param seed integer
+function Random:seed(seed) end
+
+cairn.timer = {}
+
+---Calls `action()` once.
+---@param seconds number [s]
+---@param action function
+---@return Timer timer
+function cairn.timer.after(seconds, action) end
+
+---Calls `action()` again and again, until it returns false.
+---@param seconds number [s]
+---@param action function
+---@return Timer timer
+function cairn.timer.every(seconds, action) end
+
+---Game time since the start.
+---@return number seconds [s]
+function cairn.timer.time() end
+
+---Updates since the start: 1 in the first.
+---@return integer count
+function cairn.timer.frame() end
+
+---@class Timer
+local Timer = {}
+
+---The action is not called any more.
+function Timer:cancel() end
+
+cairn.level = {}
+
+---Reads Lua table text as data, never running it, checks it by the schema and fills in defaults. A fault is an error such as `levels/level-01.lua:14: pieces[3].material = "wod": no such material; did you mean "wood"? (ice, stone, wood)`.
+---@param path string
+---@param schema table
+---@return table level
+function cairn.level.load(path, schema) end
+
+---Checks a table of any origin and returns a copy with the defaults filled in.
+---@param data table
+---@param schema table
+---@return table checked
+function cairn.level.check(data, schema) end
+
+cairn.test = {}
+
+---Adds a test: `body()` runs in a fresh state and fails by raising an error.
+---@param name string
+---@param body function
+function cairn.test.test(name, body) end
+
+---@class cairn.test.start.Fields
+---@field seed? integer of the gameplay stream
+
+---Runs main.lua and `cairn.load`.
+---@param fields cairn.test.start.Fields?
+function cairn.test.start(fields) end
+
+---Runs that many updates.
+---@param frames integer
+function cairn.test.run(frames) end
+
+---Runs updates until `condition()` is true; false when it never was.
+---@param condition function
+---@param max_frames integer
+---@return boolean reached
+function cairn.test.run_until(condition, max_frames) end
+
+---Input of the next frame.
+---@param key string
+function cairn.test.press(key) end
+
+---@param key string
+function cairn.test.release(key) end
+
+---@param x number [px]
+---@param y number [px]
+function cairn.test.mouse_move(x, y) end
+
+---@param x number [px]
+---@param y number [px]
+---@param button string?
+function cairn.test.mouse_press(x, y, button) end
+
+---@param x number [px]
+---@param y number [px]
+---@param button string?
+function cairn.test.mouse_release(x, y, button) end
+
+---@param dx number
+---@param dy number
+function cairn.test.wheel(dx, dy) end
+
+---Fails unless the condition is true.
+---@param condition any
+---@param message string?
+function cairn.test.expect(condition, message) end
+
+---By `==`.
+---@param actual any
+---@param expected any
+function cairn.test.expect_equal(actual, expected) end
+
+---@param actual number
+---@param expected number
+---@param tolerance number
+function cairn.test.expect_near(actual, expected, tolerance) end
+
+---`action()` must raise an error whose message contains the text.
+---@param action function
+---@param text string
+function cairn.test.expect_error(action, text) end
+
+---What `cairn.result` reported last, or nil.
+---@return table? result
+function cairn.test.result() end
+
+---That of `--hash`: all worlds and the gameplay stream.
+---@return string hash
+function cairn.test.state_hash() end
+
+---Plays a recording of the game to its end, in a state of its own; a hash that differs is an error.
+---@param path string
+---@return table? result
+function cairn.test.play_replay(path) end
+
+---The run since `start` as the text of a replay.
+---@return string text
+function cairn.test.recording() end
+
+---@type Random
+cairn.random.visual = nil
+---@type string
+cairn.version = nil

@@ -1,0 +1,143 @@
+// Every described binding is called with nonsense: it must raise an error that names it, or accept, and never
+// crash.
+#include <catch2/catch.hpp>
+
+#include "bind/module.h"
+#include "scripting/support/lua_bench.h"
+
+namespace cairn::scripting::test {
+namespace {
+
+/// Lua expressions for an object of each type.
+std::string receiver(const std::string& type) {
+    if (type == "World") return "cairn.physics.new_world{}";
+    if (type == "Body") return "cairn.physics.new_world{}:add_circle{ radius = 1 }";
+    if (type == "Shape") return "cairn.physics.new_world{}:add_circle{ radius = 1 }:shapes()[1]";
+    if (type == "Camera") return "cairn.camera.new{}";
+    if (type == "Font") return "cairn.graphics.new_font(20)";
+    if (type == "Random") return "cairn.random.new(1)";
+    if (type == "Timer") return "cairn.timer.after(1, print)";
+    if (type == "Joint") {
+        return "(function() local w = cairn.physics.new_world{} return w:add_distance_joint{ body_a = "
+               "w:new_body{}, body_b = "
+               "w:new_body{ x = 2 } } end)()";
+    }
+    return "cairn.graphics.new_image('pixel.png')";
+}
+
+/// A PNG of one pixel.
+const std::string kPixel(
+    "\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\0\1\0\0\0\1\10\6\0\0\0\x1f\x15\xc4\x89\0\0\0\rIDATx\x9c"
+    "c\xf8\xcf\xc0\xf0\x1f\0\5\0\1\xff\x89\x99=\x1d\0\0\0\0IEND\xae"
+    "B`\x82",
+    70);
+
+TEST_CASE("a description names as many parameters and results as its function has") {
+    for (const Module* module : all_modules()) {
+        for (const Function& function : module->functions) {
+            INFO(module->name << '.' << function.name);
+            const std::size_t receivers = module->is_type ? 1 : 0;
+            CHECK(parse_parameters(function.parameters).size() + receivers ==
+                  function.parameter_types.size());
+            CHECK(parse_parameters(function.results).size() == function.result_types.size());
+            if (module->is_type) CHECK(function.parameter_types[0] == module->name);
+        }
+    }
+}
+
+TEST_CASE("nonsense in any argument raises an error that names the binding, and never crashes") {
+    const std::vector<std::string> nonsense = {"nil",
+                                               "true",
+                                               "'text'",
+                                               "{}",
+                                               "{ 1, 'a' }",
+                                               "print",
+                                               "0/0",
+                                               "1/0",
+                                               "-1",
+                                               "1e300",
+                                               "math.mininteger",
+                                               "cairn.random.visual",
+                                               "{ width = {}, nonsense = 1 }",
+                                               "coroutine.create(print)"};
+    for (const Module* module : all_modules()) {
+        if (std::string(module->name) == "cairn.test") continue;  // only there in tests of games
+        LuaBench bench(GameFiles{{"pixel.png", kPixel}});
+        const std::string path = module->is_type ? receiver(module->name) : module->name;
+        REQUIRE(bench.run("receiver = " + path) == "");
+        for (const Function& function : module->functions) {
+            const std::string name =
+                std::string(module->name) + (module->is_type ? ":" : ".") + function.name;
+            if (std::string(function.name) == "destroy") continue;  // its receiver is wanted further on
+            const std::size_t count = function.parameter_types.size() - (module->is_type ? 1 : 0);
+            for (std::size_t position = 0; position < count; ++position) {
+                for (const std::string& value : nonsense) {
+                    std::string arguments;
+                    for (std::size_t i = 0; i < count; ++i)
+                        arguments += (i > 0 ? ", " : "") + (i == position ? value : "nil");
+                    const std::string call = std::string("receiver") + (module->is_type ? ":" : ".") +
+                                             function.name + '(' + arguments + ')';
+                    INFO(name << " " << call);
+                    const std::string message = bench.run(call);
+                    if (!message.empty()) CHECK(message.find(name + ": ") != std::string::npos);
+                }
+            }
+            if (module->is_type) {
+                for (const char* self : {"", "12", "{}", "cairn.random.visual, 1, 1", "nil"}) {
+                    const std::string message =
+                        bench.run(std::string("receiver.") + function.name + '(' + self + ')');
+                    INFO(name << " " << self);
+                    if (std::string(module->name) == "Random" &&
+                        std::string(self).find("visual") != std::string::npos)
+                        continue;
+                    CHECK(message.find("test.lua:1: " + name + ": the receiver is ") == 0);
+                }
+            }
+        }
+    }
+}
+
+TEST_CASE("a wrong argument is named with its value, the rule and the caller's place") {
+    LuaBench bench;
+    CHECK(bench.run("local w = cairn.physics.new_world{}\nw:set_gravity(1, 'down')") ==
+          "test.lua:2: World:set_gravity: y is \"down\"; expected a number");
+    CHECK(bench.run("cairn.timer.after(-1, print)") ==
+          "test.lua:1: cairn.timer.after: seconds is -1; expected a time in seconds, at least 0");
+    CHECK(bench.run("cairn.input.is_down('spcae')").find("no such key; did you mean \"space\"?") !=
+          std::string::npos);
+    CHECK(bench.run("local w = cairn.physics.new_world{} w.step(1)")
+              .find("World:step: the receiver is 1; call it as object:step(...)") != std::string::npos);
+}
+
+TEST_CASE("numbers in text are no numbers") {
+    LuaBench bench;
+    CHECK(bench.run("cairn.physics.new_world{}:step('0.01')").find("expected a number") != std::string::npos);
+}
+
+TEST_CASE("a misspelt function names the nearest") {
+    LuaBench bench;
+    CHECK(bench.run("cairn.graphics.cicle('fill', 1, 2, 3)") ==
+          "test.lua:1: cairn.graphics has no \"cicle\"; did you mean \"circle\"?");
+    CHECK(bench.run("local b = cairn.physics.new_world{}:new_body{}\nb:postion()") ==
+          "test.lua:2: Body has no \"postion\"; did you mean \"position\"?");
+}
+
+TEST_CASE("an unknown field names the nearest and lists all; a wrong one its value and rule") {
+    LuaBench bench;
+    const std::string message =
+        bench.run("cairn.physics.new_world{}:add_circle{ radius = 1, fricton = 0.3 }");
+    CHECK(message.find(
+              "test.lua:1: World:add_circle: unknown field \"fricton\"; did you mean \"friction\"? (") == 0);
+    CHECK(bench.run("cairn.physics.new_world{}:add_circle{}") ==
+          "test.lua:1: World:add_circle: radius is missing; it must be a number");
+    CHECK(bench.run("cairn.physics.new_world{}:add_circle{ radius = {} }") ==
+          "test.lua:1: World:add_circle: radius = a table: must be a number");
+    CHECK(bench.run("cairn.physics.new_world{}:add_circle{ radius = 1, type = 'dinamic' }")
+              .find("type = \"dinamic\": no such type of body; did you mean \"dynamic\"?") !=
+          std::string::npos);
+    CHECK(bench.run("cairn.physics.new_world{}:add_circle{ 5 }").find("the key 1 is not a field") !=
+          std::string::npos);
+}
+
+}  // namespace
+}  // namespace cairn::scripting::test

@@ -1,0 +1,59 @@
+#include "bind/timers.h"
+
+#include <catch2/catch.hpp>
+
+#include "scripting/support/lua_bench.h"
+
+namespace cairn::scripting::test {
+namespace {
+
+TEST_CASE("times become whole updates, at least one") {
+    CHECK(Timers::frames_of(0) == 1);
+    CHECK(Timers::frames_of(1) == 60);
+    CHECK(Timers::frames_of(0.1) == 6);
+    CHECK(Timers::frames_of(0.11) == 7);
+    CHECK(Timers::frames_of(1e300) == 1000000000000000u);
+}
+
+void run(LuaBench& bench, int frames) {
+    for (int i = 0; i < frames; ++i) {
+        const auto error = bench.game().update({});
+        if (error) FAIL(error->message);
+    }
+}
+
+TEST_CASE("timers run in the update that is due, in the order of their making") {
+    LuaBench bench;
+    REQUIRE(bench.run("log = '' local function note(text) return function() log = log .. text .. "
+                      "cairn.timer.frame() .. ' ' end end "
+                      "cairn.timer.after(0.1, note('b')) cairn.timer.after(0.05, note('a')) "
+                      "cairn.timer.after(0.1, note('c')) "
+                      "cairn.timer.every(0.05, note('e')) cairn.timer.after(0, note('z'))") == "");
+    run(bench, 6);
+    CHECK(bench.value("log") == "z1 a3 e3 b6 c6 e6 ");
+    CHECK(bench.value("cairn.timer.time()") == "0.1");
+}
+
+TEST_CASE("timers end by cancel, by false, and after once") {
+    LuaBench bench;
+    REQUIRE(bench.run("n, m, k = 0, 0, 0 t = cairn.timer.every(1 / 60, function() n = n + 1 if n == 3 then "
+                      "t:cancel() end end) "
+                      "cairn.timer.every(1 / 60, function() m = m + 1 return m < 2 end) "
+                      "local c = cairn.timer.after(1 / 60, function() k = 1 end) c:cancel() c:cancel()") ==
+            "");
+    run(bench, 10);
+    CHECK(bench.value("n .. ' ' .. m .. ' ' .. k") == "3 2 0");
+}
+
+TEST_CASE("an error in a timer is the game's error, and forgotten timers meet a cap") {
+    LuaBench bench;
+    REQUIRE(bench.run("cairn.timer.after(0, function() error('late') end)") == "");
+    const auto error = bench.game().update({});
+    REQUIRE(error);
+    CHECK(error->message == "test.lua:1: late");
+    CHECK(bench.run("for i = 1, 20000 do cairn.timer.after(1, print) end")
+              .find("10000 timers are waiting already") != std::string::npos);
+}
+
+}  // namespace
+}  // namespace cairn::scripting::test

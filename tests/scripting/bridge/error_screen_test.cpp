@@ -1,0 +1,46 @@
+#include "bridge/error_screen.h"
+
+#include <catch2/catch.hpp>
+
+#include "scripting/support/lua_bench.h"
+
+namespace cairn::scripting::test {
+namespace {
+
+TEST_CASE("the excerpt shows the lines around the error and marks its own") {
+    LuaBench bench(GameFiles{{"src/a.lua", "one\ntwo\nthree\nfour\n\tfive\nsix\nseven\neight\nnine\n"}});
+    const ErrorScreen screen = make_error_screen({"src/a.lua:5: no", {}}, *bench.machine().files);
+    REQUIRE(screen.excerpt.size() == 7);
+    CHECK(screen.excerpt[0] == "      2   two");
+    CHECK(screen.excerpt[3] == ">    5       five");
+    CHECK(screen.excerpt[6] == "      8   eight");
+    CHECK(make_error_screen({"src/a.lua:1: no", {}}, *bench.machine().files).excerpt.size() == 4);
+    CHECK(make_error_screen({"src/none.lua:1: no", {}}, *bench.machine().files).excerpt.empty());
+    CHECK(make_error_screen({"no place", {}}, *bench.machine().files).excerpt.empty());
+}
+
+TEST_CASE("the screen is drawn, with text of several colors on a dark ground") {
+    LuaBench bench(GameFiles{{"main.lua", "local x = nil\nx.y = 1\n"}}, MachineKind::HeadlessDrawing);
+    const auto error = bench.game().run_file("main.lua");
+    REQUIRE(error);
+    engine::Renderer& renderer = *bench.machine().renderer;
+    renderer.begin_frame({1, 1, 1, 1});
+    draw_error_screen(make_error_screen(*error, *bench.machine().files), renderer);
+    const auto image = renderer.capture();
+    renderer.end_frame();
+    REQUIRE(image);
+    int dark = 0;
+    int light = 0;
+    for (int y = 0; y < image->size.height; ++y) {
+        for (int x = 0; x < image->size.width; ++x) {
+            const int brightness = image->pixel(x, y)[0] + image->pixel(x, y)[1] + image->pixel(x, y)[2];
+            dark += brightness < 180 ? 1 : 0;
+            light += brightness > 500 ? 1 : 0;
+        }
+    }
+    CHECK(dark > image->size.width * image->size.height * 8 / 10);
+    CHECK(light > 1000);
+}
+
+}  // namespace
+}  // namespace cairn::scripting::test

@@ -1,0 +1,81 @@
+#include <catch2/catch.hpp>
+
+#include "scripting/support/lua_bench.h"
+
+namespace cairn::scripting::test {
+namespace {
+
+using engine::InputEvent;
+using engine::InputKind;
+
+TEST_CASE("events reach their callbacks, then timers, then update") {
+    LuaBench bench;
+    REQUIRE(bench.run(R"(
+log = {}
+local function note(name) cairn[name] = function(...) log[#log + 1] = name .. '(' .. table.concat({ ... }, ',') .. ')' end end
+for _, name in ipairs{ "mouse_pressed", "mouse_moved", "mouse_released", "wheel", "key_released", "text_input", "resized" } do note(name) end
+function cairn.key_pressed(key, is_repeat) log[#log + 1] = key .. tostring(is_repeat) .. tostring(cairn.input.is_down(key)) end
+function cairn.focus(has) log[#log + 1] = tostring(has) end
+function cairn.update(dt) log[#log + 1] = ("update %.6f"):format(dt) end
+cairn.timer.after(0, function() log[#log + 1] = "timer" end)
+)") == "");
+    const std::vector<InputEvent> events = {
+        {.kind = InputKind::KeyPressed, .key = engine::Key::Space},
+        {.kind = InputKind::MousePressed, .button = engine::MouseButton::Right, .position = {1, 2}},
+        {.kind = InputKind::MouseMoved, .position = {3, 4}, .delta = {2, 2}},
+        {.kind = InputKind::WheelMoved, .delta = {0, -1}},
+        {.kind = InputKind::TextEntered, .text = "x"},
+        {.kind = InputKind::WindowResized, .delta = {800, 600}},
+        {.kind = InputKind::FocusLost},
+        {.kind = InputKind::KeyReleased, .key = engine::Key::Space}};
+    REQUIRE_FALSE(bench.game().update(events));
+    CHECK(bench.value("table.concat(log, ' ')") ==
+          "spacefalsetrue mouse_pressed(1.0,2.0,right) mouse_moved(3.0,4.0,2.0,2.0) wheel(0.0,-1.0) "
+          "text_input(x) "
+          "resized(800.0,600.0) false key_released(space) timer update 0.016667");
+    CHECK(bench.value("cairn.timer.frame()") == "1");
+}
+
+TEST_CASE("a quit request ends the game unless the game goes on") {
+    LuaBench bench;
+    REQUIRE(bench.run("function cairn.quit_requested() return stay end stay = true") == "");
+    const std::vector<InputEvent> quit = {{.kind = InputKind::QuitRequested}};
+    REQUIRE_FALSE(bench.game().update(quit));
+    CHECK_FALSE(bench.game().wants_quit());
+    REQUIRE(bench.run("stay = false") == "");
+    REQUIRE_FALSE(bench.game().update(quit));
+    CHECK(bench.game().wants_quit());
+}
+
+TEST_CASE("a callback that is no function is an error that names it") {
+    LuaBench bench;
+    REQUIRE(bench.run("cairn.update = 12") == "");
+    const auto error = bench.game().update({});
+    REQUIRE(error);
+    CHECK(error->message == "cairn.update is 12; expected a function");
+}
+
+TEST_CASE("load runs main.lua and then cairn.load with the arguments") {
+    LuaBench bench(GameFiles{
+        {"main.lua", "order = 'main' function cairn.load(args) order = order .. #args .. args[2] end"}});
+    REQUIRE_FALSE(bench.game().load("main.lua", {"a", "b"}));
+    CHECK(bench.value("order") == "main2b");
+}
+
+TEST_CASE("the state hash covers every living world and the gameplay stream") {
+    LuaBench bench;
+    const std::uint64_t empty = bench.game().state_hash();
+    REQUIRE(bench.run("w = cairn.physics.new_world{}") == "");
+    const std::uint64_t one = bench.game().state_hash();
+    CHECK(one != empty);
+    REQUIRE(bench.run("w:new_body{}") == "");
+    CHECK(bench.game().state_hash() != one);
+    // Forgetting a world must not change the hash at the next collection.
+    const std::uint64_t kept = bench.game().state_hash();
+    REQUIRE(bench.run("w = nil") == "");
+    lua_gc(bench.game().lua(), LUA_GCCOLLECT);
+    CHECK(bench.game().state_hash() == kept);
+}
+
+}  // namespace
+}  // namespace cairn::scripting::test

@@ -1,0 +1,68 @@
+#include <catch2/catch.hpp>
+
+#include <cairn/scripting/test_game.h>
+
+#include "scripting/support/lua_bench.h"
+
+namespace cairn::scripting::test {
+namespace {
+
+int status_of(const std::string& test_code, const std::string& main_code = "") {
+    const GameFolder folder({{"main.lua", main_code}, {"tests/one.lua", test_code}});
+    return test_game(folder.source());
+}
+
+TEST_CASE("tests pass or fail by the errors that they raise") {
+    CHECK(status_of("cairn.test.test('fine', function() end)") == 0);
+    CHECK(status_of("cairn.test.test('bad', function() error('no') end)") == 1);
+    CHECK(status_of("cairn.test.test('fine', function() end) cairn.test.test('bad', function() "
+                    "cairn.test.expect(false) end)") == 1);
+    CHECK(status_of("syntax error") == 1);
+    CHECK(status_of("") == 1);
+}
+
+TEST_CASE("errors of the game's callbacks fail the test that runs them") {
+    const std::string run = "cairn.test.test('runs', function() cairn.test.start{} cairn.test.run(3) end)";
+    CHECK(status_of(run, "function cairn.update() end") == 0);
+    CHECK(status_of(run, "function cairn.update() error('broken') end") == 1);
+    CHECK(status_of(run, "error('broken')") == 1);
+    CHECK(status_of("cairn.test.test('x', function() cairn.test.run(1) end)") == 1);
+}
+
+TEST_CASE("a recording made by a test plays again to the same end") {
+    CHECK(status_of(R"(
+local test = cairn.test
+test.test("record", function()
+    test.start{ seed = 9 }
+    test.press("a")
+    test.run(3)
+    test.mouse_press(5, 6)
+    test.run(2)
+    local text = test.recording()
+    test.expect(text:find("seed 9\n") and text:find("1 key_pressed a\n") and text:find("4 mouse_pressed left 5 6\n"), text)
+    cairn.files.write("save/x.replay", text)
+    local hash = test.state_hash()
+    test.expect(text:find("hash " .. hash, 1, true) ~= nil)
+end)
+)",
+                    "function cairn.key_pressed() cairn.random.uniform() end") == 0);
+}
+
+TEST_CASE("replays in the game's folder are played in a state of their own") {
+    const std::string main = "function cairn.key_pressed(key) cairn.result{ outcome = key } end";
+    const std::string head = "cairn-replay 1\ngame bench\nseed 1\nsize 1280 720\nframes 3\n";
+    const std::string test =
+        "cairn.test.test('r', function() cairn.test.expect_equal(cairn.test.play_replay('r.replay').outcome, "
+        "'z') "
+        "cairn.test.expect_equal(cairn.test.result(), nil) end)";
+    const auto status = [&](const std::string& replay) {
+        const GameFolder folder({{"main.lua", main}, {"tests/one.lua", test}, {"r.replay", replay}});
+        return test_game(folder.source());
+    };
+    CHECK(status(head + "events\n2 key_pressed z\n") == 0);
+    CHECK(status(head + "events\n2 key_pressed y\n") == 1);
+    CHECK(status(head + "hash 0000000000000000\nevents\n2 key_pressed z\n") == 1);
+}
+
+}  // namespace
+}  // namespace cairn::scripting::test

@@ -1,0 +1,2 @@
+-- Fails on purpose.
+error("no such luck")

@@ -1,0 +1,3 @@
+function cairn.load()
+    local x = = 1
+end

@@ -1,0 +1,5 @@
+-- The second piece has a slip.
+return { pieces = {
+    { material = "stone" },
+    { material = "wod" },
+} }

@@ -1,0 +1,11 @@
+# Runs PROGRAM ARGUMENTS and checks its exit STATUS (0, or 1 for any failure) and that its output matches PATTERN.
+execute_process(COMMAND "${PROGRAM}" ${ARGUMENTS} RESULT_VARIABLE status OUTPUT_VARIABLE out ERROR_VARIABLE err TIMEOUT 60)
+if(NOT status EQUAL STATUS)
+  message(FATAL_ERROR "exit status ${status}, expected ${STATUS}\n--- standard output\n${out}\n--- standard error\n${err}")
+endif()
+if(STATUS EQUAL 0 AND NOT err STREQUAL "")
+  message(FATAL_ERROR "expected nothing on standard error, got:\n${err}")
+endif()
+if(NOT "${out}${err}" MATCHES "${PATTERN}")
+  message(FATAL_ERROR "no match for ${PATTERN}\n--- standard output\n${out}\n--- standard error\n${err}")
+endif()
