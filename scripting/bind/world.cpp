@@ -57,8 +57,8 @@ physics::Result<void> step(lua_State* L, WorldRef self, double dt_s) {
 
 Pushed new_body(lua_State* L, WorldRef self, TableArgument description) {
     const FieldReader reader(L, description.index, kNewBodyFields);
-    const physics::BodyId id = value_or_raise(L, self.world.create_body(read_body_def(reader)));
     push_data_table(L, reader);
+    const physics::BodyId id = value_or_raise(L, self.world.create_body(read_body_def(reader)));
     push_new_body(L, self.index, self.object, id);
     return {1};
 }
@@ -69,12 +69,12 @@ Pushed add_body(lua_State* L, WorldRef self, TableArgument description) {
     OwnedGeometry geometry;
     read_geometry(L, reader, kKind, {}, geometry);
     const physics::ShapeDef shape = read_shape_def(reader);
+    push_data_table(L, reader);
     const physics::BodyId id = value_or_raise(L, self.world.create_body(read_body_def(reader)));
     if (const auto made = self.world.create_shape(id, geometry.geometry, shape); !made) {
         check_or_raise(L, self.world.destroy_body(id));
         call_error(L, made.error().message);
     }
-    push_data_table(L, reader);
     push_new_body(L, self.index, self.object, id);
     return {1};
 }

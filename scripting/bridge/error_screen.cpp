@@ -2,9 +2,6 @@
 #include "bridge/error_screen.h"
 
 #include <algorithm>
-#include <cstdio>
-
-#include <cairn/engine/log.h>
 
 namespace cairn::scripting {
 namespace {
@@ -69,9 +66,8 @@ ErrorScreen make_error_screen(const ScriptError& error, const engine::Files& fil
     const std::vector<std::string> lines = split_lines(*text);
     const int last = std::min(place->line + kLinesAround, static_cast<int>(lines.size()));
     for (int line = std::max(1, place->line - kLinesAround); line <= last; ++line) {
-        char number[24];
-        std::snprintf(number, sizeof number, "%s %4d   ", line == place->line ? ">" : "  ", line);
-        screen.excerpt.push_back(number + without_tabs(lines[static_cast<std::size_t>(line - 1)]));
+        const std::string& source = lines[static_cast<std::size_t>(line - 1)];
+        screen.excerpt.push_back({line, without_tabs(source), line == place->line});
     }
     return screen;
 }
@@ -98,10 +94,15 @@ void draw_error_screen(const ErrorScreen& screen, engine::Renderer& renderer) {
         renderer.fill_rectangle({margin - padding, column.y() - padding, width - 2 * (margin - padding),
                                  line * static_cast<float>(screen.excerpt.size()) + 2 * padding},
                                 kPanel);
-        for (const std::string& text : screen.excerpt) {
-            renderer.draw_text(
-                *small, text,
-                {.position = {margin, column.y()}, .color = text[0] == '>' ? kHeadline : kQuiet});
+        const float number_width = renderer.measure_text(*small, "00000").x;
+        for (const SourceLine& source : screen.excerpt) {
+            const Color color = source.is_faulty ? kHeadline : kQuiet;
+            renderer.draw_text(*small, std::to_string(source.number),
+                               {.position = {margin + number_width, column.y()},
+                                .color = color,
+                                .align = engine::TextAlign::Right});
+            renderer.draw_text(*small, source.text,
+                               {.position = {margin + number_width + line, column.y()}, .color = color});
             column.skip(line);
         }
         column.skip(height / 40 + padding);

@@ -11,9 +11,15 @@
 
 namespace cairn::scripting {
 
+struct SourceLine {
+    int number = 0;
+    std::string text;
+    bool is_faulty = false;  ///< the line that the error names
+};
+
 struct ErrorScreen {
     ScriptError error;
-    std::vector<std::string> excerpt;  ///< "  12  local x = 1"; the line of the error begins with ">"
+    std::vector<SourceLine> excerpt;
 };
 
 /// Reads the lines around the place of the error, if the game has that file.

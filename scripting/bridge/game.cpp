@@ -1,6 +1,7 @@
 // Calls the callbacks of a game.
 #include "bridge/game.h"
 
+#include <functional>
 #include <string_view>
 
 #include <cairn/engine/fixed_step.h>
@@ -78,33 +79,42 @@ std::optional<ScriptError> Game::load(const std::string& main_path,
     return call("load", nullptr, arguments);
 }
 
-std::optional<ScriptError> Game::push_callback(const char* name, bool& is_there) {
-    lua_State* L = state_.get();
-    lua_rawgeti(L, LUA_REGISTRYINDEX, cairn_);
-    lua_pushstring(L, name);
-    lua_rawget(L,
-               -2);  // raw: a metatable that a game gives to `cairn` must not run outside of a protected call
-    lua_remove(L, -2);
-    is_there = lua_isfunction(L, -1);
-    if (is_there) return std::nullopt;
-    std::optional<ScriptError> error;
-    if (!lua_isnil(L, -1)) {
-        error = ScriptError{
-            std::string("cairn.") + name + " is " + describe_value(L, -1) + "; expected a function", {}};
+struct Game::CallbackCall {
+    const char* name;
+    int cairn;                                             ///< reference to the table of the callbacks
+    const std::function<int(lua_State*)>& push_arguments;  ///< gives their number
+    bool result = false;
+    std::string problem;
+};
+
+int Game::run_callback(lua_State* L) {
+    auto& callback = *static_cast<CallbackCall*>(lua_touserdata(L, 1));
+    lua_rawgeti(L, LUA_REGISTRYINDEX, callback.cairn);
+    lua_getfield(L, -1, callback.name);
+    if (lua_isnil(L, -1)) return 0;
+    if (!lua_isfunction(L, -1)) {
+        callback.problem =
+            std::string("cairn.") + callback.name + " is " + describe_value(L, -1) + "; expected a function";
+        return 0;
     }
-    lua_pop(L, 1);
-    return error;
+    lua_call(L, callback.push_arguments(L), 1);
+    callback.result = lua_toboolean(L, -1) != 0;
+    return 0;
 }
 
 template <class... Arguments>
 std::optional<ScriptError> Game::call(const char* name, bool* result, const Arguments&... arguments) {
+    const std::function<int(lua_State*)> push_arguments = [&]([[maybe_unused]] lua_State* L) {
+        (push(L, arguments), ...);
+        return static_cast<int>(sizeof...(Arguments));
+    };
+    CallbackCall callback{name, cairn_, push_arguments, false, {}};
     lua_State* L = state_.get();
-    bool is_there = false;
-    if (auto error = push_callback(name, is_there); error || !is_there) return error;
-    (push(L, arguments), ...);
-    if (auto error = protected_call(L, sizeof...(Arguments), 1)) return error;
-    if (result != nullptr) *result = lua_toboolean(L, -1) != 0;
-    lua_pop(L, 1);
+    lua_pushcfunction(L, run_callback);
+    lua_pushlightuserdata(L, &callback);
+    if (auto error = protected_call(L, 1, 0)) return error;
+    if (!callback.problem.empty()) return ScriptError{callback.problem, {}};
+    if (result != nullptr) *result = callback.result;
     return std::nullopt;
 }
 
@@ -151,8 +161,10 @@ std::optional<ScriptError> Game::run_timers() {
         if (auto error = protected_call(L, 0, 1)) return error;
         const bool is_over = lua_isboolean(L, -1) && lua_toboolean(L, -1) == 0;
         lua_pop(L, 1);
-        if (timer->period > 0 && is_over) context_.timers.cancel(timer->number);
-        if (timer->period == 0 || is_over) luaL_unref(L, LUA_REGISTRYINDEX, timer->function);
+        bool is_done = timer->period == 0;
+        // Not when the action has cancelled its own timer, which gave the reference back.
+        if (!is_done && is_over) is_done = context_.timers.cancel(timer->number).has_value();
+        if (is_done) luaL_unref(L, LUA_REGISTRYINDEX, timer->function);
     }
     return std::nullopt;
 }

@@ -51,7 +51,9 @@ class Game {
     [[nodiscard]] lua_State* lua() const { return state_.get(); }
 
   private:
-    std::optional<ScriptError> push_callback(const char* name, bool& is_there);
+    /// A call of a callback, made inside a protected call because pushing its arguments needs memory.
+    struct CallbackCall;
+    static int run_callback(lua_State* L);
     std::optional<ScriptError> deliver(const engine::InputEvent& event);
     std::optional<ScriptError> run_timers();
     template <class... Arguments>

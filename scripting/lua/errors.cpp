@@ -2,6 +2,7 @@
 #include "lua/errors.h"
 
 #include <cstdlib>
+#include <utility>
 
 #include "lua/sandbox.h"
 
@@ -39,9 +40,12 @@ std::vector<std::string> traceback_of(lua_State* L, int first_level) {
     return lines;
 }
 
-/// Upvalue 1 points to the ScriptError to fill.
+/// Where handle_error puts what it finds: the error of the innermost protected call on this thread. A closure
+/// over it would need memory, which is what a script may just have used up.
+thread_local ScriptError* current_error = nullptr;
+
 int handle_error(lua_State* L) {
-    auto& error = *static_cast<ScriptError*>(lua_touserdata(L, lua_upvalueindex(1)));
+    ScriptError& error = *current_error;
     if (lua_type(L, 1) == LUA_TSTRING || luaL_getmetafield(L, 1, "__tostring") != LUA_TNIL) {
         lua_settop(L, 1);
         push_text(L, 1);
@@ -83,11 +87,12 @@ std::optional<ScriptPlace> place_of(const std::string& message) {
 
 std::optional<ScriptError> protected_call(lua_State* L, int arguments, int results) {
     ScriptError error;
+    ScriptError* const outer_error = std::exchange(current_error, &error);
     const int handler = lua_gettop(L) - arguments;
-    lua_pushlightuserdata(L, &error);
-    lua_pushcclosure(L, handle_error, 1);
+    lua_pushcfunction(L, handle_error);
     lua_insert(L, handler);
     const int status = lua_pcall(L, arguments, results, handler);
+    current_error = outer_error;
     lua_remove(L, handler);
     if (status == LUA_OK) return std::nullopt;
     if (status == LUA_ERRMEM) error.message = "not enough memory: the script used up what a game may have";

@@ -24,8 +24,9 @@ struct ScriptPlace {
 };
 std::optional<ScriptPlace> place_of(const std::string& message);
 
-/// Calls the function below its `arguments` on the stack, as lua_pcall does. After an error the stack holds
-/// neither function, arguments nor results.
+/// Needs no memory of Lua's, so that it works when a script has used up all. Calls the function below its
+/// `arguments` on the stack, as lua_pcall does. After an error the stack holds neither function, arguments
+/// nor results.
 std::optional<ScriptError> protected_call(lua_State* L, int arguments, int results);
 
 /// Compiles text; the function is pushed. `name` is the path that messages show.

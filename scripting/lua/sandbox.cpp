@@ -92,7 +92,8 @@ int safe_print(lua_State* L) {
         line.append(text, length);
         lua_pop(L, 1);
     }
-    std::puts(line.c_str());
+    line += '\n';
+    std::fwrite(line.data(), 1, line.size(), stdout);
     return 0;
 }
 

@@ -28,6 +28,28 @@ std::vector<std::string> option_names(const CLI::App& command) {
     return names;
 }
 
+std::vector<std::string> command_names(const CLI::App& app) {
+    std::vector<std::string> names;
+    for (const CLI::App* known : app.get_subcommands([](const CLI::App*) { return true; })) {
+        names.push_back(known->get_name());
+    }
+    return names;
+}
+
+/// `cairn help COMMAND`.
+void print_topic(const CLI::App& app, const std::string& topic, ParsedLine& parsed) {
+    parsed.is_done = true;
+    for (const CLI::App* known : app.get_subcommands([](const CLI::App*) { return true; })) {
+        if (known->get_name() == topic) {
+            std::fputs(known->help().c_str(), stdout);
+            return;
+        }
+    }
+    std::fprintf(stderr, "cairn: error: unknown command \"%s\"%s\n", topic.c_str(),
+                 scripting::suggestion(topic, command_names(app)).c_str());
+    parsed.status = 1;
+}
+
 /// What an unknown word on the command line was probably meant to be.
 std::string unknown_word_message(const CLI::App& app, const std::string& word) {
     const CLI::App* command = &app;
@@ -39,11 +61,7 @@ std::string unknown_word_message(const CLI::App& app, const std::string& word) {
     }
     if (command != &app)
         return "unexpected argument \"" + word + "\" of " + where + "; see " + where + " --help";
-    std::vector<std::string> commands;
-    for (const CLI::App* known : app.get_subcommands([](const CLI::App*) { return true; })) {
-        commands.push_back(known->get_name());
-    }
-    return "unknown command \"" + word + "\"" + scripting::suggestion(word, commands);
+    return "unknown command \"" + word + "\"" + scripting::suggestion(word, command_names(app));
 }
 
 }  // namespace
@@ -90,6 +108,8 @@ ParsedLine parse_command_line(int argc, char** argv) {
     CLI::App* help_command = app.add_subcommand("help", "print this help, or the Lua reference");
     bool wants_reference = false;
     bool wants_types = false;
+    std::string help_topic;
+    help_command->add_option("COMMAND", help_topic, "the command to say more about");
     help_command->add_flag("--reference", wants_reference, "print the Lua reference in Markdown");
     help_command->add_flag("--types", wants_types, "print annotations for the Lua language server");
 
@@ -126,9 +146,8 @@ ParsedLine parse_command_line(int argc, char** argv) {
     if (new_command->parsed()) line.command = Command::New;
     if (wants_reference) line.command = Command::Reference;
     if (wants_types) line.command = Command::Types;
-    if (line.command == Command::Help) {
-        std::fputs(app.help().c_str(), stdout);
-    }
+    if (line.command == Command::Help && help_topic.empty()) std::fputs(app.help().c_str(), stdout);
+    if (line.command == Command::Help && !help_topic.empty()) print_topic(app, help_topic, parsed);
     return parsed;
 }
 

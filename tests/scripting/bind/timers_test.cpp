@@ -45,6 +45,16 @@ TEST_CASE("timers end by cancel, by false, and after once") {
     CHECK(bench.value("n .. ' ' .. m .. ' ' .. k") == "3 2 0");
 }
 
+TEST_CASE("a timer that cancels itself and returns false ends once, and others keep their actions") {
+    LuaBench bench;
+    REQUIRE(bench.run("log = '' t = cairn.timer.every(1 / 60, function() t:cancel() return false end) "
+                      "cairn.timer.after(2 / 60, function() "
+                      "for i = 1, 4 do cairn.timer.after(1 / 60, function() log = log .. i end) end end)") ==
+            "");
+    run(bench, 5);
+    CHECK(bench.value("log") == "1234");
+}
+
 TEST_CASE("an error in a timer is the game's error, and forgotten timers meet a cap") {
     LuaBench bench;
     REQUIRE(bench.run("cairn.timer.after(0, function() error('late') end)") == "");

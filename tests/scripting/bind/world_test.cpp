@@ -67,7 +67,8 @@ TEST_CASE("errors of the physics arrive with the place of the call and leave the
     for (const char* call :
          {"w:add_polygon{ points = { {0, 0}, {1, 0} } }", "w:add_circle{ radius = -1 }",
           "w:add_box{ width = 0/0, height = 1 }", "w:add_box{ x = 1/0, width = 1, height = 1 }",
-          "w:add_circle{ radius = 1, density = -1 }", "w:add_circle{ radius = 1, restitution = 'a' }",
+          "w:add_circle{ radius = 1, density = -1 }", "w:add_circle{ radius = 1, data = 5 }",
+          "w:add_circle{ radius = 1, restitution = 'a' }",
           "w:add_polygon{ points = { {0, 0}, {1, 'a'}, {0, 1} } }",
           "w:add_polygon{ points = { 1, 2, 3 } }"}) {
         INFO(call);

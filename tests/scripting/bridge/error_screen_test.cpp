@@ -11,9 +11,11 @@ TEST_CASE("the excerpt shows the lines around the error and marks its own") {
     LuaBench bench(GameFiles{{"src/a.lua", "one\ntwo\nthree\nfour\n\tfive\nsix\nseven\neight\nnine\n"}});
     const ErrorScreen screen = make_error_screen({"src/a.lua:5: no", {}}, *bench.machine().files);
     REQUIRE(screen.excerpt.size() == 7);
-    CHECK(screen.excerpt[0] == "      2   two");
-    CHECK(screen.excerpt[3] == ">    5       five");
-    CHECK(screen.excerpt[6] == "      8   eight");
+    CHECK(screen.excerpt[0].number == 2);
+    CHECK(screen.excerpt[0].text == "two");
+    CHECK(screen.excerpt[3].text == "    five");
+    for (const SourceLine& line : screen.excerpt) CHECK(line.is_faulty == (line.number == 5));
+    CHECK(screen.excerpt[6].text == "eight");
     CHECK(make_error_screen({"src/a.lua:1: no", {}}, *bench.machine().files).excerpt.size() == 4);
     CHECK(make_error_screen({"src/none.lua:1: no", {}}, *bench.machine().files).excerpt.empty());
     CHECK(make_error_screen({"no place", {}}, *bench.machine().files).excerpt.empty());

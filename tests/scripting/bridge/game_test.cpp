@@ -55,6 +55,20 @@ TEST_CASE("a callback that is no function is an error that names it") {
     CHECK(error->message == "cairn.update is 12; expected a function");
 }
 
+TEST_CASE("a game that uses up its memory gets an error each time, and the program lives on") {
+    LuaBench bench;
+    REQUIRE(bench.run("hoard = {} function cairn.update() while true do hoard[#hoard + 1] = ('x'):rep(1000) "
+                      ".. #hoard end end "
+                      "function cairn.text_input(text) kept = text end") == "");
+    for (int i = 0; i < 3; ++i) {
+        const std::vector<InputEvent> events = {
+            {.kind = InputKind::TextEntered, .text = std::string(1 << 20, 'y')}};
+        const auto error = bench.game().update(events);
+        REQUIRE(error);
+        CHECK(error->message.find("not enough memory") != std::string::npos);
+    }
+}
+
 TEST_CASE("load runs main.lua and then cairn.load with the arguments") {
     LuaBench bench(GameFiles{
         {"main.lua", "order = 'main' function cairn.load(args) order = order .. #args .. args[2] end"}});
