@@ -1,28 +1,105 @@
-// What the solver reads and changes of a body during one step.
-// Invariant: index 0 of a span of motions is the world itself: infinite mass, never moves. All static bodies
-// are it.
+// What the solver reads and changes of bodies during one step, in rows made for SIMD: 16 bytes of velocity
+// and 16 of pose. Invariant: row 0 is the world itself: infinite mass, never moves; all static bodies are it.
+// Angular quantities are scaled by sqrt(I), and arms by k = sqrt(1/I): then an impulse p at arm r' = k (r x
+// n) changes the scaled angular velocity by r' p, and neither mass nor inertia stands in a constraint. Bodies
+// of infinite inertia have k = 1; kernels never write them.
 #pragma once
+
+#include <cstdint>
+#include <vector>
 
 #include <cairn/physics/math.h>
 
 namespace cairn::physics {
 
-struct Motion {
+struct alignas(16) VelocityRow {
     Vec2 v;       // m/s, of the centre of mass
-    float w = 0;  // rad/s
-    Vec2 dp;      // m, moved since the start of the step
-    Rotation dq;  // turned since the start of the step
+    float w = 0;  // rad/s times sqrt(I)
     float inverse_mass = 0;
-    float inverse_inertia = 0;
-    bool constrained =
-        false;  // has contacts or joints in this step, so substeps move it; else free flight does
 };
 
-inline constexpr int kWorldMotion = 0;
+struct alignas(16) PoseRow {
+    Vec2 d;           // m, moved since the start of the step
+    float theta = 0;  // rad times sqrt(I), turned since then
+    float k = 1;      // sqrt(1/I)
+};
+
+inline constexpr int kWorldRow = 0;
+
+/// Who moves a body in this step.
+enum class Mover : std::uint8_t {
+    Flight,    // nothing acts on it but forces: one exact stride
+    Substeps,  // contacts act on it
+    Turning,   // the same, and scalar code needs its turn as a rotation
+};
+
+/// One body in plain units, as scalar code works on it.
+struct Motion {
+    Vec2 v;
+    float w = 0;  // rad/s
+    Vec2 dp;      // m
+    Rotation dq;
+    float inverse_mass = 0;
+    float inverse_inertia = 0;
+};
+
+struct Motions {
+    std::vector<VelocityRow> velocity;
+    std::vector<PoseRow> pose;
+    std::vector<VelocityRow> unconstrained;  // velocity of this substep before any constraint acted
+    std::vector<VelocityRow> by_joints;      // what joints added to it in this substep
+    std::vector<Rotation> turned;            // angle of the pose, kept for turning bodies
+    std::vector<float> inverse_inertia;
+    std::vector<Mover> mover;
+
+    [[nodiscard]] int size() const { return static_cast<int>(velocity.size()); }
+    [[nodiscard]] float spin(int i) const { return velocity[i].w * pose[i].k; }   // rad/s
+    [[nodiscard]] float angle(int i) const { return pose[i].theta * pose[i].k; }  // rad
+
+    void clear();
+    void add(Vec2 v, float w, float inverse_mass, float inverse_inertia);
+
+    [[nodiscard]] Motion get(int i) const {
+        return {velocity[i].v, spin(i), pose[i].d, turned[i], velocity[i].inverse_mass, inverse_inertia[i]};
+    }
+    /// Writes the velocity back.
+    void set(int i, const Motion& m) {
+        velocity[i].v = m.v;
+        if (inverse_inertia[i] > 0) velocity[i].w = m.w / pose[i].k;
+    }
+    /// The same, after a joint acted.
+    void set_by_joint(int i, const Motion& m) {
+        const VelocityRow before = velocity[i];
+        set(i, m);
+        by_joints[i].v += velocity[i].v - before.v;
+        by_joints[i].w += velocity[i].w - before.w;
+    }
+};
+
+inline void Motions::clear() {
+    velocity.clear();
+    pose.clear();
+    unconstrained.clear();
+    by_joints.clear();
+    turned.clear();
+    inverse_inertia.clear();
+    mover.clear();
+}
+
+inline void Motions::add(Vec2 v, float w, float inverse_mass, float inverse_inertia_of_body) {
+    const float k = inverse_inertia_of_body > 0 ? std::sqrt(inverse_inertia_of_body) : 1;
+    velocity.push_back({v, w / k, inverse_mass});
+    pose.push_back({{}, 0, k});
+    unconstrained.push_back({});
+    by_joints.push_back({});
+    turned.push_back({});
+    inverse_inertia.push_back(inverse_inertia_of_body);
+    mover.push_back(Mover::Flight);
+}
 
 /// What acts on a body besides constraints, constant over a step.
 struct Drive {
-    Vec2 acceleration;               // m/s^2, gravity and forces
+    Vec2 acceleration{};             // m/s^2, gravity and forces
     float angular_acceleration = 0;  // rad/s^2
     float linear_damping = 0;        // 1/s
     float angular_damping = 0;       // 1/s

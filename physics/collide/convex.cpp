@@ -83,6 +83,9 @@ Result<Convex> convert(const Box& box) {
     Convex shape;
     shape.outline.kind = ShapeKind::Polygon;
     set_points(shape, std::array{corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1)}, box.radius_m);
+    shape.is_box = box.angle_rad == 0 && box.radius_m == 0;
+    shape.half_size = {box.half_width_m, box.half_height_m};
+    if (shape.is_box) shape.centroid = box.center_m;
     return shape;
 }
 

@@ -17,6 +17,8 @@ struct Convex {
     Outline outline;
     std::array<Vec2, kMaxPolygonVertices> normals{};
     Vec2 centroid;
+    bool is_box = false;  // sharp-cornered, with its sides along the axes of the body's frame
+    Vec2 half_size;       // of a box; its centre is the centroid
 
     [[nodiscard]] int count() const { return outline.count; }
     [[nodiscard]] int next(int i) const { return i + 1 < outline.count ? i + 1 : 0; }

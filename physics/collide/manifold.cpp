@@ -23,6 +23,9 @@ Manifold collide(const Convex& a, const Convex& b, const RelativePose& b_in_a, f
     if (circle_a && circle_b) return collide_circles(a, b, b_in_a, reach_m);
     if (circle_b) return collide_hull_and_circle(a, b, b_in_a, reach_m);
     if (circle_a) return swapped(collide_hull_and_circle(b, a, inverse(b_in_a), reach_m), b_in_a);
+    if (a.is_box && b.is_box) {
+        if (const auto manifold = collide_boxes(a, b, b_in_a, reach_m)) return *manifold;
+    }
     return collide_hulls(a, b, b_in_a, reach_m);
 }
 

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 
 #include "collide/convex.h"
 
@@ -35,6 +36,10 @@ Manifold collide(const Convex& a, const Convex& b, const RelativePose& b_in_a, f
 Manifold collide_circles(const Convex& a, const Convex& b, const RelativePose& b_in_a, float reach_m);
 /// A is a capsule or polygon, B a circle.
 Manifold collide_hull_and_circle(const Convex& a, const Convex& b, const RelativePose& b_in_a, float reach_m);
+/// Both are boxes, which need no search for axes. Nothing when only the general routine can tell where they
+/// meet.
+std::optional<Manifold> collide_boxes(const Convex& a, const Convex& b, const RelativePose& b_in_a,
+                                      float reach_m);
 /// Both are capsules or polygons.
 Manifold collide_hulls(const Convex& a, const Convex& b, const RelativePose& b_in_a, float reach_m);
 

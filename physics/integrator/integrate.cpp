@@ -9,41 +9,52 @@ float decay(float damping_1_s, float time_s) {
     return static_cast<float>(deterministic::exp(static_cast<double>(-damping_1_s * time_s)));
 }
 
-void accelerate(Motion& body, const Drive& drive, float time_s) {
-    body.v = decay(drive.linear_damping, time_s) * (body.v + time_s * drive.acceleration);
-    body.w = decay(drive.angular_damping, time_s) * (body.w + time_s * drive.angular_acceleration);
-}
-
-Rotation turned(Rotation q, float angle_rad) {
-    if (angle_rad == 0) return q;
-    return Rotation::from_angle(static_cast<double>(angle_rad)) * q;
+VelocityRow accelerated(const VelocityRow& row, const Drive& drive, float k, float time_s) {
+    VelocityRow next = row;
+    next.v = decay(drive.linear_damping, time_s) * (row.v + time_s * drive.acceleration);
+    next.w = decay(drive.angular_damping, time_s) * (row.w + time_s * drive.angular_acceleration / k);
+    return next;
 }
 
 }  // namespace
 
-void integrate_velocities(std::span<Motion> motions, std::span<const Drive> drives, float h_s) {
-    for (std::size_t i = 0; i < motions.size(); ++i) {
-        if (motions[i].constrained) accelerate(motions[i], drives[i], h_s);
+// The impulses that contacts gave in the last substep are what its constraints added to the velocity, less
+// what joints did; contacts keep their normals and arms within a step, so their sum per body can be applied
+// without visiting them.
+void integrate_velocities(Motions& motions, std::span<const Drive> drives, float h_s, bool first_substep) {
+    for (int i = 0; i < motions.size(); ++i) {
+        if (motions.mover[i] == Mover::Flight) continue;
+        VelocityRow& row = motions.velocity[i];
+        VelocityRow guess{};
+        if (!first_substep) {
+            guess.v = row.v - motions.unconstrained[i].v - motions.by_joints[i].v;
+            guess.w = row.w - motions.unconstrained[i].w - motions.by_joints[i].w;
+        }
+        row = accelerated(row, drives[i], motions.pose[i].k, h_s);
+        motions.unconstrained[i] = row;
+        motions.by_joints[i] = {};
+        row.v += guess.v;
+        row.w += guess.w;
     }
 }
 
-void integrate_positions(std::span<Motion> motions, float h_s) {
-    for (Motion& body : motions) {
-        if (!body.constrained) continue;
-        body.dp += h_s * body.v;
-        body.dq = turned(body.dq, h_s * body.w);
+void integrate_positions(Motions& motions, float h_s) {
+    for (int i = 0; i < motions.size(); ++i) {
+        if (motions.mover[i] == Mover::Flight) continue;
+        motions.pose[i].d += h_s * motions.velocity[i].v;
+        motions.pose[i].theta += h_s * motions.velocity[i].w;
+        if (motions.mover[i] == Mover::Turning)
+            motions.turned[i] = Rotation::from_small_angle(motions.angle(i));
     }
 }
 
-void fly_freely(std::span<Motion> motions, std::span<const Drive> drives, float dt_s) {
-    for (std::size_t i = 0; i < motions.size(); ++i) {
-        Motion& body = motions[i];
-        if (body.constrained) continue;
-        const Vec2 v = body.v;
-        const float w = body.w;
-        accelerate(body, drives[i], dt_s);
-        body.dp = 0.5f * dt_s * (v + body.v);
-        body.dq = turned({}, 0.5f * dt_s * (w + body.w));
+void fly_freely(Motions& motions, std::span<const Drive> drives, float dt_s) {
+    for (int i = 0; i < motions.size(); ++i) {
+        if (motions.mover[i] != Mover::Flight) continue;
+        const VelocityRow before = motions.velocity[i];
+        motions.velocity[i] = accelerated(before, drives[i], motions.pose[i].k, dt_s);
+        motions.pose[i].d = 0.5f * dt_s * (before.v + motions.velocity[i].v);
+        motions.pose[i].theta = 0.5f * dt_s * (before.w + motions.velocity[i].w);
     }
 }
 

@@ -8,14 +8,14 @@
 
 namespace cairn::physics {
 
-/// v += h a, then damped by e^(-c h). Constrained bodies only.
-void integrate_velocities(std::span<Motion> motions, std::span<const Drive> drives, float h_s);
+/// v += h a, then damped by e^(-c h); from the second substep on the contacts' impulses of the last one are
+/// applied again, as the first guess. Bodies moved by constraints only.
+void integrate_velocities(Motions& motions, std::span<const Drive> drives, float h_s, bool first_substep);
 
-/// dp += h v, dq turned by h w. Constrained bodies only.
-void integrate_positions(std::span<Motion> motions, float h_s);
+/// Bodies moved by constraints only.
+void integrate_positions(Motions& motions, float h_s);
 
-/// The whole step at once for bodies without constraints: x += dt (v + v')/2, exact under constant
-/// acceleration.
-void fly_freely(std::span<Motion> motions, std::span<const Drive> drives, float dt_s);
+/// The whole step at once for the others: x += dt (v + v')/2, exact under constant acceleration.
+void fly_freely(Motions& motions, std::span<const Drive> drives, float dt_s);
 
 }  // namespace cairn::physics

@@ -5,6 +5,7 @@
 #include "resolve/contact_constraint.h"
 
 #include <algorithm>
+#include <optional>
 
 #include <cairn/physics/tuning.h>
 
@@ -15,54 +16,119 @@ Vec2 velocity_at(const Motion& body, Vec2 r) {
     return body.v + cross(body.w, r);
 }
 
-Vec2 relative_velocity(const Motion& a, const Motion& b, const ContactPointConstraint& p) {
-    return velocity_at(b, p.r_b) - velocity_at(a, p.r_a);
+Vec2 relative_velocity(const Motion& a, const Motion& b, Vec2 r_a, Vec2 r_b) {
+    return velocity_at(b, r_b) - velocity_at(a, r_a);
 }
 
-void apply(Motion& a, Motion& b, const ContactPointConstraint& p, Vec2 impulse) {
+void apply(Motion& a, Motion& b, Vec2 r_a, Vec2 r_b, Vec2 impulse) {
     a.v -= a.inverse_mass * impulse;
-    a.w -= a.inverse_inertia * cross(p.r_a, impulse);
+    a.w -= a.inverse_inertia * cross(r_a, impulse);
     b.v += b.inverse_mass * impulse;
-    b.w += b.inverse_inertia * cross(p.r_b, impulse);
+    b.w += b.inverse_inertia * cross(r_b, impulse);
 }
 
-float effective_mass(const Motion& a, const Motion& b, const ContactPointConstraint& p, Vec2 axis) {
-    const float ra = cross(p.r_a, axis);
-    const float rb = cross(p.r_b, axis);
+float effective_mass(const Motion& a, const Motion& b, Vec2 r_a, Vec2 r_b, Vec2 axis) {
+    const float ra = cross(r_a, axis);
+    const float rb = cross(r_b, axis);
     const float k =
         a.inverse_mass + b.inverse_mass + a.inverse_inertia * ra * ra + b.inverse_inertia * rb * rb;
     return k > 0 ? 1 / k : 0;
 }
 
-void solve_normal(ContactConstraint& c, ContactPointConstraint& p, Motion& a, Motion& b,
-                  const ContactRules& rules, float h_s, Pass pass) {
-    const float s = current_separation(a, b, p, c.normal);
-    float bias = 0;
-    Softness soft = kRigid;
-    if (s > 0) {
-        bias = s / h_s;  // speculative: may close the gap, but no more
-    } else if (pass == Pass::Biased) {
-        bias = std::max(c.softness.bias_rate * s, -rules.max_push_out_speed_m_s);
-        soft = c.softness;
-    }
-    const float jv = dot(relative_velocity(a, b, p), c.normal);
-    const float wanted = p.normal_impulse - p.normal_mass * soft.mass_scale * (jv + bias) -
-                         soft.impulse_scale * p.normal_impulse;
-    const float impulse = std::max(wanted, 0.0f);
-    const float change = impulse - p.normal_impulse;
-    p.normal_impulse = impulse;
-    p.largest_normal_impulse = std::max(p.largest_normal_impulse, impulse);
-    apply(a, b, p, change * c.normal);
+// The arms to the cores turn with the bodies; a rounded surface does not: turning its arm would lift a
+// rolling wheel.
+float current_separation(const Motion& a, const Motion& b, const ContactPointConstraint& p, Vec2 normal) {
+    const Vec2 moved_a = a.dp + rotate(a.dq, p.core_r_a) - p.core_r_a;
+    const Vec2 moved_b = b.dp + rotate(b.dq, p.core_r_b) - p.core_r_b;
+    return p.separation + dot(moved_b - moved_a, normal);
 }
 
-void solve_friction(ContactConstraint& c, ContactPointConstraint& p, Motion& a, Motion& b) {
+void set_impulse(ContactConstraint& c, ContactPointConstraint& p, Motion& a, Motion& b, float impulse) {
+    apply(a, b, p.r_a, p.r_b, (impulse - p.normal_impulse) * c.normal);
+    p.normal_impulse = impulse;
+}
+
+float normal_velocity(const ContactConstraint& c, const ContactPointConstraint& p, const Motion& a,
+                      const Motion& b) {
+    return dot(relative_velocity(a, b, p.r_a, p.r_b), c.normal);
+}
+
+// Non-penetration with a soft push-out.
+void solve_biased(ContactConstraint& c, ContactPointConstraint& p, Motion& a, Motion& b,
+                  const ContactRules& rules, float h_s) {
+    const float s = current_separation(a, b, p, c.normal);
+    p.end_separation = s;
+    const Softness soft = s > 0 ? kRigid : c.softness;
+    // A gap may close, but no more; an overlap is pushed out.
+    const float bias = s > 0 ? s / h_s : std::max(soft.bias_rate * s, -rules.max_push_out_speed_m_s);
+    const float wanted = p.normal_impulse -
+                         p.normal_mass * soft.mass_scale * (normal_velocity(c, p, a, b) + bias) -
+                         soft.impulse_scale * p.normal_impulse;
+    set_impulse(c, p, a, b, std::max(wanted, 0.0f));
+}
+
+struct Impulses {
+    float first;
+    float second;
+};
+
+// The impulses of two points that bring both normal velocities to their targets, if both push.
+std::optional<Impulses> solve_both(const ContactConstraint& c, const Motion& a, const Motion& b,
+                                   float target0, float target1) {
+    const ContactPointConstraint& p = c.points[0];
+    const ContactPointConstraint& q = c.points[1];
+    const float k00 = 1 / p.normal_mass;
+    const float k11 = 1 / q.normal_mass;
+    const float k01 = a.inverse_mass + b.inverse_mass +
+                      a.inverse_inertia * cross(p.r_a, c.normal) * cross(q.r_a, c.normal) +
+                      b.inverse_inertia * cross(p.r_b, c.normal) * cross(q.r_b, c.normal);
+    const float determinant = k00 * k11 - k01 * k01;
+    if (!(determinant > 1e-3f * k00 * k11)) return {};  // too near each other to be told apart
+    const float r0 = normal_velocity(c, p, a, b) - target0;
+    const float r1 = normal_velocity(c, q, a, b) - target1;
+    const Impulses both{p.normal_impulse + (k01 * r1 - k11 * r0) / determinant,
+                        q.normal_impulse + (k01 * r0 - k00 * r1) / determinant};
+    if (both.first < 0 || both.second < 0) return {};
+    return both;
+}
+
+// Brings the points to their target velocities: both at once where both push, since sweeping leaves a part.
+void reach_targets(ContactConstraint& c, Motion& a, Motion& b, const std::array<float, 2>& targets) {
+    if (c.count == 2) {
+        if (const auto both = solve_both(c, a, b, targets[0], targets[1])) {
+            set_impulse(c, c.points[0], a, b, both->first);
+            set_impulse(c, c.points[1], a, b, both->second);
+            return;
+        }
+    }
+    for (int i = 0; i < c.count; ++i) {
+        ContactPointConstraint& p = c.points[i];
+        const float wanted = p.normal_impulse - p.normal_mass * (normal_velocity(c, p, a, b) - targets[i]);
+        set_impulse(c, p, a, b, std::max(wanted, 0.0f));
+    }
+}
+
+void relax(ContactConstraint& c, Motion& a, Motion& b, float h_s) {
+    std::array<float, 2> targets{};
+    for (int i = 0; i < c.count; ++i) {
+        ContactPointConstraint& p = c.points[i];
+        p.end_separation = current_separation(a, b, p, c.normal);
+        targets[i] = -std::max(p.end_separation, 0.0f) / h_s;
+    }
+    reach_targets(c, a, b, targets);
+    for (int i = 0; i < c.count; ++i) c.points[i].total_normal_impulse += c.points[i].normal_impulse;
+}
+
+void solve_friction(ContactConstraint& c, Motion& a, Motion& b) {
     const Vec2 tangent = right_perp(c.normal);
-    const float jv = dot(relative_velocity(a, b, p), tangent);
-    const float limit = c.friction * p.normal_impulse;
-    const float impulse = std::clamp(p.tangent_impulse - p.tangent_mass * jv, -limit, limit);
-    const float change = impulse - p.tangent_impulse;
-    p.tangent_impulse = impulse;
-    apply(a, b, p, change * tangent);
+    const float jv = dot(relative_velocity(a, b, c.friction_r_a, c.friction_r_b), tangent);
+    float limit = 0;
+    for (int i = 0; i < c.count; ++i) limit += c.points[i].normal_impulse;
+    limit *= c.friction;
+    const float impulse = std::clamp(c.friction_impulse - c.tangent_mass * jv, -limit, limit);
+    const float change = impulse - c.friction_impulse;
+    c.friction_impulse = impulse;
+    apply(a, b, c.friction_r_a, c.friction_r_b, change * tangent);
 }
 
 // The speed to leave with. Steps do not end where surfaces meet, so both the closing speed (known at
@@ -70,12 +136,13 @@ void solve_friction(ContactConstraint& c, ContactPointConstraint& p, Motion& a, 
 // pair:
 //     impact^2 = Jv0^2 - 2 g s0,    leave^2 = (e impact)^2 + 2 g s
 // Without this a bounce gains or loses height by where in the step it falls.
-float leaving_speed(const ContactConstraint& c, const ContactPointConstraint& p, float separation,
+float leaving_speed(const ContactConstraint& c, const ContactPointConstraint& p,
                     std::span<const Drive> drives) {
     const float g = dot(drives[c.b].acceleration - drives[c.a].acceleration, c.normal);
     const float impact_squared =
         std::max(p.closing_velocity * p.closing_velocity - 2 * g * p.separation, 0.0f);
-    return std::sqrt(std::max(c.restitution * c.restitution * impact_squared + 2 * g * separation, 0.0f));
+    return std::sqrt(
+        std::max(c.restitution * c.restitution * impact_squared + 2 * g * p.end_separation, 0.0f));
 }
 
 }  // namespace
@@ -87,67 +154,94 @@ ContactRules make_contact_rules(float h_s, float max_push_out_speed_m_s, float r
             max_push_out_speed_m_s, restitution_speed_m_s};
 }
 
-float current_separation(const Motion& a, const Motion& b, const ContactPointConstraint& p, Vec2 normal) {
-    const Vec2 moved_a = a.dp + rotate(a.dq, p.r_a) - p.r_a;
-    const Vec2 moved_b = b.dp + rotate(b.dq, p.r_b) - p.r_b;
-    return p.separation + dot(moved_b - moved_a, normal);
-}
-
-void prepare_contact(ContactConstraint& c, std::span<const Motion> motions, const ContactRules& rules) {
-    const Motion& a = motions[c.a];
-    const Motion& b = motions[c.b];
+ContactConstraint make_contact(const ContactInput& input, const Motions& motions, const ContactRules& rules) {
+    ContactConstraint c;
+    c.a = input.a;
+    c.b = input.b;
+    c.contact = input.contact;
+    c.normal = input.normal;
+    c.friction = input.friction;
+    c.restitution = input.restitution;
+    c.friction_impulse = input.friction_impulse;
+    c.count = input.count;
+    for (int i = 0; i < c.count; ++i) {
+        c.points[i].r_a = input.points[i].r_a;
+        c.points[i].r_b = input.points[i].r_b;
+        // The point lies midway between the surfaces.
+        const float half_gap = 0.5f * input.points[i].separation;
+        c.points[i].core_r_a = input.points[i].r_a - (half_gap + input.radius_a) * input.normal;
+        c.points[i].core_r_b = input.points[i].r_b + (half_gap + input.radius_b) * input.normal;
+        c.points[i].separation = input.points[i].separation;
+        c.points[i].normal_impulse = input.points[i].impulse;
+    }
+    const Motion a = motions.get(c.a);
+    const Motion b = motions.get(c.b);
     c.softness = a.inverse_mass == 0 || b.inverse_mass == 0 ? rules.static_softness : rules.dynamic_softness;
+    c.friction_r_a = c.points[0].r_a;
+    c.friction_r_b = c.points[0].r_b;
+    if (c.count == 2) {
+        c.friction_r_a = 0.5f * (c.friction_r_a + c.points[1].r_a);
+        c.friction_r_b = 0.5f * (c.friction_r_b + c.points[1].r_b);
+    }
+    c.tangent_mass = effective_mass(a, b, c.friction_r_a, c.friction_r_b, right_perp(c.normal));
     for (int i = 0; i < c.count; ++i) {
         ContactPointConstraint& p = c.points[i];
-        p.normal_mass = effective_mass(a, b, p, c.normal);
-        p.tangent_mass = effective_mass(a, b, p, right_perp(c.normal));
-        p.closing_velocity = dot(relative_velocity(a, b, p), c.normal);
+        p.normal_mass = effective_mass(a, b, p.r_a, p.r_b, c.normal);
+        p.closing_velocity = dot(relative_velocity(a, b, p.r_a, p.r_b), c.normal);
+        p.end_separation = p.separation;
     }
+    return c;
 }
 
-void warm_start_contacts(std::span<const ContactConstraint> contacts, std::span<Motion> motions) {
-    for (const ContactConstraint& c : contacts) {
-        const Vec2 tangent = right_perp(c.normal);
-        for (int i = 0; i < c.count; ++i) {
-            const ContactPointConstraint& p = c.points[i];
-            apply(motions[c.a], motions[c.b], p, p.normal_impulse * c.normal + p.tangent_impulse * tangent);
-        }
+void warm_start_contact(const ContactConstraint& c, Motions& motions) {
+    Motion a = motions.get(c.a);
+    Motion b = motions.get(c.b);
+    for (int i = 0; i < c.count; ++i) {
+        apply(a, b, c.points[i].r_a, c.points[i].r_b, c.points[i].normal_impulse * c.normal);
     }
+    apply(a, b, c.friction_r_a, c.friction_r_b, c.friction_impulse * right_perp(c.normal));
+    motions.set(c.a, a);
+    motions.set(c.b, b);
 }
 
-void solve_contacts(std::span<ContactConstraint> contacts, std::span<Motion> motions,
-                    const ContactRules& rules, float h_s, Pass pass) {
-    for (ContactConstraint& c : contacts) {
-        Motion& a = motions[c.a];
-        Motion& b = motions[c.b];
-        // Normals first, so that friction is limited by their fresh impulses.
-        for (int i = 0; i < c.count; ++i) solve_normal(c, c.points[i], a, b, rules, h_s, pass);
-        for (int i = 0; i < c.count; ++i) solve_friction(c, c.points[i], a, b);
-        if (pass == Pass::Relax) {
-            for (int i = 0; i < c.count; ++i) c.points[i].total_normal_impulse += c.points[i].normal_impulse;
-        }
+void solve_contact(ContactConstraint& c, Motions& motions, const ContactRules& rules, float h_s, Pass pass) {
+    Motion a = motions.get(c.a);
+    Motion b = motions.get(c.b);
+    // Normals first, so that friction is limited by their fresh impulses.
+    if (pass == Pass::Relax) {
+        relax(c, a, b, h_s);
+    } else {
+        for (int i = 0; i < c.count; ++i) solve_biased(c, c.points[i], a, b, rules, h_s);
     }
+    solve_friction(c, a, b);
+    motions.set(c.a, a);
+    motions.set(c.b, b);
 }
 
-void apply_restitution(std::span<ContactConstraint> contacts, std::span<Motion> motions,
-                       std::span<const Drive> drives, const ContactRules& rules) {
+void apply_restitution(std::span<ContactConstraint> contacts, Motions& motions, std::span<const Drive> drives,
+                       const ContactRules& rules) {
     for (ContactConstraint& c : contacts) {
         if (c.restitution == 0) continue;
-        Motion& a = motions[c.a];
-        Motion& b = motions[c.b];
+        Motion a = motions.get(c.a);
+        Motion b = motions.get(c.b);
+        // Points that did not meet fast keep the velocity that they have.
+        std::array<float, 2> targets{};
+        std::array<float, 2> before{};
+        bool bounces = false;
         for (int i = 0; i < c.count; ++i) {
-            ContactPointConstraint& p = c.points[i];
-            if (p.closing_velocity > -rules.restitution_speed_m_s || p.largest_normal_impulse == 0) continue;
-            const float jv = dot(relative_velocity(a, b, p), c.normal);
-            const float speed = leaving_speed(c, p, current_separation(a, b, p, c.normal), drives);
-            const float wanted = p.normal_impulse - p.normal_mass * (jv - speed);
-            const float impulse = std::max(wanted, 0.0f);
-            const float change = impulse - p.normal_impulse;
-            p.normal_impulse = impulse;
-            p.total_normal_impulse += change;
-            p.largest_normal_impulse = std::max(p.largest_normal_impulse, impulse);
-            apply(a, b, p, change * c.normal);
+            const ContactPointConstraint& p = c.points[i];
+            const bool met = p.closing_velocity <= -rules.restitution_speed_m_s && p.total_normal_impulse > 0;
+            targets[i] = met ? leaving_speed(c, p, drives) : normal_velocity(c, p, a, b);
+            before[i] = p.normal_impulse;
+            bounces |= met;
         }
+        if (!bounces) continue;
+        reach_targets(c, a, b, targets);
+        for (int i = 0; i < c.count; ++i) {
+            c.points[i].total_normal_impulse += c.points[i].normal_impulse - before[i];
+        }
+        motions.set(c.a, a);
+        motions.set(c.b, b);
     }
 }
 

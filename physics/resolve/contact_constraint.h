@@ -1,4 +1,5 @@
 // Contacts as the solver sees them: non-penetration with a soft push-out, Coulomb friction, restitution.
+// This is the scalar form, exact for any rotation; contact_blocks.h packs what it can into SIMD lanes.
 #pragma once
 
 #include <array>
@@ -9,21 +10,43 @@
 
 namespace cairn::physics {
 
+/// A contact as collision found it, for the solver to take in.
+struct ContactInput {
+    struct Point {
+        Vec2 r_a;  // from the centres of mass to the point, in world axes
+        Vec2 r_b;
+        float separation;
+        float impulse;  // of the last substep, as the first guess
+    };
+    int a;  // rows
+    int b;
+    int contact;  // the caller's number
+    Vec2 normal;  // unit, from a to b
+    int count;
+    std::array<Point, 2> points;
+    float friction;
+    float restitution;
+    float friction_impulse;
+    float radius_a;  // by which the shapes are rounded
+    float radius_b;
+    bool reports;  // the total impulse is wanted: restitution or hit events
+};
+
 struct ContactPointConstraint {
     Vec2 r_a;  // from the centres of mass to the point, in world axes, at the start of the step
     Vec2 r_b;
-    float separation = 0;        // m, at the start of the step
-    float closing_velocity = 0;  // m/s, Jv at the start of the step (negative: approaching)
-    float normal_impulse = 0;    // of one substep, N s
-    float tangent_impulse = 0;
+    Vec2 core_r_a;  // the same, to the points of the cores which the surfaces round off
+    Vec2 core_r_b;
+    float separation = 0;            // m, at the start of the step
+    float end_separation = 0;        // m, at the end of the last substep
+    float closing_velocity = 0;      // m/s, Jv at the start of the step (negative: approaching)
+    float normal_impulse = 0;        // of one substep, N s
     float total_normal_impulse = 0;  // of the whole step, N s
-    float largest_normal_impulse = 0;
     float normal_mass = 0;
-    float tangent_mass = 0;
 };
 
 struct ContactConstraint {
-    int a = 0;  // motions
+    int a = 0;  // rows
     int b = 0;
     int contact = 0;  // where the impulses go back to
     Vec2 normal;      // unit, from a to b
@@ -32,6 +55,12 @@ struct ContactConstraint {
     Softness softness;
     int count = 0;
     std::array<ContactPointConstraint, 2> points{};
+    // One friction row midway between the points: on the line of a manifold all points have the same
+    // tangential arm.
+    Vec2 friction_r_a;
+    Vec2 friction_r_b;
+    float tangent_mass = 0;
+    float friction_impulse = 0;
 };
 
 /// What all contacts of a step share.
@@ -44,20 +73,16 @@ struct ContactRules {
 
 ContactRules make_contact_rules(float h_s, float max_push_out_speed_m_s, float restitution_speed_m_s);
 
-/// Fills in what follows from the geometry: effective masses, softness, closing velocities.
-void prepare_contact(ContactConstraint& c, std::span<const Motion> motions, const ContactRules& rules);
+/// With what follows from the geometry: effective masses, softness, closing velocities.
+ContactConstraint make_contact(const ContactInput& input, const Motions& motions, const ContactRules& rules);
 
-/// How far apart the point is now: linear in the bodies' motion since the start of the step.
-float current_separation(const Motion& a, const Motion& b, const ContactPointConstraint& p, Vec2 normal);
+/// Applies the remembered impulses, as a first guess.
+void warm_start_contact(const ContactConstraint& c, Motions& motions);
 
-/// Applies the impulses of the previous substep, as a first guess.
-void warm_start_contacts(std::span<const ContactConstraint> contacts, std::span<Motion> motions);
-
-void solve_contacts(std::span<ContactConstraint> contacts, std::span<Motion> motions,
-                    const ContactRules& rules, float h_s, Pass pass);
+void solve_contact(ContactConstraint& c, Motions& motions, const ContactRules& rules, float h_s, Pass pass);
 
 /// Gives the closing velocity of the impact back, times the restitution. Once, after the last substep.
-void apply_restitution(std::span<ContactConstraint> contacts, std::span<Motion> motions,
-                       std::span<const Drive> drives, const ContactRules& rules);
+void apply_restitution(std::span<ContactConstraint> contacts, Motions& motions, std::span<const Drive> drives,
+                       const ContactRules& rules);
 
 }  // namespace cairn::physics

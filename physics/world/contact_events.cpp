@@ -31,29 +31,26 @@ ContactHit hit_event(const Stores& stores, const ContactRecord& c, const Contact
             -fastest.closing_velocity,           impulse};
 }
 
-// Contacts exist from a speculative distance on; touching means that a force acted, or that no gap can be
-// seen. Leaving takes twice the gap, so that a trembling pair does not flood its listener.
-bool touches(const ContactConstraint& c, bool touched_before, const std::vector<Motion>& motions) {
-    const float gap = (touched_before ? 2 : 1) * tuning::kLinearSlop_m;
-    for (int i = 0; i < c.count; ++i) {
-        const ContactPointConstraint& p = c.points[i];
-        if (p.largest_normal_impulse > 0) return true;
-        if (current_separation(motions[c.a], motions[c.b], p, c.normal) < gap) return true;
-    }
-    return false;
-}
-
 const ContactPointConstraint* fastest_hit(const ContactConstraint& c, float hit_speed_m_s) {
     const ContactPointConstraint* fastest = nullptr;
     for (int i = 0; i < c.count; ++i) {
         const ContactPointConstraint& p = c.points[i];
-        if (p.largest_normal_impulse == 0 || -p.closing_velocity <= hit_speed_m_s) continue;
+        if (p.total_normal_impulse == 0 || -p.closing_velocity <= hit_speed_m_s) continue;
         if (!fastest || p.closing_velocity < fastest->closing_velocity) fastest = &p;
     }
     return fastest;
 }
 
 }  // namespace
+
+bool touches(int count, const std::array<float, 2>& impulse, const std::array<float, 2>& separation,
+             bool touched) {
+    const float gap = (touched ? 2 : 1) * tuning::kLinearSlop_m;
+    for (int i = 0; i < count; ++i) {
+        if (impulse[i] > 0 || separation[i] < gap) return true;
+    }
+    return false;
+}
 
 void report_parting(const Stores& stores, ContactRecord& contact, std::vector<ContactEnd>& ends) {
     if (!contact.touching) return;
@@ -66,8 +63,10 @@ void report_parting(const Stores& stores, ContactRecord& contact, std::vector<Co
 void report_contacts(Stores& stores, const StepScratch& scratch, float hit_speed_m_s, Events& events) {
     for (const ContactConstraint& c : scratch.contacts) {
         ContactRecord& record = stores.contacts.slots[c.contact];
-        const Motion& a = scratch.motions[c.a];
-        const bool touching = touches(c, record.touching, scratch.motions);
+        const Motion a = scratch.motions.get(c.a);
+        const bool touching =
+            touches(c.count, {c.points[0].total_normal_impulse, c.points[1].total_normal_impulse},
+                    {c.points[0].end_separation, c.points[1].end_separation}, record.touching);
         if (record.touching && !touching) report_parting(stores, record, events.ends);
         if (touching && !record.touching) {
             record.touching = true;

@@ -6,6 +6,11 @@
 
 namespace cairn::physics {
 
+/// Contacts exist from a speculative distance on; touching means that a force acted, or that no gap can be
+/// seen. Leaving takes twice the gap, so that a trembling pair does not flood its listener.
+bool touches(int count, const std::array<float, 2>& impulse, const std::array<float, 2>& separation,
+             bool touched);
+
 /// The contact has no points any more, or is about to go: if it touched, `ends` says so.
 void report_parting(const Stores& stores, ContactRecord& contact, std::vector<ContactEnd>& ends);
 

@@ -21,7 +21,6 @@ struct ContactPoint {
     float separation = 0;
     std::uint16_t id = 0;
     float normal_impulse = 0;  // of one substep, N s
-    float tangent_impulse = 0;
 };
 
 struct ContactRecord {
@@ -34,6 +33,9 @@ struct ContactRecord {
     Vec2 normal;  // world axes, from a to b
     int count = 0;
     std::array<ContactPoint, 2> points{};
+    float radius_a = 0;  // by which the shapes are rounded
+    float radius_b = 0;
+    float friction_impulse = 0;  // of the whole manifold
     float friction = 0;
     float restitution = 0;
     bool touching = false;

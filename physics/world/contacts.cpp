@@ -22,6 +22,8 @@ void create_contact(Stores& stores, int shape_a, int shape_b) {
     c.shape_b = shape_b;
     c.body_a = a.body;
     c.body_b = b.body;
+    c.radius_a = a.convex.radius();
+    c.radius_b = b.convex.radius();
     mix_materials(stores, c);
     c.reports_touch = a.def.contact_events || b.def.contact_events;
     c.reports_hit = a.def.hit_events || b.def.hit_events;
@@ -59,6 +61,7 @@ void compute_manifold(const Stores& stores, ContactRecord& c) {
     const Vec2 a_to_b = bodies.center_offset(c.body_a, c.body_b);
     c.normal = rotate(xf_a.q, m.normal);
     c.count = m.count;
+    bool carried = false;
     for (int i = 0; i < m.count; ++i) {
         ContactPoint p;
         p.r_a = rotate(xf_a.q, m.points[i].point - center_a);
@@ -68,10 +71,11 @@ void compute_manifold(const Stores& stores, ContactRecord& c) {
         for (int j = 0; j < old_count; ++j) {
             if (old_points[j].id != p.id) continue;
             p.normal_impulse = old_points[j].normal_impulse;
-            p.tangent_impulse = old_points[j].tangent_impulse;
+            carried = true;
         }
         c.points[i] = p;
     }
+    if (!carried) c.friction_impulse = 0;
 }
 
 // A kinematic body that stands still disturbs nobody.

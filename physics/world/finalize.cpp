@@ -32,17 +32,20 @@ void update_boxes(Stores& stores, int body) {
 void finalize_bodies(Stores& stores, const StepScratch& scratch, float dt_s, bool sleep_enabled) {
     BodyRows& awake = stores.bodies.rows(RowSet::Awake);
     for (int row = 0; row < awake.size(); ++row) {
-        const Motion& motion = scratch.motions[row + 1];
+        const PoseRow& pose = scratch.motions.pose[row + 1];
+        const Vec2 velocity = scratch.motions.velocity[row + 1].v;
+        const float spin = scratch.motions.spin(row + 1);
         const int body = awake.body[row];
         awake.rotation_before[row] = awake.rotation[row];
-        awake.center[row] = awake.center[row] + motion.dp;
-        awake.rotation[row] = normalized(motion.dq * awake.rotation[row]);
-        awake.moved[row] = motion.dp;
-        awake.velocity[row] = motion.v;
-        awake.spin[row] = motion.w;
+        awake.center[row] = awake.center[row] + pose.d;
+        awake.rotation[row] =
+            normalized(Rotation::from_small_angle(scratch.motions.angle(row + 1)) * awake.rotation[row]);
+        awake.moved[row] = pose.d;
+        awake.velocity[row] = velocity;
+        awake.spin[row] = spin;
         awake.force[row] = {};
         awake.torque[row] = 0;
-        awake.rest_time[row] = sleep_enabled ? next_rest_time(stores.bodies.slots[body], motion.v, motion.w,
+        awake.rest_time[row] = sleep_enabled ? next_rest_time(stores.bodies.slots[body], velocity, spin,
                                                               awake.rest_time[row], dt_s)
                                              : 0;
         update_boxes(stores, body);

@@ -5,19 +5,20 @@
 
 #include <cairn/physics/tuning.h>
 
+#include "world/contact_events.h"
+
 namespace cairn::physics {
 namespace {
 
 // Bodies that are not awake in the hot rows act as the world itself: what sleeps and is touched was woken
 // before.
-int motion_of(const BodyStore& bodies, int body) {
+int row_of(const BodyStore& bodies, int body) {
     const BodyRecord& record = bodies.slots[body];
-    return record.set == RowSet::Awake ? record.row + 1 : kWorldMotion;
+    return record.set == RowSet::Awake ? record.row + 1 : kWorldRow;
 }
 
-void mark_constrained(StepScratch& scratch, int a, int b) {
-    scratch.motions[a].constrained = true;
-    scratch.motions[b].constrained = true;
+void mark_mover(Motions& motions, int row, Mover mover) {
+    if (motions.mover[row] < mover) motions.mover[row] = mover;
 }
 
 JointAnchors make_anchors(const BodyStore& bodies, const JointRecord& j, Vec2 local_a, Vec2 local_b) {
@@ -25,7 +26,7 @@ JointAnchors make_anchors(const BodyStore& bodies, const JointRecord& j, Vec2 lo
         const BodyRecord& record = bodies.slots[body];
         return rotate(bodies.rows_of(body).rotation[record.row], local - record.mass.center_m);
     };
-    return {motion_of(bodies, j.body_a), motion_of(bodies, j.body_b), arm(j.body_a, local_a),
+    return {row_of(bodies, j.body_a), row_of(bodies, j.body_b), arm(j.body_a, local_a),
             arm(j.body_b, local_b), bodies.center_offset(j.body_a, j.body_b)};
 }
 
@@ -76,24 +77,42 @@ DistanceConstraint pack(const Stores& stores, const JointRecord& j, const Distan
     return c;
 }
 
+ContactInput unpack(const Stores& stores, const ContactRecord& record, int contact, const StepTime& time) {
+    ContactInput input;
+    input.a = row_of(stores.bodies, record.body_a);
+    input.b = row_of(stores.bodies, record.body_b);
+    input.contact = contact;
+    input.normal = record.normal;
+    input.count = record.count;
+    for (int i = 0; i < record.count; ++i) {
+        input.points[i] = {record.points[i].r_a, record.points[i].r_b, record.points[i].separation,
+                           time.impulse_ratio * record.points[i].normal_impulse};
+    }
+    input.friction = record.friction;
+    input.restitution = record.restitution;
+    input.friction_impulse = time.impulse_ratio * record.friction_impulse;
+    input.radius_a = record.radius_a;
+    input.radius_b = record.radius_b;
+    input.reports = record.reports_touch || record.reports_hit || record.restitution > 0;
+    return input;
+}
+
 }  // namespace
 
 StepTime make_step_time(float dt_s, int substeps, float previous_h_s) {
     const float h_s = dt_s / static_cast<float>(substeps);
-    return {dt_s, h_s, substeps, previous_h_s > 0 ? h_s / previous_h_s : 1};
+    return {dt_s, h_s, substeps, previous_h_s > 0 ? std::min(h_s / previous_h_s, 1.0f) : 1};
 }
 
 void prepare_motions(const BodyStore& bodies, Vec2 gravity_m_s2, StepScratch& scratch) {
     const BodyRows& awake = bodies.rows(RowSet::Awake);
-    scratch.motions.assign(1, Motion{});
+    scratch.motions.clear();
+    scratch.motions.add({}, 0, 0, 0);  // the world
     scratch.drives.assign(1, Drive{});
     for (int row = 0; row < awake.size(); ++row) {
         const BodyRecord& record = bodies.slots[awake.body[row]];
-        Motion motion;
-        motion.v = awake.velocity[row];
-        motion.w = awake.spin[row];
-        motion.inverse_mass = record.inverse_mass;
-        motion.inverse_inertia = record.inverse_inertia;
+        scratch.motions.add(awake.velocity[row], awake.spin[row], record.inverse_mass,
+                            record.inverse_inertia);
         Drive drive;
         if (record.inverse_mass > 0) {  // a body without mass keeps its velocity
             drive.acceleration = record.gravity_scale * gravity_m_s2 + record.inverse_mass * awake.force[row];
@@ -101,7 +120,6 @@ void prepare_motions(const BodyStore& bodies, Vec2 gravity_m_s2, StepScratch& sc
             drive.linear_damping = record.linear_damping_1_s;
             drive.angular_damping = record.angular_damping_1_s;
         }
-        scratch.motions.push_back(motion);
         scratch.drives.push_back(drive);
     }
 }
@@ -109,27 +127,26 @@ void prepare_motions(const BodyStore& bodies, Vec2 gravity_m_s2, StepScratch& sc
 void prepare_contacts(const Stores& stores, const StepTime& time, const ContactRules& rules,
                       StepScratch& scratch) {
     scratch.contacts.clear();
+    scratch.scalar_contacts.clear();
+    scratch.reports.clear();
+    scratch.blocks.start(scratch.motions.size());
     for (const int contact : stores.contacts.active) {
         const ContactRecord& record = stores.contacts.slots[contact];
         if (record.count == 0) continue;
-        ContactConstraint c;
-        c.a = motion_of(stores.bodies, record.body_a);
-        c.b = motion_of(stores.bodies, record.body_b);
-        c.contact = contact;
-        c.normal = record.normal;
-        c.friction = record.friction;
-        c.restitution = record.restitution;
-        c.count = record.count;
-        for (int i = 0; i < record.count; ++i) {
-            c.points[i].r_a = record.points[i].r_a;
-            c.points[i].r_b = record.points[i].r_b;
-            c.points[i].separation = record.points[i].separation;
-            c.points[i].normal_impulse = time.impulse_ratio * record.points[i].normal_impulse;
-            c.points[i].tangent_impulse = time.impulse_ratio * record.points[i].tangent_impulse;
+        const ContactInput input = unpack(stores, record, contact, time);
+        mark_mover(scratch.motions, input.a, Mover::Substeps);
+        mark_mover(scratch.motions, input.b, Mover::Substeps);
+        const ContactLane lane = scratch.blocks.add(input, scratch.motions, time.dt_s);
+        if (!lane) {
+            scratch.scalar_contacts.push_back(static_cast<int>(scratch.contacts.size()));
+            mark_mover(scratch.motions, input.a, Mover::Turning);
+            mark_mover(scratch.motions, input.b, Mover::Turning);
         }
-        prepare_contact(c, scratch.motions, rules);
-        mark_constrained(scratch, c.a, c.b);
-        scratch.contacts.push_back(c);
+        // What impacts, and what must be told, is kept in plain form beside its lane.
+        if (!lane || input.reports) {
+            scratch.contacts.push_back(make_contact(input, scratch.motions, rules));
+            scratch.reports.push_back(lane);
+        }
     }
 }
 
@@ -142,25 +159,49 @@ void prepare_joints(const Stores& stores, const StepTime& time, StepScratch& scr
             RevoluteConstraint c = pack(stores, record, *revolute, time);
             c.joint = joint;
             prepare_revolute(c, scratch.motions);
-            mark_constrained(scratch, c.anchors.a, c.anchors.b);
+            mark_mover(scratch.motions, c.anchors.a, Mover::Turning);
+            mark_mover(scratch.motions, c.anchors.b, Mover::Turning);
             scratch.revolutes.push_back(c);
         } else if (const auto* distance = std::get_if<DistanceJointDef>(&record.def)) {
             DistanceConstraint c = pack(stores, record, *distance, time);
             c.joint = joint;
             prepare_distance(c, scratch.motions);
-            mark_constrained(scratch, c.anchors.a, c.anchors.b);
+            mark_mover(scratch.motions, c.anchors.a, Mover::Turning);
+            mark_mover(scratch.motions, c.anchors.b, Mover::Turning);
             scratch.distances.push_back(c);
         }
     }
 }
 
+void collect_outcomes(StepScratch& scratch) {
+    for (std::size_t i = 0; i < scratch.contacts.size(); ++i) {
+        if (!scratch.reports[i]) continue;
+        ContactConstraint& c = scratch.contacts[i];
+        const ContactOutcome outcome = scratch.blocks.outcome(scratch.reports[i]);
+        for (int k = 0; k < c.count; ++k) {
+            c.points[k].normal_impulse = outcome.impulse[k];
+            c.points[k].total_normal_impulse = outcome.total_impulse[k];
+            c.points[k].end_separation = outcome.separation[k];
+        }
+        c.friction_impulse = outcome.friction_impulse;
+    }
+}
+
 void store_contact_impulses(ContactStore& contacts, const StepScratch& scratch) {
+    scratch.blocks.for_each_outcome([&](int contact, const ContactOutcome& outcome) {
+        ContactRecord& record = contacts.slots[contact];
+        record.points[0].normal_impulse = outcome.impulse[0];
+        record.points[1].normal_impulse = outcome.impulse[1];
+        record.friction_impulse = outcome.friction_impulse;
+        if (!record.reports_touch)
+            record.touching = touches(record.count, outcome.impulse, outcome.separation, record.touching);
+    });
     for (const ContactConstraint& c : scratch.contacts) {
         ContactRecord& record = contacts.slots[c.contact];
         for (int i = 0; i < c.count; ++i) {
             record.points[i].normal_impulse = c.points[i].normal_impulse;
-            record.points[i].tangent_impulse = c.points[i].tangent_impulse;
         }
+        record.friction_impulse = c.friction_impulse;
     }
 }
 

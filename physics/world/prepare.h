@@ -9,7 +9,9 @@ struct StepTime {
     float dt_s = 0;
     float h_s = 0;  // of one substep
     int substeps = 0;
-    float impulse_ratio = 1;  // of this step's substep to the last one's: remembered impulses grow with it
+    // Remembered impulses shrink with the substep. They do not grow with it: their noise would, and be solved
+    // only once.
+    float impulse_ratio = 1;
 };
 
 StepTime make_step_time(float dt_s, int substeps, float previous_h_s);
@@ -21,6 +23,9 @@ void prepare_contacts(const Stores& stores, const StepTime& time, const ContactR
                       StepScratch& scratch);
 /// Stage: active joints.
 void prepare_joints(const Stores& stores, const StepTime& time, StepScratch& scratch);
+
+/// Stage: what the solver found, in the plain form of the contacts that impact or are told about.
+void collect_outcomes(StepScratch& scratch);
 
 /// Stage: impulses to start the next step from.
 void store_contact_impulses(ContactStore& contacts, const StepScratch& scratch);

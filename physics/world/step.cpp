@@ -30,13 +30,14 @@ void step_world(WorldState& world, float dt_s) {
     prepare_joints(stores, time, scratch);
 
     for (int substep = 0; substep < time.substeps; ++substep) {
-        integrate_velocities(scratch.motions, scratch.drives, time.h_s);
-        warm_start(scratch);
+        integrate_velocities(scratch.motions, scratch.drives, time.h_s, substep == 0);
+        warm_start(scratch, substep == 0);
         solve(scratch, rules, time.h_s, Pass::Biased);
         integrate_positions(scratch.motions, time.h_s);
         solve(scratch, rules, time.h_s, Pass::Relax);
     }
     fly_freely(scratch.motions, scratch.drives, time.dt_s);
+    collect_outcomes(scratch);
     apply_restitution(scratch.contacts, scratch.motions, scratch.drives, rules);
 
     report_contacts(stores, scratch, def.hit_speed_m_s, world.events);

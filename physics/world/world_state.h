@@ -9,6 +9,7 @@
 #include "base/motion.h"
 #include "broad/broad_phase.h"
 #include "islands/islands.h"
+#include "resolve/contact_blocks.h"
 #include "resolve/contact_constraint.h"
 #include "resolve/joints/distance.h"
 #include "resolve/joints/revolute.h"
@@ -50,9 +51,13 @@ inline void start_events(Events& events) {
 
 /// What a step works on. Kept from step to step for its memory only.
 struct StepScratch {
-    std::vector<Motion> motions;  // motion i + 1 is awake row i
+    Motions motions;  // row i + 1 is awake row i
     std::vector<Drive> drives;
-    std::vector<ContactConstraint> contacts;
+    ContactBlocks blocks;
+    std::vector<ContactConstraint>
+        contacts;  // in plain form: solved as scalars, or wanted for restitution or events
+    std::vector<ContactLane> reports;  // where each of them is packed; nowhere when solved as a scalar
+    std::vector<int> scalar_contacts;  // those of them
     std::vector<RevoluteConstraint> revolutes;
     std::vector<DistanceConstraint> distances;
     std::vector<int> parted;   // contacts whose boxes no longer overlap

@@ -2,8 +2,6 @@
 // step.
 #pragma once
 
-#include <span>
-
 #include "base/motion.h"
 
 namespace cairn::physics {

@@ -42,9 +42,9 @@ float limit_impulse(const DistanceConstraint& c, float accumulated, float slack_
 
 }  // namespace
 
-void prepare_distance(DistanceConstraint& c, std::span<const Motion> motions) {
-    const Motion& a = motions[c.anchors.a];
-    const Motion& b = motions[c.anchors.b];
+void prepare_distance(DistanceConstraint& c, const Motions& motions) {
+    const Motion a = motions.get(c.anchors.a);
+    const Motion b = motions.get(c.anchors.b);
     const Vec2 offset = c.anchors.center_offset + (c.anchors.r_b - c.anchors.r_a);
     c.axis = length(offset) > 1e-6f ? normalized(offset) : Vec2{0, 1};
     const float ra = cross(c.anchors.r_a, c.axis);
@@ -55,16 +55,18 @@ void prepare_distance(DistanceConstraint& c, std::span<const Motion> motions) {
     if (!c.limit) c.lower_impulse = c.upper_impulse = 0;
 }
 
-void warm_start_distance(const DistanceConstraint& c, std::span<Motion> motions) {
-    Motion& a = motions[c.anchors.a];
-    Motion& b = motions[c.anchors.b];
+void warm_start_distance(const DistanceConstraint& c, Motions& motions) {
+    Motion a = motions.get(c.anchors.a);
+    Motion b = motions.get(c.anchors.b);
     const Line line = line_now(c, a, b);
     apply_impulse(line.at, a, b, (c.impulse + c.lower_impulse - c.upper_impulse) * line.u);
+    motions.set_by_joint(c.anchors.a, a);
+    motions.set_by_joint(c.anchors.b, b);
 }
 
-void solve_distance(DistanceConstraint& c, std::span<Motion> motions, float h_s, Pass pass) {
-    Motion& a = motions[c.anchors.a];
-    Motion& b = motions[c.anchors.b];
+void solve_distance(DistanceConstraint& c, Motions& motions, float h_s, Pass pass) {
+    Motion a = motions.get(c.anchors.a);
+    Motion b = motions.get(c.anchors.b);
     const Line line = line_now(c, a, b);
     const auto add = [&](float& accumulated, float impulse, float sign) {
         apply_impulse(line.at, a, b, sign * (impulse - accumulated) * line.u);
@@ -89,6 +91,8 @@ void solve_distance(DistanceConstraint& c, std::span<Motion> motions, float h_s,
             limit_impulse(c, c.upper_impulse, c.max_length_m - line.length, -rate(line, a, b), h_s, pass),
             -1);
     }
+    motions.set_by_joint(c.anchors.a, a);
+    motions.set_by_joint(c.anchors.b, b);
 }
 
 }  // namespace cairn::physics

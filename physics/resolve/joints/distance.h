@@ -1,8 +1,6 @@
 // A rod, or a spring with a shortest and a longest length.
 #pragma once
 
-#include <span>
-
 #include "resolve/joints/anchors.h"
 #include "resolve/soft.h"
 
@@ -25,8 +23,8 @@ struct DistanceConstraint {
     float upper_impulse = 0;
 };
 
-void prepare_distance(DistanceConstraint& c, std::span<const Motion> motions);
-void warm_start_distance(const DistanceConstraint& c, std::span<Motion> motions);
-void solve_distance(DistanceConstraint& c, std::span<Motion> motions, float h_s, Pass pass);
+void prepare_distance(DistanceConstraint& c, const Motions& motions);
+void warm_start_distance(const DistanceConstraint& c, Motions& motions);
+void solve_distance(DistanceConstraint& c, Motions& motions, float h_s, Pass pass);
 
 }  // namespace cairn::physics

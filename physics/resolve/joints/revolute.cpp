@@ -63,23 +63,25 @@ void solve_limits(RevoluteConstraint& c, Motion& a, Motion& b, float h_s, Pass p
 
 }  // namespace
 
-void prepare_revolute(RevoluteConstraint& c, std::span<const Motion> motions) {
-    const float k = motions[c.anchors.a].inverse_inertia + motions[c.anchors.b].inverse_inertia;
+void prepare_revolute(RevoluteConstraint& c, const Motions& motions) {
+    const float k = motions.inverse_inertia[c.anchors.a] + motions.inverse_inertia[c.anchors.b];
     c.axial_mass = k > 0 ? 1 / k : 0;
     if (!c.motor) c.motor_impulse = 0;
     if (!c.limit) c.lower_impulse = c.upper_impulse = 0;
 }
 
-void warm_start_revolute(const RevoluteConstraint& c, std::span<Motion> motions) {
-    Motion& a = motions[c.anchors.a];
-    Motion& b = motions[c.anchors.b];
+void warm_start_revolute(const RevoluteConstraint& c, Motions& motions) {
+    Motion a = motions.get(c.anchors.a);
+    Motion b = motions.get(c.anchors.b);
     apply_impulse(anchors_now(c.anchors, a, b), a, b, c.impulse);
     apply_angular_impulse(a, b, c.motor_impulse + c.lower_impulse - c.upper_impulse);
+    motions.set_by_joint(c.anchors.a, a);
+    motions.set_by_joint(c.anchors.b, b);
 }
 
-void solve_revolute(RevoluteConstraint& c, std::span<Motion> motions, float h_s, Pass pass) {
-    Motion& a = motions[c.anchors.a];
-    Motion& b = motions[c.anchors.b];
+void solve_revolute(RevoluteConstraint& c, Motions& motions, float h_s, Pass pass) {
+    Motion a = motions.get(c.anchors.a);
+    Motion b = motions.get(c.anchors.b);
     if (c.motor) solve_motor(c, a, b);
     if (c.limit) solve_limits(c, a, b, h_s, pass);
 
@@ -89,6 +91,8 @@ void solve_revolute(RevoluteConstraint& c, std::span<Motion> motions, float h_s,
     const Vec2 change = -soft.mass_scale * solve_point(a, b, at, jv) - soft.impulse_scale * c.impulse;
     c.impulse += change;
     apply_impulse(at, a, b, change);
+    motions.set_by_joint(c.anchors.a, a);
+    motions.set_by_joint(c.anchors.b, b);
 }
 
 }  // namespace cairn::physics

@@ -1,8 +1,6 @@
 // A pin: two points coincide; about it a motor and limits.
 #pragma once
 
-#include <span>
-
 #include "resolve/joints/anchors.h"
 #include "resolve/soft.h"
 
@@ -26,8 +24,8 @@ struct RevoluteConstraint {
     float upper_impulse = 0;
 };
 
-void prepare_revolute(RevoluteConstraint& c, std::span<const Motion> motions);
-void warm_start_revolute(const RevoluteConstraint& c, std::span<Motion> motions);
-void solve_revolute(RevoluteConstraint& c, std::span<Motion> motions, float h_s, Pass pass);
+void prepare_revolute(RevoluteConstraint& c, const Motions& motions);
+void warm_start_revolute(const RevoluteConstraint& c, Motions& motions);
+void solve_revolute(RevoluteConstraint& c, Motions& motions, float h_s, Pass pass);
 
 }  // namespace cairn::physics

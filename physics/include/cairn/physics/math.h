@@ -103,6 +103,15 @@ struct Rotation {
         return {static_cast<float>(deterministic::cos(angle_rad)),
                 static_cast<float>(deterministic::sin(angle_rad))};
     }
+    /// The same in float only: errors below 1e-7, several times faster, for |angle_rad| <= 0.5; exact calls
+    /// beyond.
+    [[nodiscard]] static Rotation from_small_angle(float angle_rad) {
+        if (!(std::fabs(angle_rad) <= 0.5f)) return from_angle(static_cast<double>(angle_rad));
+        const float z = angle_rad * angle_rad;
+        const float sine = angle_rad * (1 + z * (-1.0f / 6 + z * (1.0f / 120 - z * (1.0f / 5040))));
+        const float cosine = 1 + z * (-0.5f + z * (1.0f / 24 + z * (-1.0f / 720 + z * (1.0f / 40320))));
+        return {cosine, sine};
+    }
     /// In (-pi, pi], rad.
     [[nodiscard]] float angle_rad() const { return static_cast<float>(deterministic::atan2(s, c)); }
 };

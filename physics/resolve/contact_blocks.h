@@ -1,0 +1,71 @@
+// Contacts packed into blocks of eight, by colour, and the passes over them.
+// Invariant: within a colour no body is moved by two lanes, so lanes and blocks of a colour may be solved in
+// any order with the same result. Source: first-fit edge colouring in the order of the contacts.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "resolve/contact_block.h"
+#include "resolve/contact_constraint.h"
+#include "resolve/contact_kernels.h"
+
+namespace cairn::physics {
+
+/// Where a contact was packed.
+struct ContactLane {
+    int bucket = -1;  // 2 * colour + kind of block; -1: nowhere
+    int block = 0;
+    int lane = 0;
+
+    explicit operator bool() const { return bucket >= 0; }
+};
+
+/// What a lane holds after the substeps.
+struct ContactOutcome {
+    std::array<float, 2> impulse;
+    std::array<float, 2>
+        total_impulse;  // of the step; without reports that of the last substep stands for it
+    std::array<float, 2> separation;
+    float friction_impulse;
+};
+
+class ContactBlocks {
+  public:
+    /// Empties the blocks, for a step with this many rows.
+    void start(int rows);
+
+    /// Packs a contact. Nowhere, when it must be solved as a scalar: its bodies turn far in the step, or move
+    /// without being moved, or have no colour left.
+    ContactLane add(const ContactInput& contact, const Motions& motions, float dt_s);
+
+    void warm_start(Motions& motions) const;
+    void solve(Motions& motions, const ContactRules& rules, float h_s, Pass pass);
+
+    [[nodiscard]] ContactOutcome outcome(const ContactLane& at) const;
+    /// Calls visit(contact, outcome) for each packed contact.
+    template <class Visit>
+    void for_each_outcome(Visit&& visit) const {
+        for (int bucket = 0; bucket < kBuckets; ++bucket) {
+            for (int i = 0; i < lanes_[bucket]; ++i) {
+                const ContactLane at{bucket, i / kBlockLanes, i % kBlockLanes};
+                visit(contacts_[bucket][i], outcome(at));
+            }
+        }
+    }
+
+  private:
+    static constexpr int kColors = 32;
+    static constexpr int kBuckets = 2 * kColors;
+
+    [[nodiscard]] int choose_bucket(const ContactInput& c, const Motions& motions, float dt_s);
+
+    std::vector<std::uint32_t> colors_of_row_;
+    std::array<std::vector<ContactBlock>, kBuckets> blocks_;
+    std::array<std::vector<int>, kBuckets> contacts_;  // by lane
+    std::array<int, kBuckets> lanes_{};                // in use
+};
+
+}  // namespace cairn::physics

@@ -1,0 +1,396 @@
+// SIMD passes over contact blocks. Glossary: v velocity, w scaled angular velocity, d motion since the start
+// of the step, theta scaled angle; n, t normal and tangent; r scaled arm; s separation; p impulse.
+//     Jv = n . (vB - vA) + rB wB - rA wA,    s = s0 + n . (dB - dA) + rB thetaB - rA thetaA
+// Inside a block only the scalars n . dv and t . dv are kept; they expand to vectors once, at the end.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "resolve/contact_kernels.cpp"
+#include "resolve/contact_kernels.h"
+
+#include <array>
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace cairn::physics {
+namespace HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+using D = hn::CappedTag<float, kBlockLanes>;
+using V = hn::Vec<D>;
+inline constexpr D kD{};
+
+// One quantity of several rows per register: rows are loaded whole and transposed, which is faster than
+// gathers.
+struct Columns {
+    V x, y, z, u;
+};
+
+#if HWY_TARGET == HWY_SCALAR
+
+HWY_INLINE Columns load_rows(const float* rows, const std::int32_t* index) {
+    const float* row = rows + 4 * index[0];
+    return {hn::Set(kD, row[0]), hn::Set(kD, row[1]), hn::Set(kD, row[2]), hn::Set(kD, row[3])};
+}
+
+HWY_INLINE void store_rows(float* rows, const std::int32_t* index, const Columns& c) {
+    float* row = rows + 4 * index[0];
+    row[0] = hn::GetLane(c.x);
+    row[1] = hn::GetLane(c.y);
+    row[2] = hn::GetLane(c.z);
+    row[3] = hn::GetLane(c.u);
+}
+
+#else
+
+// Transposes the 4 x 4 matrix in each 128-bit part.
+HWY_INLINE void transpose(V& a, V& b, V& c, V& e) {
+    const hn::Repartition<double, D> pairs;
+    const V ab_low = hn::InterleaveLower(kD, a, b);
+    const V ab_high = hn::InterleaveUpper(kD, a, b);
+    const V ce_low = hn::InterleaveLower(kD, c, e);
+    const V ce_high = hn::InterleaveUpper(kD, c, e);
+    const auto ab_low2 = hn::BitCast(pairs, ab_low);
+    const auto ab_high2 = hn::BitCast(pairs, ab_high);
+    const auto ce_low2 = hn::BitCast(pairs, ce_low);
+    const auto ce_high2 = hn::BitCast(pairs, ce_high);
+    a = hn::BitCast(kD, hn::InterleaveLower(pairs, ab_low2, ce_low2));
+    b = hn::BitCast(kD, hn::InterleaveUpper(pairs, ab_low2, ce_low2));
+    c = hn::BitCast(kD, hn::InterleaveLower(pairs, ab_high2, ce_high2));
+    e = hn::BitCast(kD, hn::InterleaveUpper(pairs, ab_high2, ce_high2));
+}
+
+// Rows i and i + 4 stand in the two halves of one register, or row i alone where registers hold four.
+HWY_INLINE V load_row(const float* rows, const std::int32_t* index, int i) {
+    const hn::FixedTag<float, 4> quad;
+    const auto low = hn::Load(quad, rows + 4 * index[i]);
+#if HWY_MAX_BYTES >= 32
+    return hn::Combine(kD, hn::Load(quad, rows + 4 * index[i + 4]), low);
+#else
+    return low;
+#endif
+}
+
+HWY_INLINE void store_row(float* rows, const std::int32_t* index, int i, V v) {
+    const hn::FixedTag<float, 4> quad;
+#if HWY_MAX_BYTES >= 32
+    hn::Store(hn::LowerHalf(quad, v), quad, rows + 4 * index[i]);
+    hn::Store(hn::UpperHalf(quad, v), quad, rows + 4 * index[i + 4]);
+#else
+    hn::Store(v, quad, rows + 4 * index[i]);
+#endif
+}
+
+HWY_INLINE Columns load_rows(const float* rows, const std::int32_t* index) {
+    Columns c{load_row(rows, index, 0), load_row(rows, index, 1), load_row(rows, index, 2),
+              load_row(rows, index, 3)};
+    transpose(c.x, c.y, c.z, c.u);
+    return c;
+}
+
+HWY_INLINE void store_rows(float* rows, const std::int32_t* index, Columns c) {
+    transpose(c.x, c.y, c.z, c.u);
+    store_row(rows, index, 0, c.x);
+    store_row(rows, index, 1, c.y);
+    store_row(rows, index, 2, c.z);
+    store_row(rows, index, 3, c.u);
+}
+
+#endif
+
+HWY_INLINE V load(const Lanes<float>& lanes, int lane) {
+    return hn::Load(kD, lanes.data() + lane);
+}
+HWY_INLINE void store(V v, Lanes<float>& lanes, int lane) {
+    hn::Store(v, kD, lanes.data() + lane);
+}
+
+// The velocities of some lanes of a block, in the block's own coordinates.
+template <BlockKind kKind>
+struct Pair {
+    Columns a;  // unused when only b moves
+    Columns b;
+    V normal_velocity;   // n . (vB - vA)
+    V tangent_velocity;  // t . (vB - vA)
+    V inverse_mass;      // 1/mA + 1/mB
+
+    HWY_INLINE Pair(const ContactBlock& block, int lane, const float* velocity, V nx, V ny) {
+        b = load_rows(velocity, block.b.data() + lane);
+        V vx = b.x;
+        V vy = b.y;
+        inverse_mass = b.u;
+        if constexpr (kKind == BlockKind::TwoBodies) {
+            a = load_rows(velocity, block.a.data() + lane);
+            vx = hn::Sub(vx, a.x);
+            vy = hn::Sub(vy, a.y);
+            inverse_mass = hn::Add(inverse_mass, a.u);
+        }
+        normal_velocity = hn::Add(hn::Mul(nx, vx), hn::Mul(ny, vy));
+        tangent_velocity = hn::Sub(hn::Mul(ny, vx), hn::Mul(nx, vy));
+    }
+
+    [[nodiscard]] HWY_INLINE V jv(V along, V arm_a, V arm_b) const {
+        V result = hn::Add(along, hn::Mul(arm_b, b.z));
+        if constexpr (kKind == BlockKind::TwoBodies) result = hn::Sub(result, hn::Mul(arm_a, a.z));
+        return result;
+    }
+
+    HWY_INLINE void turn(V impulse, V arm_a, V arm_b) {
+        b.z = hn::Add(b.z, hn::Mul(arm_b, impulse));
+        if constexpr (kKind == BlockKind::TwoBodies) a.z = hn::Sub(a.z, hn::Mul(arm_a, impulse));
+    }
+
+    HWY_INLINE void finish(const ContactBlock& block, int lane, float* velocity, V nx, V ny, V normal_impulse,
+                           V tangent_impulse) {
+        const V px = hn::Add(hn::Mul(normal_impulse, nx), hn::Mul(tangent_impulse, ny));
+        const V py = hn::Sub(hn::Mul(normal_impulse, ny), hn::Mul(tangent_impulse, nx));
+        b.x = hn::Add(b.x, hn::Mul(b.u, px));
+        b.y = hn::Add(b.y, hn::Mul(b.u, py));
+        store_rows(velocity, block.b.data() + lane, b);
+        if constexpr (kKind == BlockKind::TwoBodies) {
+            a.x = hn::Sub(a.x, hn::Mul(a.u, px));
+            a.y = hn::Sub(a.y, hn::Mul(a.u, py));
+            store_rows(velocity, block.a.data() + lane, a);
+        }
+    }
+};
+
+// The friction row: limited by the sum of the normal impulses.
+template <BlockKind kKind>
+HWY_INLINE V solve_friction(ContactBlock& block, int lane, Pair<kKind>& pair, V normal_sum) {
+    const V arm_a = load(block.tangent_arm_a, lane);
+    const V arm_b = load(block.tangent_arm_b, lane);
+    const V limit = hn::Mul(load(block.friction, lane), normal_sum);
+    const V old = load(block.friction_impulse, lane);
+    const V wanted =
+        hn::Sub(old, hn::Mul(load(block.tangent_mass, lane), pair.jv(pair.tangent_velocity, arm_a, arm_b)));
+    const V impulse = hn::Max(hn::Neg(limit), hn::Min(wanted, limit));
+    store(impulse, block.friction_impulse, lane);
+    const V change = hn::Sub(impulse, old);
+    pair.turn(change, arm_a, arm_b);
+    return change;
+}
+
+template <BlockKind kKind>
+HWY_INLINE void solve_lanes(ContactBlock& block, int lane, float* velocity, const ContactPassTime& time) {
+    const V zero = hn::Zero(kD);
+    const V one = hn::Set(kD, 1);
+    const V nx = load(block.normal_x, lane);
+    const V ny = load(block.normal_y, lane);
+    Pair<kKind> pair(block, lane, velocity, nx, ny);
+    V change_sum = zero;
+    V impulse_sum = zero;
+    for (ContactBlockPoint& point : block.points) {
+        const V s = load(point.separation, lane);
+        const V old = load(point.impulse, lane);
+        const V arm_a = load(point.arm_a, lane);
+        const V arm_b = load(point.arm_b, lane);
+        const auto apart = hn::Gt(s, zero);
+        const V soft_bias = hn::Max(hn::Mul(hn::Set(kD, time.softness.bias_rate), s),
+                                    hn::Set(kD, -time.max_push_out_speed_m_s));
+        const V bias = hn::IfThenElse(apart, hn::Mul(s, hn::Set(kD, time.inverse_h_1_s)), soft_bias);
+        const V mass_scale = hn::IfThenElse(apart, one, hn::Set(kD, time.softness.mass_scale));
+        const V impulse_scale = hn::IfThenElse(apart, zero, hn::Set(kD, time.softness.impulse_scale));
+
+        const V mass = hn::Mul(load(point.mass, lane), mass_scale);
+        const V jv = pair.jv(pair.normal_velocity, arm_a, arm_b);
+        const V wanted = hn::Sub(hn::Sub(old, hn::Mul(mass, hn::Add(jv, bias))), hn::Mul(impulse_scale, old));
+        const V impulse = hn::Max(wanted, zero);
+        const V change = hn::Sub(impulse, old);
+        store(impulse, point.impulse, lane);
+        pair.turn(change, arm_a, arm_b);
+        pair.normal_velocity = hn::Add(pair.normal_velocity, hn::Mul(pair.inverse_mass, change));
+        change_sum = hn::Add(change_sum, change);
+        impulse_sum = hn::Add(impulse_sum, impulse);
+    }
+    const V tangent_change = solve_friction(block, lane, pair, impulse_sum);
+    pair.finish(block, lane, velocity, nx, ny, change_sum, tangent_change);
+}
+
+struct PointLanes {
+    V arm_a;
+    V arm_b;
+    V bias;
+    V old;  // impulse
+};
+
+template <BlockKind kKind>
+HWY_INLINE V residual(const Pair<kKind>& pair, const PointLanes& p) {
+    return hn::Add(pair.jv(pair.normal_velocity, p.arm_a, p.arm_b), p.bias);
+}
+
+// Changes the impulse of a point; the result is by how much.
+template <BlockKind kKind>
+HWY_INLINE V push(Pair<kKind>& pair, const PointLanes& p, V impulse) {
+    const V change = hn::Sub(impulse, p.old);
+    pair.turn(change, p.arm_a, p.arm_b);
+    pair.normal_velocity = hn::Add(pair.normal_velocity, hn::Mul(pair.inverse_mass, change));
+    return change;
+}
+
+// Inverse effective masses of two points against each other.
+template <BlockKind kKind>
+HWY_INLINE V coupling(const Pair<kKind>& pair, const PointLanes& p, const PointLanes& q) {
+    V k = hn::Add(pair.inverse_mass, hn::Mul(p.arm_b, q.arm_b));
+    if constexpr (kKind == BlockKind::TwoBodies) k = hn::Add(k, hn::Mul(p.arm_a, q.arm_a));
+    return k;
+}
+
+// The impulses that bring both points to rest; negative where the points are too near each other to be told
+// apart.
+template <BlockKind kKind>
+HWY_INLINE std::array<V, 2> solve_both(const Pair<kKind>& pair, const std::array<PointLanes, 2>& p) {
+    const V k00 = coupling(pair, p[0], p[0]);
+    const V k11 = coupling(pair, p[1], p[1]);
+    const V k01 = coupling(pair, p[0], p[1]);
+    const V product = hn::Mul(k00, k11);
+    const V determinant = hn::Sub(product, hn::Mul(k01, k01));
+    const auto regular = hn::Gt(determinant, hn::Mul(hn::Set(kD, 1e-3f), product));
+    const V r0 = residual(pair, p[0]);
+    const V r1 = residual(pair, p[1]);
+    const V inverse = hn::Div(hn::Set(kD, 1), determinant);
+    const V change0 = hn::Mul(inverse, hn::Sub(hn::Mul(k01, r1), hn::Mul(k11, r0)));
+    const V change1 = hn::Mul(inverse, hn::Sub(hn::Mul(k01, r0), hn::Mul(k00, r1)));
+    const V no = hn::Set(kD, -1);
+    return {hn::IfThenElse(regular, hn::Add(p[0].old, change0), no),
+            hn::IfThenElse(regular, hn::Add(p[1].old, change1), no)};
+}
+
+template <BlockKind kKind>
+HWY_INLINE void relax_lanes(ContactBlock& block, int lane, float* velocity, const float* pose,
+                            const ContactPassTime& time) {
+    const V zero = hn::Zero(kD);
+    const V nx = load(block.normal_x, lane);
+    const V ny = load(block.normal_y, lane);
+    const Columns pose_b = load_rows(pose, block.b.data() + lane);
+    Columns pose_a{};
+    V dx = pose_b.x;
+    V dy = pose_b.y;
+    if constexpr (kKind == BlockKind::TwoBodies) {
+        pose_a = load_rows(pose, block.a.data() + lane);
+        dx = hn::Sub(dx, pose_a.x);
+        dy = hn::Sub(dy, pose_a.y);
+    }
+    const V moved = hn::Add(hn::Mul(nx, dx), hn::Mul(ny, dy));
+
+    Pair<kKind> pair(block, lane, velocity, nx, ny);
+    std::array<PointLanes, 2> points;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        ContactBlockPoint& stored = block.points[i];
+        PointLanes& p = points[i];
+        p.arm_a = load(stored.arm_a, lane);
+        p.arm_b = load(stored.arm_b, lane);
+        V s = hn::Add(load(stored.start_separation, lane), hn::Add(moved, hn::Mul(p.arm_b, pose_b.z)));
+        if constexpr (kKind == BlockKind::TwoBodies) s = hn::Sub(s, hn::Mul(p.arm_a, pose_a.z));
+        store(s, stored.separation, lane);
+        p.bias = hn::Mul(hn::Max(s, zero), hn::Set(kD, time.inverse_h_1_s));
+        p.old = load(stored.impulse, lane);
+    }
+    // Both points at once, where both go on to push: sweeping would leave a part of the push-out velocity.
+    const std::array<V, 2> together = solve_both(pair, points);
+    const auto both_push = hn::And(hn::Ge(together[0], zero), hn::Ge(together[1], zero));
+
+    const V first_wanted =
+        hn::Sub(points[0].old, hn::Mul(load(block.points[0].mass, lane), residual(pair, points[0])));
+    const V first = hn::IfThenElse(both_push, together[0], hn::Max(first_wanted, zero));
+    const V first_change = push(pair, points[0], first);
+    const V second_wanted =
+        hn::Sub(points[1].old, hn::Mul(load(block.points[1].mass, lane), residual(pair, points[1])));
+    const V second = hn::IfThenElse(both_push, together[1], hn::Max(second_wanted, zero));
+    const V second_change = push(pair, points[1], second);
+    store(first, block.points[0].impulse, lane);
+    store(second, block.points[1].impulse, lane);
+    if (block.reports) {
+        store(hn::Add(load(block.total_impulse[0], lane), first), block.total_impulse[0], lane);
+        store(hn::Add(load(block.total_impulse[1], lane), second), block.total_impulse[1], lane);
+    }
+    const V change_sum = hn::Add(first_change, second_change);
+    const V impulse_sum = hn::Add(first, second);
+    const V tangent_change = solve_friction(block, lane, pair, impulse_sum);
+    pair.finish(block, lane, velocity, nx, ny, change_sum, tangent_change);
+}
+
+template <BlockKind kKind>
+HWY_INLINE void warm_start_lanes(const ContactBlock& block, int lane, float* velocity) {
+    const V nx = load(block.normal_x, lane);
+    const V ny = load(block.normal_y, lane);
+    Pair<kKind> pair(block, lane, velocity, nx, ny);
+    V sum = hn::Zero(kD);
+    for (const ContactBlockPoint& point : block.points) {
+        const V impulse = load(point.impulse, lane);
+        pair.turn(impulse, load(point.arm_a, lane), load(point.arm_b, lane));
+        sum = hn::Add(sum, impulse);
+    }
+    const V tangent = load(block.friction_impulse, lane);
+    pair.turn(tangent, load(block.tangent_arm_a, lane), load(block.tangent_arm_b, lane));
+    pair.finish(block, lane, velocity, nx, ny, sum, tangent);
+}
+
+constexpr int kStep = static_cast<int>(hn::MaxLanes(D()));  // lanes that one register holds
+
+template <BlockKind kKind>
+void solve_all(std::span<ContactBlock> blocks, float* velocity, const ContactPassTime& time) {
+    for (ContactBlock& block : blocks) {
+        for (int lane = 0; lane < kBlockLanes; lane += kStep) solve_lanes<kKind>(block, lane, velocity, time);
+    }
+}
+
+template <BlockKind kKind>
+void relax_all(std::span<ContactBlock> blocks, float* velocity, const float* pose,
+               const ContactPassTime& time) {
+    for (ContactBlock& block : blocks) {
+        for (int lane = 0; lane < kBlockLanes; lane += kStep)
+            relax_lanes<kKind>(block, lane, velocity, pose, time);
+    }
+}
+
+template <BlockKind kKind>
+void warm_start_all(std::span<const ContactBlock> blocks, float* velocity) {
+    for (const ContactBlock& block : blocks) {
+        for (int lane = 0; lane < kBlockLanes; lane += kStep) warm_start_lanes<kKind>(block, lane, velocity);
+    }
+}
+
+void solve_blocks(std::span<ContactBlock> blocks, BlockKind kind, float* velocity,
+                  const ContactPassTime& time) {
+    if (kind == BlockKind::TwoBodies) return solve_all<BlockKind::TwoBodies>(blocks, velocity, time);
+    solve_all<BlockKind::OneBody>(blocks, velocity, time);
+}
+
+void relax_blocks(std::span<ContactBlock> blocks, BlockKind kind, float* velocity, const float* pose,
+                  const ContactPassTime& time) {
+    if (kind == BlockKind::TwoBodies) return relax_all<BlockKind::TwoBodies>(blocks, velocity, pose, time);
+    relax_all<BlockKind::OneBody>(blocks, velocity, pose, time);
+}
+
+void warm_start_blocks(std::span<const ContactBlock> blocks, BlockKind kind, float* velocity) {
+    if (kind == BlockKind::TwoBodies) return warm_start_all<BlockKind::TwoBodies>(blocks, velocity);
+    warm_start_all<BlockKind::OneBody>(blocks, velocity);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace cairn::physics
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace cairn::physics {
+
+HWY_EXPORT(solve_blocks);
+HWY_EXPORT(relax_blocks);
+HWY_EXPORT(warm_start_blocks);
+
+void solve_blocks(std::span<ContactBlock> blocks, BlockKind kind, VelocityRow* velocity,
+                  const ContactPassTime& time) {
+    HWY_DYNAMIC_DISPATCH(solve_blocks)(blocks, kind, &velocity->v.x, time);
+}
+
+void relax_blocks(std::span<ContactBlock> blocks, BlockKind kind, VelocityRow* velocity, const PoseRow* pose,
+                  const ContactPassTime& time) {
+    HWY_DYNAMIC_DISPATCH(relax_blocks)(blocks, kind, &velocity->v.x, &pose->d.x, time);
+}
+
+void warm_start_blocks(std::span<const ContactBlock> blocks, BlockKind kind, VelocityRow* velocity) {
+    HWY_DYNAMIC_DISPATCH(warm_start_blocks)(blocks, kind, &velocity->v.x);
+}
+
+}  // namespace cairn::physics
+#endif
