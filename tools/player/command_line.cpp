@@ -72,6 +72,7 @@ ParsedLine parse_command_line(int argc, char** argv) {
     scripting::PlayOptions& play = line.play;
     CLI::App app("Cairn, a 2D game framework with Lua scripting.", "cairn");
     app.footer("cairn COMMAND --help says more about a command.");
+    app.require_subcommand(0, 1);  // in `cairn help play`, "play" is an argument
     bool wants_version = false;
     app.add_flag("--version", wants_version, "print the version");
 
