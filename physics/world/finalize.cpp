@@ -15,6 +15,22 @@ float next_rest_time(const BodyRecord& record, Vec2 v, float w, float rest_time,
     return fastest_point < tuning::kSleepSpeed_m_s ? rest_time + dt_s : 0;
 }
 
+bool is_finite(const Motions& motions, int row) {
+    const PoseRow& pose = motions.pose[row];
+    const VelocityRow& velocity = motions.velocity[row];
+    // A sum is finite only if its terms are (or are too large to be anything but a fault).
+    return std::isfinite(pose.d.x + pose.d.y + pose.theta + velocity.v.x + velocity.v.y + velocity.w);
+}
+
+// A body whose motion is no number any more is put back to where the step found it, and stopped. Its box
+// would be found by nobody otherwise, and what it touches would follow it.
+void halt(Motions& motions, int row) {
+    motions.pose[row].d = {};
+    motions.pose[row].theta = 0;
+    motions.velocity[row].v = {};
+    motions.velocity[row].w = 0;
+}
+
 }  // namespace
 
 void update_boxes(Stores& stores, int body) {
@@ -29,9 +45,14 @@ void update_boxes(Stores& stores, int body) {
     }
 }
 
-void finalize_bodies(Stores& stores, const StepScratch& scratch, float dt_s, bool sleep_enabled) {
+void finalize_bodies(Stores& stores, StepScratch& scratch, float dt_s, bool sleep_enabled,
+                     std::vector<BodyId>& quarantined) {
     BodyRows& awake = stores.bodies.rows(RowSet::Awake);
     for (int row = 0; row < awake.size(); ++row) {
+        if (!is_finite(scratch.motions, row + 1)) {
+            halt(scratch.motions, row + 1);
+            quarantined.push_back(stores.bodies.slots.id(awake.body[row]));
+        }
         const PoseRow& pose = scratch.motions.pose[row + 1];
         const Vec2 velocity = scratch.motions.velocity[row + 1].v;
         const float spin = scratch.motions.spin(row + 1);

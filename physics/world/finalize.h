@@ -5,7 +5,9 @@
 
 namespace cairn::physics {
 
-void finalize_bodies(Stores& stores, const StepScratch& scratch, float dt_s, bool sleep_enabled);
+/// Bodies whose motion became infinite or NaN stay where they were and are noted in `quarantined`.
+void finalize_bodies(Stores& stores, StepScratch& scratch, float dt_s, bool sleep_enabled,
+                     std::vector<BodyId>& quarantined);
 
 /// Brings the boxes of a body's shapes up to its place; boxes that the shape has left are made anew.
 void update_boxes(Stores& stores, int body);

@@ -165,7 +165,7 @@ void prepare_joints(const Stores& stores, const StepTime& time, StepScratch& scr
         } else if (const auto* distance = std::get_if<DistanceJointDef>(&record.def)) {
             DistanceConstraint c = pack(stores, record, *distance, time);
             c.joint = joint;
-            prepare_distance(c, scratch.motions);
+            prepare_distance(c);
             mark_mover(scratch.motions, c.anchors.a, Mover::Turning);
             mark_mover(scratch.motions, c.anchors.b, Mover::Turning);
             scratch.distances.push_back(c);

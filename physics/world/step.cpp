@@ -43,7 +43,7 @@ void step_world(WorldState& world, float dt_s) {
     report_contacts(stores, scratch, def.hit_speed_m_s, world.events);
     store_contact_impulses(stores.contacts, scratch);
     store_joint_impulses(stores.joints, time, scratch);
-    finalize_bodies(stores, scratch, time.dt_s, def.enable_sleep);
+    finalize_bodies(stores, scratch, time.dt_s, def.enable_sleep, world.events.quarantined);
     sleep_islands(stores, scratch);
     world.previous_h_s = time.h_s;
     ++world.step_count;

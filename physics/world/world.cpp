@@ -169,6 +169,9 @@ std::span<const ContactEnd> World::contact_ends() const {
 std::span<const ContactHit> World::contact_hits() const {
     return state_->events.hits;
 }
+std::span<const BodyId> World::quarantined() const {
+    return state_->events.quarantined;
+}
 
 Result<std::optional<RayHit>> World::cast_ray(Position origin_m, Vec2 translation_m,
                                               QueryFilter filter) const {

@@ -35,6 +35,7 @@ struct Events {
     std::vector<ContactBegin> begins;
     std::vector<ContactEnd> ends;
     std::vector<ContactHit> hits;
+    std::vector<BodyId> quarantined;
     /// Ends caused between steps, by destroying things; they are told with the next step.
     std::vector<ContactEnd> pending_ends;
 };
@@ -45,6 +46,7 @@ std::uint64_t hash_state(const WorldState& world);
 inline void start_events(Events& events) {
     events.begins.clear();
     events.hits.clear();
+    events.quarantined.clear();
     events.ends.clear();
     events.ends.swap(events.pending_ends);
 }

@@ -13,13 +13,21 @@ struct Line {
     AnchorsNow at;
     Vec2 u;
     float length = 0;
+    float mass = 0;  // effective, along u
 };
 
 // Anchors that coincide have no direction; the one of the start of the step serves then.
 Line line_now(const DistanceConstraint& c, const Motion& a, const Motion& b) {
-    Line line{anchors_now(c.anchors, a, b), {}, 0};
+    Line line{anchors_now(c.anchors, a, b), {}, 0, 0};
     line.length = length(line.at.offset);
     line.u = line.length > 1e-6f ? (1 / line.length) * line.at.offset : c.axis;
+    // From the arms as they are now: a mass kept from the start of the step is too large by up to r^2/I m
+    // when an arm has turned across the line since, and the impulses then explode.
+    const float ra = cross(line.at.r_a, line.u);
+    const float rb = cross(line.at.r_b, line.u);
+    const float k =
+        a.inverse_mass + b.inverse_mass + a.inverse_inertia * ra * ra + b.inverse_inertia * rb * rb;
+    line.mass = k > 0 ? 1 / k : 0;
     return line;
 }
 
@@ -33,25 +41,18 @@ float soft_impulse(float mass, float accumulated, float jv, float error_m, const
 }
 
 // Rope (slack is how much is left) and stop alike: a gap may close, but no more.
-float limit_impulse(const DistanceConstraint& c, float accumulated, float slack_m, float closing, float h_s,
-                    Pass pass) {
-    if (slack_m > 0) return std::max(accumulated - c.axial_mass * (closing + slack_m / h_s), 0.0f);
-    const Softness& soft = pass == Pass::Biased ? c.softness : kRigid;
-    return std::max(soft_impulse(c.axial_mass, accumulated, closing, slack_m, soft), 0.0f);
+float limit_impulse(const Line& line, const Softness& softness, float accumulated, float slack_m,
+                    float closing, float h_s, Pass pass) {
+    if (slack_m > 0) return std::max(accumulated - line.mass * (closing + slack_m / h_s), 0.0f);
+    const Softness& soft = pass == Pass::Biased ? softness : kRigid;
+    return std::max(soft_impulse(line.mass, accumulated, closing, slack_m, soft), 0.0f);
 }
 
 }  // namespace
 
-void prepare_distance(DistanceConstraint& c, const Motions& motions) {
-    const Motion a = motions.get(c.anchors.a);
-    const Motion b = motions.get(c.anchors.b);
+void prepare_distance(DistanceConstraint& c) {
     const Vec2 offset = c.anchors.center_offset + (c.anchors.r_b - c.anchors.r_a);
     c.axis = length(offset) > 1e-6f ? normalized(offset) : Vec2{0, 1};
-    const float ra = cross(c.anchors.r_a, c.axis);
-    const float rb = cross(c.anchors.r_b, c.axis);
-    const float k =
-        a.inverse_mass + b.inverse_mass + a.inverse_inertia * ra * ra + b.inverse_inertia * rb * rb;
-    c.axial_mass = k > 0 ? 1 / k : 0;
     if (!c.limit) c.lower_impulse = c.upper_impulse = 0;
 }
 
@@ -75,20 +76,22 @@ void solve_distance(DistanceConstraint& c, Motions& motions, float h_s, Pass pas
 
     if (!c.spring) {
         const Softness& soft = pass == Pass::Biased ? c.softness : kRigid;
-        add(c.impulse,
-            soft_impulse(c.axial_mass, c.impulse, rate(line, a, b), line.length - c.length_m, soft), 1);
+        add(c.impulse, soft_impulse(line.mass, c.impulse, rate(line, a, b), line.length - c.length_m, soft),
+            1);
     } else if (pass == Pass::Biased) {
         // Relaxing a spring would take its force out again: that is the damping nobody asked for.
         add(c.impulse,
-            soft_impulse(c.axial_mass, c.impulse, rate(line, a, b), line.length - c.length_m,
-                         c.spring_softness),
+            soft_impulse(line.mass, c.impulse, rate(line, a, b), line.length - c.length_m, c.spring_softness),
             1);
     }
     if (c.limit) {
         add(c.lower_impulse,
-            limit_impulse(c, c.lower_impulse, line.length - c.min_length_m, rate(line, a, b), h_s, pass), 1);
+            limit_impulse(line, c.softness, c.lower_impulse, line.length - c.min_length_m, rate(line, a, b),
+                          h_s, pass),
+            1);
         add(c.upper_impulse,
-            limit_impulse(c, c.upper_impulse, c.max_length_m - line.length, -rate(line, a, b), h_s, pass),
+            limit_impulse(line, c.softness, c.upper_impulse, c.max_length_m - line.length, -rate(line, a, b),
+                          h_s, pass),
             -1);
     }
     motions.set_by_joint(c.anchors.a, a);

@@ -16,14 +16,13 @@ struct DistanceConstraint {
     float length_m = 0;
     float min_length_m = 0;
     float max_length_m = 0;
-    Vec2 axis;             // unit, from anchor a to anchor b, at the start of the step
-    float axial_mass = 0;  // along it
-    float impulse = 0;     // of rod or spring in one substep, positive: pushes apart
+    Vec2 axis;          // unit, from anchor a to anchor b, at the start of the step
+    float impulse = 0;  // of rod or spring in one substep, positive: pushes apart
     float lower_impulse = 0;
     float upper_impulse = 0;
 };
 
-void prepare_distance(DistanceConstraint& c, const Motions& motions);
+void prepare_distance(DistanceConstraint& c);
 void warm_start_distance(const DistanceConstraint& c, Motions& motions);
 void solve_distance(DistanceConstraint& c, Motions& motions, float h_s, Pass pass);
 

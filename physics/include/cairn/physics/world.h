@@ -102,6 +102,10 @@ class World {
     [[nodiscard]] std::span<const ContactEnd> contact_ends() const;
     [[nodiscard]] std::span<const ContactHit> contact_hits() const;
 
+    /// Bodies whose motion became infinite or NaN in the last step. They were put back to where the step
+    /// found them, and stopped. Empty unless forces or impulses beyond all measure act.
+    [[nodiscard]] std::span<const BodyId> quarantined() const;
+
     /// The first shape met from origin_m to origin_m + translation_m.
     Result<std::optional<RayHit>> cast_ray(Position origin_m, Vec2 translation_m,
                                            QueryFilter filter = {}) const;
