@@ -2,7 +2,6 @@
 #include "integrator/integrate.h"
 
 #include <array>
-
 #include <catch2/catch.hpp>
 
 namespace cairn::physics {

@@ -135,6 +135,21 @@ TEST_CASE(
     }
 }
 
+TEST_CASE("a ball that rolls fast does not sink") {
+    World world({.enable_sleep = false});
+    add_ground(world);
+    const BodyId ball =
+        add(world, {.position_m = {-40, 0.5}, .linear_velocity_m_s = {10, 0}, .angular_velocity_rad_s = -20},
+            Circle{{}, 0.5f});
+    for (int i = 0; i < 300; ++i) {
+        world.step(kStep_s).value();
+        // At rest the ball's weight sinks it by 0.07 mm.
+        REQUIRE(world.body(ball)->position().y == Approx(0.5).margin(3e-4));
+    }
+    CHECK(world.body(ball)->linear_velocity().x == Approx(10).epsilon(1e-3));
+    CHECK(world.body(ball)->angular_velocity() == Approx(-20).epsilon(1e-3));
+}
+
 TEST_CASE("a changed material rubs from the next step on") {
     World world;
     add_ground(world, {.material = {.friction = 1}});

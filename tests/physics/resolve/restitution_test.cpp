@@ -51,6 +51,14 @@ TEST_CASE("a perfectly elastic ball neither gains nor loses height in ten bounce
     for (int n = 1; n <= 10; ++n) CHECK(next_bounce_height(world, ball, 0.5) == Approx(4).epsilon(2e-3));
 }
 
+TEST_CASE("a flat box bounces as a ball does, and does not turn") {
+    World world;
+    add_ground(world, {.material = {.restitution = 0.5f}});
+    const BodyId box = add(world, {.position_m = {0, 4.5}}, Box{0.5f, 0.5f});
+    CHECK(next_bounce_height(world, box, 0.5) == Approx(1).epsilon(1e-3));
+    CHECK(world.body(box)->angle() == Approx(0).margin(1e-4));
+}
+
 TEST_CASE("without restitution nothing bounces") {
     World world;
     add_ground(world);
