@@ -1,6 +1,7 @@
 // Short forms for what nearly every test of a world does.
 #pragma once
 
+#include <array>
 #include <cmath>
 
 #include <cairn/physics/world.h>
@@ -28,6 +29,11 @@ inline void step_times(World& world, int count, float dt_s = kStep_s) {
 
 inline void run_for(World& world, double time_s, float dt_s = kStep_s) {
     step_times(world, static_cast<int>(std::lround(time_s / static_cast<double>(dt_s))), dt_s);
+}
+
+/// All counts, to be compared and printed as one.
+inline std::array<int, 6> listed(const Counts& c) {
+    return {c.bodies, c.awake_bodies, c.shapes, c.joints, c.contacts, c.touching};
 }
 
 inline double kinetic_energy(const Body& body) {

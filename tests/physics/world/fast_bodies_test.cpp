@@ -1,0 +1,62 @@
+// Fast bodies do not pass through others.
+#include <catch2/catch.hpp>
+
+#include "physics/support/making.h"
+
+namespace cairn::physics {
+
+using namespace test;
+
+TEST_CASE("a bullet of any speed stops at a thin wall") {
+    for (const float speed : {20.0f, 60.0f, 150.0f, 400.0f, 1000.0f}) {
+        for (const BodyType type : {BodyType::Static, BodyType::Kinematic}) {
+            World world({.gravity_m_s2 = {}});
+            add(world, {.type = type, .position_m = {10, 0}}, Box{0.02f, 5});
+            const BodyId bullet = add(world, {.linear_velocity_m_s = {speed, 0}}, Circle{{}, 0.05f});
+            run_for(world, 2);
+            INFO(speed << " m/s");
+            CHECK(world.body(bullet)->position().x < 10);
+        }
+    }
+}
+
+TEST_CASE("a fast ball bounces off a thin wall with the law of restitution, and reports the hit") {
+    World world({.gravity_m_s2 = {}});
+    add(world, {.type = BodyType::Static, .position_m = {10, 0}}, Box{0.02f, 5});
+    const BodyId ball = add(world, {.linear_velocity_m_s = {200, 0}}, Circle{{}, 0.1f},
+                            {.material = {.restitution = 0.5f}, .hit_events = true});
+    int hits = 0;
+    for (int i = 0; i < 30; ++i) {
+        world.step(kStep_s).value();
+        for (const ContactHit& hit : world.contact_hits()) {
+            ++hits;
+            CHECK(hit.approach_speed_m_s == Approx(200).epsilon(1e-3));
+            CHECK(hit.point_m.x == Approx(9.98).margin(0.02));
+        }
+    }
+    CHECK(hits == 1);
+    CHECK(world.body(ball)->linear_velocity().x == Approx(-100).epsilon(1e-3));
+}
+
+TEST_CASE("fast bodies meet slow dynamic ones, and give them their momentum") {
+    World world({.gravity_m_s2 = {}, .enable_sleep = false});
+    const BodyId target = add(world, {.position_m = {10, 0}}, Circle{{}, 0.1f});
+    const BodyId bullet = add(world, {.linear_velocity_m_s = {300, 0}}, Circle{{}, 0.1f});
+    run_for(world, 1);
+    CHECK(world.body(target)->linear_velocity().x == Approx(150).epsilon(1e-3));
+    CHECK(world.body(bullet)->linear_velocity().x == Approx(150).epsilon(1e-3));
+}
+
+TEST_CASE("a fast box wakes the stack that it hits") {
+    World world;
+    add_ground(world);
+    const BodyId box = add(world, {.position_m = {20, 0.5}}, Box{0.1f, 0.5f});
+    run_for(world, 2);
+    REQUIRE_FALSE(world.body(box)->is_awake());
+    add(world, {.position_m = {0, 0.6}, .linear_velocity_m_s = {250, 0}}, Box{0.05f, 0.05f});
+    run_for(world, 0.2);
+    CHECK(world.body(box)->is_awake());
+    CHECK(world.body(box)->linear_velocity().x > 0.5f);
+}
+
+}  // namespace cairn::physics

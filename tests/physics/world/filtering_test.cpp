@@ -1,0 +1,122 @@
+// Which pairs collide: categories, masks, groups, joints, body types.
+#include <catch2/catch.hpp>
+
+#include "physics/support/making.h"
+
+namespace cairn::physics {
+namespace {
+
+using namespace test;
+
+// Whether a ball of one filter that is dropped on ground of another is caught.
+bool collides(Filter ground, Filter ball) {
+    World world;
+    add_ground(world, {.filter = ground});
+    const BodyId id = add(world, {.position_m = {0, 0.6}}, Circle{}, {.filter = ball});
+    run_for(world, 1);
+    return world.body(id)->position().y > 0.4;
+}
+
+}  // namespace
+
+TEST_CASE("a pair collides when each one's categories meet the other's mask") {
+    CHECK(collides({}, {}));
+    CHECK(collides({.categories = 2, .mask = 4}, {.categories = 4, .mask = 2}));
+    CHECK(collides({.categories = 6, .mask = 12}, {.categories = 8, .mask = 2}));
+    CHECK_FALSE(collides({.categories = 2, .mask = 4}, {.categories = 4, .mask = 1}));
+    CHECK_FALSE(collides({.categories = 2, .mask = 1}, {.categories = 4, .mask = 2}));
+    CHECK_FALSE(collides({}, {.mask = 0}));
+    CHECK_FALSE(collides({.categories = 0}, {}));
+}
+
+TEST_CASE("shapes of one group ignore the masks: positive always, negative never") {
+    CHECK(collides({.mask = 0, .group = 3}, {.mask = 0, .group = 3}));
+    CHECK_FALSE(collides({.group = -3}, {.group = -3}));
+    CHECK(collides({.group = -3}, {.group = -4}));
+    CHECK_FALSE(collides({.mask = 0, .group = 3}, {.mask = 0, .group = 4}));
+}
+
+TEST_CASE("a filter that changes takes effect on what already touches and on what overlaps") {
+    World world;
+    const BodyId ground = add_ground(world);
+    const BodyId ball = add(world, {.position_m = {0, 0.5}}, Circle{}, {.contact_events = true});
+    run_for(world, 0.2);
+    REQUIRE(world.counts().touching == 1);
+    Shape shape = *world.shape(world.body(ball)->shapes()[0]);
+    shape.set_filter({.mask = 0});
+    CHECK(shape.filter().mask == 0);
+    CHECK(world.counts().contacts == 0);
+    step_times(world, 3);
+    CHECK(world.body(ball)->position().y < 0.5);
+    shape.set_filter({});
+    run_for(world, 1);
+    CHECK(world.counts().touching == 1);
+    CHECK(world.body(ball)->position().y == Approx(0.5).margin(0.005));
+    world.shape(world.body(ground)->shapes()[0])->set_filter({.categories = 0});
+    run_for(world, 0.5);
+    CHECK(world.body(ball)->position().y < 0);
+}
+
+TEST_CASE("shapes of one body, and bodies that are not dynamic, never collide") {
+    World world;
+    const BodyId body = world.create_body({}).value();
+    world.create_shape(body, Circle{}).value();
+    world.create_shape(body, Circle{{0.1f, 0}, 0.5f}).value();
+    add(world, {.type = BodyType::Static, .position_m = {10, 0}}, Circle{});
+    add(world, {.type = BodyType::Kinematic, .position_m = {10, 0}}, Circle{});
+    add(world, {.type = BodyType::Kinematic, .position_m = {10, 0.1}}, Circle{});
+    step_times(world, 2);
+    CHECK(world.counts().contacts == 0);
+}
+
+TEST_CASE("jointed bodies collide only when the joint says so, and again when it is gone") {
+    for (const bool collide_connected : {false, true}) {
+        World world({.gravity_m_s2 = {}, .enable_sleep = false});
+        const BodyId a = add(world, {}, Box{0.5f, 0.5f});
+        const BodyId b = add(world, {.position_m = {0.9, 0}}, Box{0.5f, 0.5f});
+        const JointId joint = world
+                                  .create_joint(RevoluteJointDef{.body_a = a,
+                                                                 .body_b = b,
+                                                                 .local_anchor_a_m = {0.9f, 0},
+                                                                 .collide_connected = collide_connected})
+                                  .value();
+        step_times(world, 5);
+        CHECK(world.counts().contacts == (collide_connected ? 1 : 0));
+        world.destroy_joint(joint).value();
+        step_times(world, 60);
+        CHECK(world.body(b)->position().x - world.body(a)->position().x > 0.99);
+    }
+}
+
+TEST_CASE("a joint made between touching bodies ends their touching") {
+    World world({.gravity_m_s2 = {}});
+    const BodyId a = add(world, {}, Box{0.5f, 0.5f}, {.contact_events = true});
+    const BodyId b = add(world, {.position_m = {0.999, 0}}, Box{0.5f, 0.5f});
+    step_times(world, 2);
+    REQUIRE(world.counts().touching == 1);
+    world.create_joint(DistanceJointDef{.body_a = a, .body_b = b, .length_m = 1}).value();
+    CHECK(world.counts().contacts == 0);
+    world.step(kStep_s).value();
+    CHECK(world.contact_ends().size() == 1);
+}
+
+TEST_CASE("with two joints between two bodies, one that forbids collision is enough") {
+    World world({.gravity_m_s2 = {}});
+    const BodyId a = add(world, {}, Box{0.5f, 0.5f});
+    const BodyId b = add(world, {.position_m = {0.95, 0}}, Box{0.5f, 0.5f});
+    const auto rod = [&](bool collide_connected) {
+        return world
+            .create_joint(DistanceJointDef{
+                .body_a = a, .body_b = b, .length_m = 0.95f, .collide_connected = collide_connected})
+            .value();
+    };
+    rod(true);
+    const JointId forbidding = rod(false);
+    step_times(world, 2);
+    CHECK(world.counts().contacts == 0);
+    world.destroy_joint(forbidding).value();
+    step_times(world, 2);
+    CHECK(world.counts().contacts == 1);
+}
+
+}  // namespace cairn::physics

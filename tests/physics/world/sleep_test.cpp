@@ -1,0 +1,290 @@
+// What falls asleep, and what wakes it.
+#include <catch2/catch.hpp>
+#include <vector>
+
+#include "physics/support/making.h"
+
+namespace cairn::physics {
+namespace {
+
+using namespace test;
+
+std::vector<BodyId> add_stack(World& world, int count, double x = 0) {
+    std::vector<BodyId> boxes;
+    for (int i = 0; i < count; ++i)
+        boxes.push_back(add(world, {.position_m = {x, 0.5 + i}}, Box{0.5f, 0.5f}));
+    return boxes;
+}
+
+int awake_of(World& world, const std::vector<BodyId>& ids) {
+    int awake = 0;
+    for (const BodyId id : ids) awake += world.body(id)->is_awake() ? 1 : 0;
+    return awake;
+}
+
+// A stack of three on the ground, asleep.
+struct SleepingStack {
+    World world;
+    BodyId ground = add_ground(world);
+    std::vector<BodyId> boxes = add_stack(world, 3);
+
+    SleepingStack() {
+        run_for(world, 5);
+        REQUIRE(world.counts().awake_bodies == 0);
+    }
+};
+
+}  // namespace
+
+TEST_CASE("a body at rest falls asleep after half a second, not before") {
+    World world({.gravity_m_s2 = {}});
+    const BodyId ball = add(world, {}, Circle{});
+    step_times(world, 29);
+    CHECK(world.body(ball)->is_awake());
+    step_times(world, 2);
+    CHECK_FALSE(world.body(ball)->is_awake());
+}
+
+TEST_CASE("a body that moves or turns faster than the sleep speed stays awake") {
+    World world({.gravity_m_s2 = {}});
+    const BodyId slow = add(world, {.position_m = {0, 0}, .linear_velocity_m_s = {0.04f, 0}}, Circle{});
+    const BodyId fast = add(world, {.position_m = {0, 5}, .linear_velocity_m_s = {0.06f, 0}}, Circle{});
+    // Its rim, 2 m from the centre, turns with 0.06 m/s.
+    const BodyId turning =
+        add(world, {.position_m = {0, 15}, .angular_velocity_rad_s = 0.03f}, Circle{{}, 2});
+    run_for(world, 2);
+    CHECK_FALSE(world.body(slow)->is_awake());
+    CHECK(world.body(fast)->is_awake());
+    CHECK(world.body(turning)->is_awake());
+}
+
+TEST_CASE("nothing falls asleep where sleep is off, or where a body may not sleep") {
+    World sleepless({.gravity_m_s2 = {}, .enable_sleep = false});
+    const BodyId ball = add(sleepless, {}, Circle{});
+    run_for(sleepless, 2);
+    CHECK(sleepless.body(ball)->is_awake());
+
+    World world;
+    add_ground(world);
+    const std::vector<BodyId> boxes = add_stack(world, 3);
+    world.body(boxes[2])->set_allow_sleep(false);
+    CHECK_FALSE(world.body(boxes[2])->allows_sleep());
+    run_for(world, 5);
+    CHECK(awake_of(world, boxes) == 3);  // it keeps awake what it touches
+    world.body(boxes[2])->set_allow_sleep(true);
+    run_for(world, 2);
+    CHECK(awake_of(world, boxes) == 0);
+}
+
+TEST_CASE("a sleeping stack does not move") {
+    SleepingStack stack;
+    const Transform top = stack.world.body(stack.boxes[2])->transform();
+    step_times(stack.world, 600);
+    CHECK(stack.world.body(stack.boxes[2])->transform() == top);
+    CHECK(stack.world.body(stack.boxes[2])->linear_velocity() == Vec2{});
+    CHECK(stack.world.counts().awake_bodies == 0);
+}
+
+TEST_CASE("a hit wakes the whole stack") {
+    SleepingStack stack;
+    add(stack.world, {.position_m = {-4, 2.5}, .linear_velocity_m_s = {10, 2}}, Circle{{}, 0.25f});
+    int steps = 0;
+    while (awake_of(stack.world, stack.boxes) == 0 && steps < 60) {
+        stack.world.step(kStep_s).value();
+        ++steps;
+    }
+    // 3.25 m at 10 m/s: about 20 steps.
+    CHECK(steps >= 18);
+    CHECK(steps <= 22);
+    CHECK(awake_of(stack.world, stack.boxes) == 3);
+}
+
+TEST_CASE("what lies beside a hit stack sleeps on") {
+    SleepingStack stack;
+    const std::vector<BodyId> others = add_stack(stack.world, 3, 10);
+    run_for(stack.world, 5);
+    REQUIRE(stack.world.counts().awake_bodies == 0);
+    stack.world.body(stack.boxes[1])->apply_impulse_to_center({1, 0}).value();
+    CHECK(awake_of(stack.world, stack.boxes) == 3);
+    CHECK(awake_of(stack.world, others) == 0);
+}
+
+TEST_CASE("removing what carries wakes what was carried, within the call") {
+    SleepingStack stack;
+    SECTION("the lowest box") {
+        stack.world.destroy_body(stack.boxes[0]).value();
+        CHECK(stack.world.body(stack.boxes[1])->is_awake());
+        CHECK(stack.world.body(stack.boxes[2])->is_awake());
+    }
+    SECTION("the ground") {
+        stack.world.destroy_body(stack.ground).value();
+        CHECK(awake_of(stack.world, stack.boxes) == 3);
+    }
+    SECTION("the shape of the ground") {
+        stack.world.destroy_shape(stack.world.body(stack.ground)->shapes()[0]).value();
+        CHECK(awake_of(stack.world, stack.boxes) == 3);
+    }
+    SECTION("the filter that let the ground carry") {
+        stack.world.shape(stack.world.body(stack.ground)->shapes()[0])->set_filter({.mask = 0});
+        CHECK(awake_of(stack.world, stack.boxes) == 3);
+    }
+    SECTION("the place of the ground") {
+        stack.world.body(stack.ground)->set_transform({0, -50}, 0).value();
+        CHECK(awake_of(stack.world, stack.boxes) == 3);
+    }
+    const double before = stack.world.body(stack.boxes[2])->position().y;
+    run_for(stack.world, 0.5);
+    CHECK(stack.world.body(stack.boxes[2])->position().y < before - 0.5);
+}
+
+TEST_CASE("forces, impulses, velocities, teleports and gravity wake a body") {
+    SleepingStack stack;
+    Body box = *stack.world.body(stack.boxes[0]);
+    SECTION("force") {
+        box.apply_force_to_center({0, 1}).value();
+    }
+    SECTION("torque") {
+        box.apply_torque(1).value();
+    }
+    SECTION("impulse") {
+        box.apply_impulse_to_center({0, 1}).value();
+    }
+    SECTION("angular impulse") {
+        box.apply_angular_impulse(1).value();
+    }
+    SECTION("linear velocity") {
+        box.set_linear_velocity({0, 1}).value();
+    }
+    SECTION("angular velocity") {
+        box.set_angular_velocity(1).value();
+    }
+    SECTION("teleport") {
+        box.set_transform({0, 0.5}, 0).value();
+    }
+    SECTION("gravity scale") {
+        box.set_gravity_scale(2).value();
+    }
+    SECTION("gravity") {
+        stack.world.set_gravity({0, -5}).value();
+    }
+    SECTION("by hand") {
+        box.set_awake(true);
+    }
+    CHECK(awake_of(stack.world, stack.boxes) == 3);
+}
+
+TEST_CASE("reading wakes nobody") {
+    SleepingStack stack;
+    const Body box = *stack.world.body(stack.boxes[1]);
+    static_cast<void>(box.transform());
+    static_cast<void>(box.velocity_at({0, 0}));
+    static_cast<void>(box.shapes());
+    static_cast<void>(stack.world.cast_ray({-5, 1}, {10, 0}));
+    static_cast<void>(stack.world.shape_at({0, 1}));
+    CHECK(stack.world.counts().awake_bodies == 0);
+}
+
+TEST_CASE("a platform that moves keeps awake what it carries, and what it carries moves with it") {
+    World world;
+    const BodyId lift =
+        add(world, {.type = BodyType::Kinematic, .linear_velocity_m_s = {0.02f, 0}}, Box{2, 0.25f});
+    const BodyId box = add(world, {.position_m = {0, 0.75}}, Box{0.5f, 0.5f});
+    run_for(world, 5);
+    CHECK(world.body(box)->is_awake());
+    CHECK(world.body(box)->position().x == Approx(0.1).margin(0.005));
+    world.body(lift)->set_linear_velocity({}).value();
+    run_for(world, 2);
+    CHECK_FALSE(world.body(box)->is_awake());
+    // Starting again, slowly, wakes what stands on it.
+    world.body(lift)->set_linear_velocity({0, 0.02f}).value();
+    run_for(world, 1);
+    CHECK(world.body(box)->is_awake());
+    CHECK(world.body(box)->position().y == Approx(0.77).margin(0.005));
+}
+
+TEST_CASE("a platform that runs into sleepers wakes and pushes them") {
+    SleepingStack stack;
+    add(stack.world, {.type = BodyType::Kinematic, .position_m = {-3, 0.5}, .linear_velocity_m_s = {2, 0}},
+        Box{0.5f, 0.4f});
+    run_for(stack.world, 0.9);
+    CHECK(awake_of(stack.world, stack.boxes) == 0);
+    run_for(stack.world, 1);
+    CHECK(awake_of(stack.world, stack.boxes) == 3);
+    CHECK(stack.world.body(stack.boxes[0])->position().x > 0.5);
+}
+
+TEST_CASE("a static body moved to where something sleeps wakes it") {
+    World world;
+    add_ground(world);
+    const BodyId box = add(world, {.position_m = {0, 0.5}}, Box{0.5f, 0.5f});
+    const BodyId wall = add(world, {.type = BodyType::Static, .position_m = {20, 0.5}}, Box{0.5f, 0.5f});
+    run_for(world, 2);
+    REQUIRE_FALSE(world.body(box)->is_awake());
+    world.body(wall)->set_transform({-0.8, 0.5}, 0).value();
+    CHECK(world.body(box)->is_awake());
+    run_for(world, 2);
+    CHECK(world.body(box)->position().x > 0.15);  // pushed out of the wall
+}
+
+TEST_CASE("putting one body to sleep puts all to sleep that touches it") {
+    World world;
+    add_ground(world);
+    const std::vector<BodyId> boxes = add_stack(world, 3);
+    const std::vector<BodyId> others = add_stack(world, 3, 10);
+    step_times(world, 2);
+    world.body(boxes[2])->set_awake(false);
+    CHECK(awake_of(world, boxes) == 0);
+    CHECK(awake_of(world, others) == 3);
+    world.body(boxes[0])->set_awake(true);
+    CHECK(awake_of(world, boxes) == 3);
+}
+
+TEST_CASE("bodies joined together sleep and wake together, though they do not touch") {
+    World world({.gravity_m_s2 = {}});
+    const BodyId a = add(world, {}, Circle{});
+    const BodyId b = add(world, {.position_m = {3, 0}}, Circle{});
+    const BodyId other = add(world, {.position_m = {6, 0}}, Circle{});
+    const JointId rod = world.create_joint(DistanceJointDef{.body_a = a, .body_b = b, .length_m = 3}).value();
+    run_for(world, 2);
+    REQUIRE(world.counts().awake_bodies == 0);
+    world.body(a)->set_awake(true);
+    CHECK(awake_of(world, {a, b, other}) == 2);
+    run_for(world, 2);
+    SECTION("destroying the joint wakes both") {
+        world.destroy_joint(rod).value();
+    }
+    SECTION("changing the joint wakes both") {
+        world.joint(rod)->set_length(2).value();
+    }
+    CHECK(awake_of(world, {a, b, other}) == 2);
+}
+
+TEST_CASE("a body made asleep stays asleep in the air until something touches it") {
+    World world;
+    add_ground(world);
+    const BodyId box = add(world, {.position_m = {0, 5}, .awake = false}, Box{0.5f, 0.5f});
+    run_for(world, 3);
+    CHECK_FALSE(world.body(box)->is_awake());
+    CHECK(world.body(box)->position() == Position{0, 5});
+    add(world, {.position_m = {0, 6.1}}, Circle{});
+    run_for(world, 1);
+    CHECK(world.body(box)->position().y < 4.5);
+}
+
+TEST_CASE("a whole building made asleep stands untouched, and falls when hit") {
+    World world;
+    add_ground(world);
+    std::vector<BodyId> boxes;
+    for (int i = 0; i < 5; ++i)
+        boxes.push_back(add(world, {.position_m = {0, 0.5 + i}, .awake = false}, Box{0.5f, 0.5f}));
+    const std::vector<Transform> before{world.body(boxes[0])->transform(), world.body(boxes[4])->transform()};
+    run_for(world, 10);
+    CHECK(world.counts().awake_bodies == 0);
+    CHECK(world.body(boxes[0])->transform() == before[0]);
+    CHECK(world.body(boxes[4])->transform() == before[1]);
+    add(world, {.position_m = {-5, 4.5}, .linear_velocity_m_s = {20, 2}}, Circle{}, {.density_kg_m2 = 5});
+    run_for(world, 3);
+    CHECK(world.body(boxes[4])->position().y < 4);
+}
+
+}  // namespace cairn::physics
