@@ -1,5 +1,6 @@
 // Random numbers that are the same on every machine, so that a failing case can be run again.
 // The distributions of the standard library differ between implementations. Source: SplitMix64, Steele 2014.
+// Draw once per call expression or within braces: compilers evaluate the arguments of a call in any order.
 #pragma once
 
 #include <cstdint>

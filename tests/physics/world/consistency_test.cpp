@@ -44,7 +44,8 @@ class Operations {
         if (choice < 44) return join(body, pick(bodies));
         if (choice < 48 && !joints.empty()) return destroy_joint(stores, pick(joints));
         if (choice < 54) {
-            return teleport(stores, body, {random_.real(-5, 5), random_.real(0, 6)}, random_.real(-3, 3));
+            const double angle = random_.real(-3, 3);
+            return teleport(stores, body, {random_.real(-5, 5), random_.real(0, 6)}, angle);
         }
         if (choice < 60) return wake_body(stores, body);
         if (choice < 66) return put_island_to_sleep(stores, world_.scratch, body);
@@ -68,7 +69,8 @@ class Operations {
     }
     void add_shape(int body) {
         const Form form = kForms[static_cast<std::size_t>(random_.below(kForms.size()))];
-        create_shape(world_.stores, body, random_convex(random_, form),
+        const Convex convex = random_convex(random_, form);
+        create_shape(world_.stores, body, convex,
                      {.filter = random_filter(), .contact_events = random_.chance(0.5)});
     }
     Filter random_filter() {

@@ -60,9 +60,11 @@ class Fuzz {
         } else if (choice < 32) {
             if (!joints.empty()) world_.destroy_joint(joints.front()).value();
         } else if (choice < 36) {
-            body.set_transform({random_.real(-7, 7), random_.real(0, 15)}, random_.real(-10, 10)).value();
+            const double angle = random_.real(-10, 10);
+            body.set_transform({random_.real(-7, 7), random_.real(0, 15)}, angle).value();
         } else if (choice < 42) {
-            body.apply_impulse(random_.vector(-20, 20), body.world_center() + random_.vector(-1, 1)).value();
+            const Position at = body.world_center() + random_.vector(-1, 1);
+            body.apply_impulse(random_.vector(-20, 20), at).value();
         } else if (choice < 46) {
             body.apply_force(random_.vector(-500, 500), body.world_center()).value();
         } else if (choice < 49) {
