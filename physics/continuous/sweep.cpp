@@ -19,8 +19,8 @@ std::optional<float> time_of_impact(const Sweep& a, const Sweep& b, float durati
     // What rotation can add to the closing speed, at most.
     const float spin_speed = std::fabs(a.spin) * farthest_distance(*a.shape, a.local_center) +
                              std::fabs(b.spin) * farthest_distance(*b.shape, b.local_center);
-    // Straight motion is exact after one or two rounds; a fast spin takes more.
-    constexpr int kMaxRounds = 32;
+    // Straight motion is exact after one or two rounds; a spin that grazes takes many.
+    constexpr int kMaxRounds = 256;
     float time = 0;
     for (int round = 0; round < kMaxRounds; ++round) {
         const RelativePose pose = relative_pose_at(a, b, time);

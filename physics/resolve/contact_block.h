@@ -14,6 +14,8 @@ namespace cairn::physics {
 inline constexpr int kBlockLanes =
     8;  // wider registers gain nothing: the limit is memory; narrower ones take two rounds
 
+inline constexpr int kNoBlock = -1;
+
 template <class T>
 using Lanes = std::array<T, kBlockLanes>;
 
@@ -23,6 +25,7 @@ struct alignas(32) ContactBlockPoint {
     Lanes<float> mass;              // effective, along the normal; 0 in unused points
     Lanes<float> start_separation;  // m, at the start of the step, less what the arms add at angle 0
     Lanes<float> separation;        // m, now: kept by the relaxing pass for the next biased one
+    Lanes<float> static_impulse;    // N s, the estimate for rest
     Lanes<float> impulse;           // N s, of one substep
 };
 
@@ -42,6 +45,10 @@ struct alignas(32) ContactBlock {
     // Touched only when `reports` is set: what impacts gave over the whole step.
     std::array<Lanes<float>, 2> total_impulse;
     bool reports = false;
+    // Which contacts these are, and the next block of the same colour and kind.
+    Lanes<std::int32_t> contact;
+    int used = 0;  // lanes
+    int next = kNoBlock;
 };
 
 }  // namespace cairn::physics

@@ -33,6 +33,7 @@ void write_lane(ContactBlock& block, int lane, const ContactInput& c, const Moti
     const float k_a = a == kWorldRow ? 0 : motions.pose[a].k;
     const float k_b = motions.pose[b].k;
     const float inverse_mass = motions.velocity[a].inverse_mass + motions.velocity[b].inverse_mass;
+    block.contact[lane] = c.contact;
     block.a[lane] = a;
     block.b[lane] = b;
     block.normal_x[lane] = normal.x;
@@ -50,6 +51,7 @@ void write_lane(ContactBlock& block, int lane, const ContactInput& c, const Moti
         to.mass[lane] = 1 / (inverse_mass + arm_a * arm_a + arm_b * arm_b);
         to.start_separation[lane] = to.separation[lane] = c.points[i].separation;
         to.impulse[lane] = c.points[i].impulse;
+        to.static_impulse[lane] = c.points[i].static_impulse;
         block.total_impulse[i][lane] = 0;
         middle_a += r_a;
         middle_b += r_b;
@@ -59,7 +61,8 @@ void write_lane(ContactBlock& block, int lane, const ContactInput& c, const Moti
         middle_b *= 0.5f;
     } else {
         ContactBlockPoint& unused = block.points[1];
-        unused.arm_a[lane] = unused.arm_b[lane] = unused.mass[lane] = unused.impulse[lane] = 0;
+        unused.arm_a[lane] = unused.arm_b[lane] = unused.mass[lane] = unused.impulse[lane] =
+            unused.static_impulse[lane] = 0;
         unused.start_separation[lane] = unused.separation[lane] = 1;
         block.total_impulse[1][lane] = 0;
     }
@@ -78,8 +81,9 @@ void write_lane(ContactBlock& block, int lane, const ContactInput& c, const Moti
 
 void ContactBlocks::start(int rows) {
     colors_of_row_.assign(rows, 0);
-    lanes_.fill(0);
-    for (auto& contacts : contacts_) contacts.clear();
+    used_ = 0;
+    first_.fill(kNoBlock);
+    last_.fill(kNoBlock);
 }
 
 int ContactBlocks::choose_bucket(const ContactInput& c, const Motions& motions, float dt_s) {
@@ -98,48 +102,50 @@ int ContactBlocks::choose_bucket(const ContactInput& c, const Motions& motions, 
     return 2 * color + (c.a == kWorldRow || c.b == kWorldRow ? 1 : 0);
 }
 
+int ContactBlocks::open_block(int bucket) {
+    const int last = last_[bucket];
+    if (last != kNoBlock && blocks_[last].used < kBlockLanes) return last;
+    const int block = used_++;
+    if (block == static_cast<int>(blocks_.size())) blocks_.emplace_back();
+    clear_lanes(blocks_[block]);
+    (last == kNoBlock ? first_[bucket] : blocks_[last].next) = block;
+    last_[bucket] = block;
+    return block;
+}
+
 ContactLane ContactBlocks::add(const ContactInput& contact, const Motions& motions, float dt_s) {
     const int bucket = choose_bucket(contact, motions, dt_s);
     if (bucket == kScalar) return {};
-    const int place = lanes_[bucket]++;
-    const ContactLane at{bucket, place / kBlockLanes, place % kBlockLanes};
-    auto& blocks = blocks_[bucket];
-    if (at.lane == 0) {
-        if (blocks.size() <= static_cast<std::size_t>(at.block)) blocks.emplace_back();
-        clear_lanes(blocks[at.block]);
-    }
-    write_lane(blocks[at.block], at.lane, contact, motions);
-    contacts_[bucket].push_back(contact.contact);
-    return at;
+    const int block = open_block(bucket);
+    const int lane = blocks_[block].used++;
+    write_lane(blocks_[block], lane, contact, motions);
+    return {block, lane, bucket};
 }
 
 void ContactBlocks::warm_start(Motions& motions) const {
     for (int bucket = 0; bucket < kBuckets; ++bucket) {
-        const std::size_t used = (lanes_[bucket] + kBlockLanes - 1) / kBlockLanes;
-        if (used == 0) continue;
-        warm_start_blocks(std::span(blocks_[bucket]).first(used), kind_of(bucket), motions.velocity.data());
+        warm_start_blocks(blocks_.data(), first_[bucket], kind_of(bucket), motions.velocity.data());
     }
 }
 
 void ContactBlocks::solve(Motions& motions, const ContactRules& rules, float h_s, Pass pass) {
     for (int bucket = 0; bucket < kBuckets; ++bucket) {
-        const std::size_t used = (lanes_[bucket] + kBlockLanes - 1) / kBlockLanes;
-        if (used == 0) continue;
-        const auto blocks = std::span(blocks_[bucket]).first(used);
+        if (first_[bucket] == kNoBlock) continue;
         const BlockKind kind = kind_of(bucket);
         const ContactPassTime time{
             kind == BlockKind::OneBody ? rules.static_softness : rules.dynamic_softness, 1 / h_s,
             rules.max_push_out_speed_m_s};
         if (pass == Pass::Biased) {
-            solve_blocks(blocks, kind, motions.velocity.data(), time);
+            solve_blocks(blocks_.data(), first_[bucket], kind, motions.velocity.data(), time);
         } else {
-            relax_blocks(blocks, kind, motions.velocity.data(), motions.pose.data(), time);
+            relax_blocks(blocks_.data(), first_[bucket], kind, motions.velocity.data(), motions.pose.data(),
+                         time);
         }
     }
 }
 
 ContactOutcome ContactBlocks::outcome(const ContactLane& at) const {
-    const ContactBlock& block = blocks_[at.bucket][at.block];
+    const ContactBlock& block = blocks_[at.block];
     ContactOutcome outcome;
     for (int i = 0; i < 2; ++i) {
         outcome.impulse[i] = block.points[i].impulse[at.lane];

@@ -16,11 +16,11 @@ namespace cairn::physics {
 
 /// Where a contact was packed.
 struct ContactLane {
-    int bucket = -1;  // 2 * colour + kind of block; -1: nowhere
-    int block = 0;
+    int block = kNoBlock;  // that: nowhere
     int lane = 0;
+    int bucket = 0;  // 2 * colour + kind of block
 
-    explicit operator bool() const { return bucket >= 0; }
+    explicit operator bool() const { return block != kNoBlock; }
 };
 
 /// What a lane holds after the substeps.
@@ -48,11 +48,9 @@ class ContactBlocks {
     /// Calls visit(contact, outcome) for each packed contact.
     template <class Visit>
     void for_each_outcome(Visit&& visit) const {
-        for (int bucket = 0; bucket < kBuckets; ++bucket) {
-            for (int i = 0; i < lanes_[bucket]; ++i) {
-                const ContactLane at{bucket, i / kBlockLanes, i % kBlockLanes};
-                visit(contacts_[bucket][i], outcome(at));
-            }
+        for (int i = 0; i < used_; ++i) {
+            for (int lane = 0; lane < blocks_[i].used; ++lane)
+                visit(blocks_[i].contact[lane], outcome({i, lane}));
         }
     }
 
@@ -60,12 +58,16 @@ class ContactBlocks {
     static constexpr int kColors = 32;
     static constexpr int kBuckets = 2 * kColors;
 
+    [[nodiscard]] int open_block(int bucket);
     [[nodiscard]] int choose_bucket(const ContactInput& c, const Motions& motions, float dt_s);
 
     std::vector<std::uint32_t> colors_of_row_;
-    std::array<std::vector<ContactBlock>, kBuckets> blocks_;
-    std::array<std::vector<int>, kBuckets> contacts_;  // by lane
-    std::array<int, kBuckets> lanes_{};                // in use
+    // All blocks of a step, in the order of their first contacts; those of a bucket are chained. One pool for
+    // all buckets grows to the most contacts ever seen and then stays.
+    std::vector<ContactBlock> blocks_;
+    int used_ = 0;
+    std::array<int, kBuckets> first_{};  // block of each bucket
+    std::array<int, kBuckets> last_{};
 };
 
 }  // namespace cairn::physics

@@ -53,17 +53,28 @@ float normal_velocity(const ContactConstraint& c, const ContactPointConstraint& 
     return dot(relative_velocity(a, b, p.r_a, p.r_b), c.normal);
 }
 
+// The impulse about which the point is soft.
+float base_of(const ContactPointConstraint& p) {
+    return std::min(p.static_impulse, kStaticsTrust * p.normal_impulse);
+}
+
+// A loaded point that opens by less than can be seen stays soft: a hard stop there would ratchet.
+bool is_apart(float separation, float base_impulse) {
+    return separation > (base_impulse > 0 ? tuning::kLinearSlop_m : 0);
+}
+
 // Non-penetration with a soft push-out.
 void solve_biased(ContactConstraint& c, ContactPointConstraint& p, Motion& a, Motion& b,
                   const ContactRules& rules, float h_s) {
     const float s = current_separation(a, b, p, c.normal);
     p.end_separation = s;
-    const Softness soft = s > 0 ? kRigid : c.softness;
+    const bool apart = is_apart(s, base_of(p));
+    const Softness soft = apart ? kRigid : c.softness;
     // A gap may close, but no more; an overlap is pushed out.
-    const float bias = s > 0 ? s / h_s : std::max(soft.bias_rate * s, -rules.max_push_out_speed_m_s);
+    const float bias = apart ? s / h_s : std::max(soft.bias_rate * s, -rules.max_push_out_speed_m_s);
     const float wanted = p.normal_impulse -
                          p.normal_mass * soft.mass_scale * (normal_velocity(c, p, a, b) + bias) -
-                         soft.impulse_scale * p.normal_impulse;
+                         soft.impulse_scale * (p.normal_impulse - base_of(p));
     set_impulse(c, p, a, b, std::max(wanted, 0.0f));
 }
 
@@ -72,7 +83,9 @@ struct Impulses {
     float second;
 };
 
-// The impulses of two points that bring both normal velocities to their targets, if both push.
+// Two points, each of which may push but not pull, and is not left slower than its target: the impulses x >=
+// 0 with K x + r >= 0 and x . (K x + r) = 0, r being the velocities without them. There are four cases: both
+// push, either, none.
 std::optional<Impulses> solve_both(const ContactConstraint& c, const Motion& a, const Motion& b,
                                    float target0, float target1) {
     const ContactPointConstraint& p = c.points[0];
@@ -84,15 +97,20 @@ std::optional<Impulses> solve_both(const ContactConstraint& c, const Motion& a, 
                       b.inverse_inertia * cross(p.r_b, c.normal) * cross(q.r_b, c.normal);
     const float determinant = k00 * k11 - k01 * k01;
     if (!(determinant > 1e-3f * k00 * k11)) return {};  // too near each other to be told apart
-    const float r0 = normal_velocity(c, p, a, b) - target0;
-    const float r1 = normal_velocity(c, q, a, b) - target1;
-    const Impulses both{p.normal_impulse + (k01 * r1 - k11 * r0) / determinant,
-                        q.normal_impulse + (k01 * r0 - k00 * r1) / determinant};
-    if (both.first < 0 || both.second < 0) return {};
-    return both;
+    const float r0 =
+        normal_velocity(c, p, a, b) - target0 - (k00 * p.normal_impulse + k01 * q.normal_impulse);
+    const float r1 =
+        normal_velocity(c, q, a, b) - target1 - (k01 * p.normal_impulse + k11 * q.normal_impulse);
+    const Impulses both{(k01 * r1 - k11 * r0) / determinant, (k01 * r0 - k00 * r1) / determinant};
+    if (both.first >= 0 && both.second >= 0) return both;
+    const float first = -r0 / k00;
+    if (first >= 0 && k01 * first + r1 >= 0) return Impulses{first, 0};
+    const float second = -r1 / k11;
+    if (second >= 0 && k01 * second + r0 >= 0) return Impulses{0, second};
+    return Impulses{0, 0};
 }
 
-// Brings the points to their target velocities: both at once where both push, since sweeping leaves a part.
+// Brings the points to their target velocities: both at once, since sweeping leaves a part.
 void reach_targets(ContactConstraint& c, Motion& a, Motion& b, const std::array<float, 2>& targets) {
     if (c.count == 2) {
         if (const auto both = solve_both(c, a, b, targets[0], targets[1])) {
@@ -108,15 +126,15 @@ void reach_targets(ContactConstraint& c, Motion& a, Motion& b, const std::array<
     }
 }
 
-void relax(ContactConstraint& c, Motion& a, Motion& b, float h_s) {
+// Gaps may close within the substep, but no more; what touches comes to rest.
+std::array<float, 2> relaxed_targets(ContactConstraint& c, const Motion& a, const Motion& b, float h_s) {
     std::array<float, 2> targets{};
     for (int i = 0; i < c.count; ++i) {
         ContactPointConstraint& p = c.points[i];
         p.end_separation = current_separation(a, b, p, c.normal);
-        targets[i] = -std::max(p.end_separation, 0.0f) / h_s;
+        targets[i] = is_apart(p.end_separation, base_of(p)) ? -p.end_separation / h_s : 0;
     }
-    reach_targets(c, a, b, targets);
-    for (int i = 0; i < c.count; ++i) c.points[i].total_normal_impulse += c.points[i].normal_impulse;
+    return targets;
 }
 
 void solve_friction(ContactConstraint& c, Motion& a, Motion& b) {
@@ -173,6 +191,7 @@ ContactConstraint make_contact(const ContactInput& input, const Motions& motions
         c.points[i].core_r_b = input.points[i].r_b + (half_gap + input.radius_b) * input.normal;
         c.points[i].separation = input.points[i].separation;
         c.points[i].normal_impulse = input.points[i].impulse;
+        c.points[i].static_impulse = input.points[i].static_impulse;
     }
     const Motion a = motions.get(c.a);
     const Motion b = motions.get(c.b);
@@ -207,13 +226,18 @@ void warm_start_contact(const ContactConstraint& c, Motions& motions) {
 void solve_contact(ContactConstraint& c, Motions& motions, const ContactRules& rules, float h_s, Pass pass) {
     Motion a = motions.get(c.a);
     Motion b = motions.get(c.b);
-    // Normals first, so that friction is limited by their fresh impulses.
     if (pass == Pass::Relax) {
-        relax(c, a, b, h_s);
+        const std::array<float, 2> targets = relaxed_targets(c, a, b, h_s);
+        reach_targets(c, a, b, targets);
+        solve_friction(c, a, b);
+        // Again, since friction turns the bodies and what comes last is satisfied best.
+        reach_targets(c, a, b, targets);
+        for (int i = 0; i < c.count; ++i) c.points[i].total_normal_impulse += c.points[i].normal_impulse;
     } else {
+        // Normals first, so that friction is limited by their fresh impulses.
         for (int i = 0; i < c.count; ++i) solve_biased(c, c.points[i], a, b, rules, h_s);
+        solve_friction(c, a, b);
     }
-    solve_friction(c, a, b);
     motions.set(c.a, a);
     motions.set(c.b, b);
 }

@@ -16,7 +16,8 @@ struct ContactInput {
         Vec2 r_a;  // from the centres of mass to the point, in world axes
         Vec2 r_b;
         float separation;
-        float impulse;  // of the last substep, as the first guess
+        float impulse;         // of the last substep, as the first guess
+        float static_impulse;  // what it would be at rest, by estimate
     };
     int a;  // rows
     int b;
@@ -40,6 +41,7 @@ struct ContactPointConstraint {
     float separation = 0;            // m, at the start of the step
     float end_separation = 0;        // m, at the end of the last substep
     float closing_velocity = 0;      // m/s, Jv at the start of the step (negative: approaching)
+    float static_impulse = 0;        // N s, the estimate for rest
     float normal_impulse = 0;        // of one substep, N s
     float total_normal_impulse = 0;  // of the whole step, N s
     float normal_mass = 0;
@@ -62,6 +64,10 @@ struct ContactConstraint {
     float tangent_mass = 0;
     float friction_impulse = 0;
 };
+
+/// A contact is soft about its static estimate, but about no more than this times what it bore last, so that
+/// an estimate that is wrong cannot push. Less than 1.03 loses stacks to noise; without a bound heaps jitter.
+inline constexpr float kStaticsTrust = 1.1f;
 
 /// What all contacts of a step share.
 struct ContactRules {

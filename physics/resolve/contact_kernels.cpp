@@ -10,6 +10,8 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include <cairn/physics/tuning.h>
+
 HWY_BEFORE_NAMESPACE();
 namespace cairn::physics {
 namespace HWY_NAMESPACE {
@@ -170,6 +172,19 @@ HWY_INLINE V solve_friction(ContactBlock& block, int lane, Pair<kKind>& pair, V 
     return change;
 }
 
+// The impulse about which a contact is soft: the estimate, but not much more than what it bore last, so that
+// an estimate that is wrong cannot push.
+HWY_INLINE V base_of(V static_impulse, V last) {
+    return hn::Min(static_impulse, hn::Mul(hn::Set(kD, kStaticsTrust), last));
+}
+
+// A loaded point that opens by less than can be seen stays soft: a hard stop there would ratchet.
+HWY_INLINE hn::Mask<D> is_apart(V separation, V base_impulse) {
+    const V zero = hn::Zero(kD);
+    const V gap = hn::IfThenElseZero(hn::Gt(base_impulse, zero), hn::Set(kD, tuning::kLinearSlop_m));
+    return hn::Gt(separation, gap);
+}
+
 template <BlockKind kKind>
 HWY_INLINE void solve_lanes(ContactBlock& block, int lane, float* velocity, const ContactPassTime& time) {
     const V zero = hn::Zero(kD);
@@ -184,7 +199,8 @@ HWY_INLINE void solve_lanes(ContactBlock& block, int lane, float* velocity, cons
         const V old = load(point.impulse, lane);
         const V arm_a = load(point.arm_a, lane);
         const V arm_b = load(point.arm_b, lane);
-        const auto apart = hn::Gt(s, zero);
+        const V base = base_of(load(point.static_impulse, lane), old);
+        const auto apart = is_apart(s, base);
         const V soft_bias = hn::Max(hn::Mul(hn::Set(kD, time.softness.bias_rate), s),
                                     hn::Set(kD, -time.max_push_out_speed_m_s));
         const V bias = hn::IfThenElse(apart, hn::Mul(s, hn::Set(kD, time.inverse_h_1_s)), soft_bias);
@@ -193,7 +209,8 @@ HWY_INLINE void solve_lanes(ContactBlock& block, int lane, float* velocity, cons
 
         const V mass = hn::Mul(load(point.mass, lane), mass_scale);
         const V jv = pair.jv(pair.normal_velocity, arm_a, arm_b);
-        const V wanted = hn::Sub(hn::Sub(old, hn::Mul(mass, hn::Add(jv, bias))), hn::Mul(impulse_scale, old));
+        const V wanted = hn::Sub(hn::Sub(old, hn::Mul(mass, hn::Add(jv, bias))),
+                                 hn::Mul(impulse_scale, hn::Sub(old, base)));
         const V impulse = hn::Max(wanted, zero);
         const V change = hn::Sub(impulse, old);
         store(impulse, point.impulse, lane);
@@ -210,7 +227,7 @@ struct PointLanes {
     V arm_a;
     V arm_b;
     V bias;
-    V old;  // impulse
+    V old;  // impulse so far
 };
 
 template <BlockKind kKind>
@@ -235,24 +252,56 @@ HWY_INLINE V coupling(const Pair<kKind>& pair, const PointLanes& p, const PointL
     return k;
 }
 
-// The impulses that bring both points to rest; negative where the points are too near each other to be told
-// apart.
+struct Impulses {
+    V first;
+    V second;
+    hn::Mask<D> regular;  // else the points are too near each other to be told apart
+};
+
+// As solve_both in contact_constraint.cpp: the case that fits is selected, from the last to the first.
 template <BlockKind kKind>
-HWY_INLINE std::array<V, 2> solve_both(const Pair<kKind>& pair, const std::array<PointLanes, 2>& p) {
+HWY_INLINE Impulses solve_both(const Pair<kKind>& pair, const std::array<PointLanes, 2>& p) {
+    const V zero = hn::Zero(kD);
+    const V one = hn::Set(kD, 1);
     const V k00 = coupling(pair, p[0], p[0]);
     const V k11 = coupling(pair, p[1], p[1]);
     const V k01 = coupling(pair, p[0], p[1]);
     const V product = hn::Mul(k00, k11);
     const V determinant = hn::Sub(product, hn::Mul(k01, k01));
-    const auto regular = hn::Gt(determinant, hn::Mul(hn::Set(kD, 1e-3f), product));
-    const V r0 = residual(pair, p[0]);
-    const V r1 = residual(pair, p[1]);
-    const V inverse = hn::Div(hn::Set(kD, 1), determinant);
-    const V change0 = hn::Mul(inverse, hn::Sub(hn::Mul(k01, r1), hn::Mul(k11, r0)));
-    const V change1 = hn::Mul(inverse, hn::Sub(hn::Mul(k01, r0), hn::Mul(k00, r1)));
-    const V no = hn::Set(kD, -1);
-    return {hn::IfThenElse(regular, hn::Add(p[0].old, change0), no),
-            hn::IfThenElse(regular, hn::Add(p[1].old, change1), no)};
+    const V r0 = hn::Sub(residual(pair, p[0]), hn::Add(hn::Mul(k00, p[0].old), hn::Mul(k01, p[1].old)));
+    const V r1 = hn::Sub(residual(pair, p[1]), hn::Add(hn::Mul(k01, p[0].old), hn::Mul(k11, p[1].old)));
+
+    const V inverse = hn::Div(one, determinant);
+    const V both0 = hn::Mul(inverse, hn::Sub(hn::Mul(k01, r1), hn::Mul(k11, r0)));
+    const V both1 = hn::Mul(inverse, hn::Sub(hn::Mul(k01, r0), hn::Mul(k00, r1)));
+    const auto both = hn::And(hn::Ge(both0, zero), hn::Ge(both1, zero));
+    const V alone0 = hn::Neg(hn::Div(r0, k00));
+    const auto only0 = hn::And(hn::Ge(alone0, zero), hn::Ge(hn::Add(hn::Mul(k01, alone0), r1), zero));
+    const V alone1 = hn::Neg(hn::Div(r1, k11));
+    const auto only1 = hn::And(hn::Ge(alone1, zero), hn::Ge(hn::Add(hn::Mul(k01, alone1), r0), zero));
+
+    const V first = hn::IfThenElse(both, both0, hn::IfThenElseZero(only0, alone0));
+    const V second =
+        hn::IfThenElse(both, both1, hn::IfThenZeroElse(only0, hn::IfThenElseZero(only1, alone1)));
+    return {first, second, hn::Gt(determinant, hn::Mul(hn::Set(kD, 1e-3f), product))};
+}
+
+// Brings both points to their targets at once, since sweeping would leave a part of the push-out velocity.
+// The result is by how much the sum of their impulses changed; `old` holds the new ones.
+template <BlockKind kKind>
+HWY_INLINE V relax_normals(Pair<kKind>& pair, std::array<PointLanes, 2>& points, V first_mass,
+                           V second_mass) {
+    const V zero = hn::Zero(kD);
+    const Impulses together = solve_both(pair, points);
+    const V first_swept = hn::Sub(points[0].old, hn::Mul(first_mass, residual(pair, points[0])));
+    const V first = hn::IfThenElse(together.regular, together.first, hn::Max(first_swept, zero));
+    const V first_change = push(pair, points[0], first);
+    const V second_swept = hn::Sub(points[1].old, hn::Mul(second_mass, residual(pair, points[1])));
+    const V second = hn::IfThenElse(together.regular, together.second, hn::Max(second_swept, zero));
+    const V second_change = push(pair, points[1], second);
+    points[0].old = first;
+    points[1].old = second;
+    return hn::Add(first_change, second_change);
 }
 
 template <BlockKind kKind>
@@ -277,36 +326,28 @@ HWY_INLINE void relax_lanes(ContactBlock& block, int lane, float* velocity, cons
     for (std::size_t i = 0; i < points.size(); ++i) {
         ContactBlockPoint& stored = block.points[i];
         PointLanes& p = points[i];
+        p.old = load(stored.impulse, lane);
         p.arm_a = load(stored.arm_a, lane);
         p.arm_b = load(stored.arm_b, lane);
         V s = hn::Add(load(stored.start_separation, lane), hn::Add(moved, hn::Mul(p.arm_b, pose_b.z)));
         if constexpr (kKind == BlockKind::TwoBodies) s = hn::Sub(s, hn::Mul(p.arm_a, pose_a.z));
         store(s, stored.separation, lane);
-        p.bias = hn::Mul(hn::Max(s, zero), hn::Set(kD, time.inverse_h_1_s));
-        p.old = load(stored.impulse, lane);
+        p.bias = hn::IfThenElseZero(is_apart(s, base_of(load(stored.static_impulse, lane), p.old)),
+                                    hn::Mul(s, hn::Set(kD, time.inverse_h_1_s)));
     }
-    // Both points at once, where both go on to push: sweeping would leave a part of the push-out velocity.
-    const std::array<V, 2> together = solve_both(pair, points);
-    const auto both_push = hn::And(hn::Ge(together[0], zero), hn::Ge(together[1], zero));
-
-    const V first_wanted =
-        hn::Sub(points[0].old, hn::Mul(load(block.points[0].mass, lane), residual(pair, points[0])));
-    const V first = hn::IfThenElse(both_push, together[0], hn::Max(first_wanted, zero));
-    const V first_change = push(pair, points[0], first);
-    const V second_wanted =
-        hn::Sub(points[1].old, hn::Mul(load(block.points[1].mass, lane), residual(pair, points[1])));
-    const V second = hn::IfThenElse(both_push, together[1], hn::Max(second_wanted, zero));
-    const V second_change = push(pair, points[1], second);
-    store(first, block.points[0].impulse, lane);
-    store(second, block.points[1].impulse, lane);
-    if (block.reports) {
-        store(hn::Add(load(block.total_impulse[0], lane), first), block.total_impulse[0], lane);
-        store(hn::Add(load(block.total_impulse[1], lane), second), block.total_impulse[1], lane);
+    const V first_mass = load(block.points[0].mass, lane);
+    const V second_mass = load(block.points[1].mass, lane);
+    V normal_change = relax_normals(pair, points, first_mass, second_mass);
+    const V tangent_change = solve_friction(block, lane, pair, hn::Add(points[0].old, points[1].old));
+    // Again, since friction turns the bodies and what comes last is satisfied best.
+    normal_change = hn::Add(normal_change, relax_normals(pair, points, first_mass, second_mass));
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        store(points[i].old, block.points[i].impulse, lane);
+        if (block.reports) {
+            store(hn::Add(load(block.total_impulse[i], lane), points[i].old), block.total_impulse[i], lane);
+        }
     }
-    const V change_sum = hn::Add(first_change, second_change);
-    const V impulse_sum = hn::Add(first, second);
-    const V tangent_change = solve_friction(block, lane, pair, impulse_sum);
-    pair.finish(block, lane, velocity, nx, ny, change_sum, tangent_change);
+    pair.finish(block, lane, velocity, nx, ny, normal_change, tangent_change);
 }
 
 template <BlockKind kKind>
@@ -328,43 +369,46 @@ HWY_INLINE void warm_start_lanes(const ContactBlock& block, int lane, float* vel
 constexpr int kStep = static_cast<int>(hn::MaxLanes(D()));  // lanes that one register holds
 
 template <BlockKind kKind>
-void solve_all(std::span<ContactBlock> blocks, float* velocity, const ContactPassTime& time) {
-    for (ContactBlock& block : blocks) {
-        for (int lane = 0; lane < kBlockLanes; lane += kStep) solve_lanes<kKind>(block, lane, velocity, time);
-    }
-}
-
-template <BlockKind kKind>
-void relax_all(std::span<ContactBlock> blocks, float* velocity, const float* pose,
-               const ContactPassTime& time) {
-    for (ContactBlock& block : blocks) {
+void solve_all(ContactBlock* pool, int first, float* velocity, const ContactPassTime& time) {
+    for (int i = first; i != kNoBlock; i = pool[i].next) {
         for (int lane = 0; lane < kBlockLanes; lane += kStep)
-            relax_lanes<kKind>(block, lane, velocity, pose, time);
+            solve_lanes<kKind>(pool[i], lane, velocity, time);
     }
 }
 
 template <BlockKind kKind>
-void warm_start_all(std::span<const ContactBlock> blocks, float* velocity) {
-    for (const ContactBlock& block : blocks) {
-        for (int lane = 0; lane < kBlockLanes; lane += kStep) warm_start_lanes<kKind>(block, lane, velocity);
+void relax_all(ContactBlock* pool, int first, float* velocity, const float* pose,
+               const ContactPassTime& time) {
+    for (int i = first; i != kNoBlock; i = pool[i].next) {
+        for (int lane = 0; lane < kBlockLanes; lane += kStep)
+            relax_lanes<kKind>(pool[i], lane, velocity, pose, time);
     }
 }
 
-void solve_blocks(std::span<ContactBlock> blocks, BlockKind kind, float* velocity,
-                  const ContactPassTime& time) {
-    if (kind == BlockKind::TwoBodies) return solve_all<BlockKind::TwoBodies>(blocks, velocity, time);
-    solve_all<BlockKind::OneBody>(blocks, velocity, time);
+template <BlockKind kKind>
+void warm_start_all(const ContactBlock* pool, int first, float* velocity) {
+    for (int i = first; i != kNoBlock; i = pool[i].next) {
+        for (int lane = 0; lane < kBlockLanes; lane += kStep)
+            warm_start_lanes<kKind>(pool[i], lane, velocity);
+    }
 }
 
-void relax_blocks(std::span<ContactBlock> blocks, BlockKind kind, float* velocity, const float* pose,
+void solve_blocks(ContactBlock* pool, int first, BlockKind kind, float* velocity,
                   const ContactPassTime& time) {
-    if (kind == BlockKind::TwoBodies) return relax_all<BlockKind::TwoBodies>(blocks, velocity, pose, time);
-    relax_all<BlockKind::OneBody>(blocks, velocity, pose, time);
+    if (kind == BlockKind::TwoBodies) return solve_all<BlockKind::TwoBodies>(pool, first, velocity, time);
+    solve_all<BlockKind::OneBody>(pool, first, velocity, time);
 }
 
-void warm_start_blocks(std::span<const ContactBlock> blocks, BlockKind kind, float* velocity) {
-    if (kind == BlockKind::TwoBodies) return warm_start_all<BlockKind::TwoBodies>(blocks, velocity);
-    warm_start_all<BlockKind::OneBody>(blocks, velocity);
+void relax_blocks(ContactBlock* pool, int first, BlockKind kind, float* velocity, const float* pose,
+                  const ContactPassTime& time) {
+    if (kind == BlockKind::TwoBodies)
+        return relax_all<BlockKind::TwoBodies>(pool, first, velocity, pose, time);
+    relax_all<BlockKind::OneBody>(pool, first, velocity, pose, time);
+}
+
+void warm_start_blocks(const ContactBlock* pool, int first, BlockKind kind, float* velocity) {
+    if (kind == BlockKind::TwoBodies) return warm_start_all<BlockKind::TwoBodies>(pool, first, velocity);
+    warm_start_all<BlockKind::OneBody>(pool, first, velocity);
 }
 
 }  // namespace HWY_NAMESPACE
@@ -378,18 +422,18 @@ HWY_EXPORT(solve_blocks);
 HWY_EXPORT(relax_blocks);
 HWY_EXPORT(warm_start_blocks);
 
-void solve_blocks(std::span<ContactBlock> blocks, BlockKind kind, VelocityRow* velocity,
+void solve_blocks(ContactBlock* pool, int first, BlockKind kind, VelocityRow* velocity,
                   const ContactPassTime& time) {
-    HWY_DYNAMIC_DISPATCH(solve_blocks)(blocks, kind, &velocity->v.x, time);
+    HWY_DYNAMIC_DISPATCH(solve_blocks)(pool, first, kind, &velocity->v.x, time);
 }
 
-void relax_blocks(std::span<ContactBlock> blocks, BlockKind kind, VelocityRow* velocity, const PoseRow* pose,
+void relax_blocks(ContactBlock* pool, int first, BlockKind kind, VelocityRow* velocity, const PoseRow* pose,
                   const ContactPassTime& time) {
-    HWY_DYNAMIC_DISPATCH(relax_blocks)(blocks, kind, &velocity->v.x, &pose->d.x, time);
+    HWY_DYNAMIC_DISPATCH(relax_blocks)(pool, first, kind, &velocity->v.x, &pose->d.x, time);
 }
 
-void warm_start_blocks(std::span<const ContactBlock> blocks, BlockKind kind, VelocityRow* velocity) {
-    HWY_DYNAMIC_DISPATCH(warm_start_blocks)(blocks, kind, &velocity->v.x);
+void warm_start_blocks(const ContactBlock* pool, int first, BlockKind kind, VelocityRow* velocity) {
+    HWY_DYNAMIC_DISPATCH(warm_start_blocks)(pool, first, kind, &velocity->v.x);
 }
 
 }  // namespace cairn::physics

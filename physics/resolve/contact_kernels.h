@@ -2,10 +2,9 @@
 // The same bits at every level: lanes are independent, and no level fuses multiplications with additions.
 #pragma once
 
-#include <span>
-
 #include "base/motion.h"
 #include "resolve/contact_block.h"
+#include "resolve/contact_constraint.h"
 #include "resolve/soft.h"
 
 namespace cairn::physics {
@@ -20,11 +19,12 @@ struct ContactPassTime {
 /// Whether both bodies of a block may move, or only b.
 enum class BlockKind { TwoBodies, OneBody };
 
-void solve_blocks(std::span<ContactBlock> blocks, BlockKind kind, VelocityRow* velocity,
+// Each works on the blocks of one colour and kind: `first` in the pool and those that follow it.
+void solve_blocks(ContactBlock* pool, int first, BlockKind kind, VelocityRow* velocity,
                   const ContactPassTime& time);
-void relax_blocks(std::span<ContactBlock> blocks, BlockKind kind, VelocityRow* velocity, const PoseRow* pose,
+void relax_blocks(ContactBlock* pool, int first, BlockKind kind, VelocityRow* velocity, const PoseRow* pose,
                   const ContactPassTime& time);
 /// Applies the remembered impulses once, as the first guess of a step.
-void warm_start_blocks(std::span<const ContactBlock> blocks, BlockKind kind, VelocityRow* velocity);
+void warm_start_blocks(const ContactBlock* pool, int first, BlockKind kind, VelocityRow* velocity);
 
 }  // namespace cairn::physics

@@ -20,7 +20,9 @@ struct ContactPoint {
     Vec2 r_b;
     float separation = 0;
     std::uint16_t id = 0;
+    bool is_new = false;       // this step
     float normal_impulse = 0;  // of one substep, N s
+    float static_impulse = 0;  // what it would be at rest, by estimate
 };
 
 struct ContactRecord {

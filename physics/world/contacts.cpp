@@ -68,10 +68,12 @@ void compute_manifold(const Stores& stores, ContactRecord& c) {
         p.r_b = p.r_a - a_to_b;
         p.separation = m.points[i].separation;
         p.id = m.points[i].id;
+        p.is_new = true;
         for (int j = 0; j < old_count; ++j) {
             if (old_points[j].id != p.id) continue;
             p.normal_impulse = old_points[j].normal_impulse;
             carried = true;
+            p.is_new = false;
         }
         c.points[i] = p;
     }

@@ -1,7 +1,13 @@
 // Prediction of contacts for fast bodies.
 #include "world/fast_bodies.h"
 
+#include <algorithm>
+
 #include <cairn/physics/tuning.h>
+
+#include "collide/ray_cast.h"
+#include "world/filtering.h"
+#include "world/finalize.h"
 
 namespace cairn::physics {
 namespace {
@@ -45,13 +51,45 @@ Vec2 moved(const Sweep& sweep, Vec2 arm, float time_s) {
     return time_s * sweep.velocity + rotate(turned, arm) - arm;
 }
 
+// How much of its last way a body could go before the centre of one of its shapes met the surface of another
+// body's shape, less the thickness of its own; 1 when nothing was met.
+float free_share_of_way(const Stores& stores, int body) {
+    const BodyRows& awake = stores.bodies.rows(RowSet::Awake);
+    const BodyRecord& record = stores.bodies.slots[body];
+    const Transform now = stores.bodies.transform(body);
+    const Vec2 moved = awake.moved[record.row];
+    const Rotation q_before = awake.rotation_before[record.row];
+    const Position center_before = awake.center[record.row] + -moved;
+    float share = 1;
+    for (int s = record.first_shape; s != kNone; s = stores.shapes[s].next_of_body) {
+        const Convex& convex = stores.shapes[s].convex;
+        const Position from = center_before + rotate(q_before, convex.centroid - record.mass.center_m);
+        const Vec2 way = transform_point(now, convex.centroid) - from;
+        const float long_way = length(way);
+        if (long_way == 0) continue;
+        const auto visit = [&](int other) {
+            if (!may_collide(stores, s, other)) return 1.0f;
+            const Transform xf = stores.bodies.transform(stores.shapes[other].body);
+            const auto hit = cast_ray(stores.shapes[other].convex, inverse_transform_point(xf, from),
+                                      inverse_rotate(xf.q, way));
+            if (hit) share = std::min(share, std::max(hit->fraction - inner_radius(convex) / long_way, 0.0f));
+            return 1.0f;
+        };
+        stores.broad.tree(Layer::Fixed).cast_ray(from, way, visit);
+        stores.broad.tree(Layer::Moving).cast_ray(from, way, visit);
+    }
+    return share;
+}
+
 }  // namespace
 
-void cover_fast_ways(Stores& stores, Vec2 gravity_m_s2, float dt_s) {
+void cover_fast_ways(Stores& stores, Vec2 gravity_m_s2, float dt_s, std::vector<int>& fast) {
+    fast.clear();
     const BodyRows& awake = stores.bodies.rows(RowSet::Awake);
     for (int row = 0; row < awake.size(); ++row) {
         const int body = awake.body[row];
         if (!is_fast(stores.bodies, body, gravity_m_s2, dt_s)) continue;
+        fast.push_back(body);
         const Vec2 way = dt_s * expected_velocity(stores.bodies, body, gravity_m_s2, dt_s);
         const Transform xf = stores.bodies.transform(body);
         const float turn = dt_s * std::fabs(awake.spin[row]);
@@ -67,6 +105,20 @@ void cover_fast_ways(Stores& stores, Vec2 gravity_m_s2, float dt_s) {
             shape.fat_box = grown(all, shape.margin_m);
             stores.broad.move(shape.layer, shape.proxy, shape.fat_box);
         }
+    }
+}
+
+void hold_fast_bodies(Stores& stores, std::span<const int> fast) {
+    for (const int body : fast) {
+        if (!stores.bodies.is_awake(body)) continue;
+        const float share = free_share_of_way(stores, body);
+        if (share == 1) continue;
+        BodyRows& awake = stores.bodies.rows(RowSet::Awake);
+        const int row = stores.bodies.slots[body].row;
+        const Vec2 moved = awake.moved[row];
+        awake.center[row] = awake.center[row] + (share - 1) * moved;
+        awake.moved[row] = share * moved;
+        update_boxes(stores, body);
     }
 }
 

@@ -9,8 +9,13 @@
 
 namespace cairn::physics {
 
-/// Stage: the boxes of fast bodies cover the way of the coming step.
-void cover_fast_ways(Stores& stores, Vec2 gravity_m_s2, float dt_s);
+/// Stage: the boxes of fast bodies cover the way of the coming step. The bodies are noted in `fast`.
+void cover_fast_ways(Stores& stores, Vec2 gravity_m_s2, float dt_s, std::vector<int>& fast);
+
+/// Stage at the end of the step: a fast body whose centre passed into another shape, because something else
+/// turned it aside on its way, is put back to where it met that shape. It keeps its velocity, so that the
+/// next step sees them meet.
+void hold_fast_bodies(Stores& stores, std::span<const int> fast);
 
 /// The contact of a pair that is apart now but meets within the step, as seen from now; count stays 0 when it
 /// does not. Costs nothing but two tests when neither body is fast.

@@ -77,6 +77,25 @@ DistanceConstraint pack(const Stores& stores, const JointRecord& j, const Distan
     return c;
 }
 
+// Whether a new point may take its static estimate for a first guess: it is closed and hardly moves.
+bool starts_at_rest(const Stores& stores, const ContactRecord& c, int point) {
+    const ContactPoint& p = c.points[point];
+    if (p.separation > 0.1f * tuning::kLinearSlop_m) return false;
+    const auto velocity = [&](int body, Vec2 r) {
+        const BodyRows& rows = stores.bodies.rows_of(body);
+        const int row = stores.bodies.slots[body].row;
+        return rows.velocity[row] + cross(rows.spin[row], r);
+    };
+    return std::fabs(dot(velocity(c.body_b, p.r_b) - velocity(c.body_a, p.r_a), c.normal)) < 0.5f;
+}
+
+// Impulses grow with the substep, but not beyond what the contact would bear at rest: their noise would grow
+// too.
+float first_guess(const ContactPoint& p, const StepTime& time) {
+    const float scaled = time.step_ratio * p.normal_impulse;
+    return std::min(scaled, std::max(p.normal_impulse, p.static_impulse));
+}
+
 ContactInput unpack(const Stores& stores, const ContactRecord& record, int contact, const StepTime& time) {
     ContactInput input;
     input.a = row_of(stores.bodies, record.body_a);
@@ -86,7 +105,12 @@ ContactInput unpack(const Stores& stores, const ContactRecord& record, int conta
     input.count = record.count;
     for (int i = 0; i < record.count; ++i) {
         input.points[i] = {record.points[i].r_a, record.points[i].r_b, record.points[i].separation,
-                           time.impulse_ratio * record.points[i].normal_impulse};
+                           first_guess(record.points[i], time), record.points[i].static_impulse};
+    }
+    for (int i = 0; i < record.count; ++i) {
+        if (record.points[i].is_new && starts_at_rest(stores, record, i)) {
+            input.points[i].impulse = record.points[i].static_impulse;
+        }
     }
     input.friction = record.friction;
     input.restitution = record.restitution;
@@ -101,7 +125,8 @@ ContactInput unpack(const Stores& stores, const ContactRecord& record, int conta
 
 StepTime make_step_time(float dt_s, int substeps, float previous_h_s) {
     const float h_s = dt_s / static_cast<float>(substeps);
-    return {dt_s, h_s, substeps, previous_h_s > 0 ? std::min(h_s / previous_h_s, 1.0f) : 1};
+    const float ratio = previous_h_s > 0 ? h_s / previous_h_s : 1;
+    return {dt_s, h_s, substeps, ratio, std::min(ratio, 1.0f)};
 }
 
 void prepare_motions(const BodyStore& bodies, Vec2 gravity_m_s2, StepScratch& scratch) {

@@ -9,9 +9,9 @@ struct StepTime {
     float dt_s = 0;
     float h_s = 0;  // of one substep
     int substeps = 0;
-    // Remembered impulses shrink with the substep. They do not grow with it: their noise would, and be solved
-    // only once.
-    float impulse_ratio = 1;
+    float step_ratio = 1;  // of this step's substep to the last one's
+    float impulse_ratio =
+        1;  // the same, at most 1: impulses of which no estimate is known do not grow with the step
 };
 
 StepTime make_step_time(float dt_s, int substeps, float previous_h_s);

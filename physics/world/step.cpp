@@ -9,6 +9,7 @@
 #include "world/prepare.h"
 #include "world/sleep.h"
 #include "world/solve.h"
+#include "world/statics.h"
 
 namespace cairn::physics {
 
@@ -21,11 +22,12 @@ void step_world(WorldState& world, float dt_s) {
         make_contact_rules(time.h_s, def.max_push_out_speed_m_s, def.restitution_speed_m_s);
 
     start_events(world.events);
-    cover_fast_ways(stores, def.gravity_m_s2, dt_s);
+    cover_fast_ways(stores, def.gravity_m_s2, dt_s, scratch.fast);
     find_new_pairs(stores);
     update_contacts(stores, world.events, scratch.parted, def.gravity_m_s2, dt_s);
 
     prepare_motions(stores.bodies, def.gravity_m_s2, scratch);
+    estimate_statics(stores, def.gravity_m_s2, time, scratch.statics);
     prepare_contacts(stores, time, rules, scratch);
     prepare_joints(stores, time, scratch);
 
@@ -44,6 +46,7 @@ void step_world(WorldState& world, float dt_s) {
     store_contact_impulses(stores.contacts, scratch);
     store_joint_impulses(stores.joints, time, scratch);
     finalize_bodies(stores, scratch, time.dt_s, def.enable_sleep, world.events.quarantined);
+    hold_fast_bodies(stores, scratch.fast);
     sleep_islands(stores, scratch);
     world.previous_h_s = time.h_s;
     ++world.step_count;

@@ -51,6 +51,25 @@ inline void start_events(Events& events) {
     events.ends.swap(events.pending_ends);
 }
 
+/// A contact point that bears a body from below.
+struct Support {
+    int contact;
+    int point;
+    int supporter;    // body
+    float x;          // along the horizontal, from the centre of the body that is borne
+    float x_below;    // the same, from the centre of the supporter
+    float steepness;  // cosine between the normal and the upward direction
+};
+
+struct StaticsScratch {
+    std::vector<int> above;         // bearing contacts from above that are not visited yet, per awake row
+    std::vector<float> load;        // per awake row
+    std::vector<float> moment;      // per awake row
+    std::vector<int> ready;         // rows, in the order of the visits
+    std::vector<Support> supports;  // of one body
+    std::vector<float> shares;
+};
+
 /// What a step works on. Kept from step to step for its memory only.
 struct StepScratch {
     Motions motions;  // row i + 1 is awake row i
@@ -65,6 +84,8 @@ struct StepScratch {
     std::vector<int> parted;   // contacts whose boxes no longer overlap
     std::vector<int> resting;  // bodies of an island that goes to sleep
     Islands islands;
+    StaticsScratch statics;
+    std::vector<int> fast;  // bodies that could pass through others in this step
 };
 
 struct WorldState {

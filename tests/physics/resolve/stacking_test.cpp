@@ -67,19 +67,83 @@ TEST_CASE("ten boxes stand for a minute without sleep and without trembling") {
     CHECK(world.counts().awake_bodies == 10);
 }
 
-TEST_CASE("a stack sinks as far as its soft contacts yield") {
-    // At rest a contact of frequency w / 2 pi and effective mass m yields to the load F by F / (m w^2). A
-    // point at the corner of a unit box has 1/m = 1 + (1/2)^2 / (1/6) = 2.5, two boxes have twice that, and
-    // each contact has two points. On the ground the frequency is twice as high.
-    const double w = 2 * 3.14159265358979 * 30;
+TEST_CASE("a stack does not sink under its own weight") {
     World world({.enable_sleep = false});
     add_ground(world);
     const std::vector<BodyId> boxes = add_stack(world, 10);
     run_for(world, 20);
-    double yielded = 10 * 10 / 2.0 * 2.5 / (4 * w * w);
-    for (int i = 0; i < 10; ++i) {
-        CHECK(0.5 + i - world.body(boxes[i])->position().y == Approx(yielded).epsilon(0.02));
-        yielded += (9 - i) * 10 / 2.0 * 5 / (w * w);
+    // Rigid bodies stand where they were put; positions are kept to about 1e-7 of the height.
+    for (int i = 0; i < 10; ++i)
+        CHECK(world.body(boxes[i])->position().y == Approx(0.5 + i).epsilon(0).margin(1e-5));
+}
+
+TEST_CASE("towers of 30 and 100 boxes stand upright for a minute, awake") {
+    const int height = GENERATE(30, 100);
+    World world({.enable_sleep = false});
+    add_ground(world);
+    const std::vector<BodyId> boxes = add_stack(world, height);
+    run_for(world, 60);
+    CAPTURE(height);
+    CHECK(world.body(boxes.back())->position().y == Approx(height - 0.5).epsilon(0).margin(1e-3));
+    CHECK(world.body(boxes.back())->position().x == Approx(0).margin(1e-2));
+}
+
+TEST_CASE("a tower of 200 boxes stands for a minute, awake, with its top over its base") {
+    World world({.enable_sleep = false});
+    add_ground(world);
+    const std::vector<BodyId> boxes = add_stack(world, 200);
+    run_for(world, 60);
+    // It leans more and more, slowly: the noise of the solver is what an upright column multiplies.
+    CHECK(world.body(boxes.back())->position().y > 199);
+    CHECK(std::fabs(world.body(boxes.back())->position().x) < 0.5);
+}
+
+TEST_CASE("towers go to sleep") {
+    World world;
+    add_ground(world);
+    add_stack(world, GENERATE(100, 200));
+    run_for(world, 2);
+    CHECK(world.counts().awake_bodies == 0);
+}
+
+TEST_CASE("the apex of a pyramid of base 40 stays where it is") {
+    World world({.enable_sleep = false});
+    add_ground(world);
+    BodyId apex;
+    for (int row = 0; row < 40; ++row) {
+        for (int i = row; i < 40; ++i) {
+            apex = add(world, {.position_m = {0.5 * (row + 1) + (i - row) - 20, 0.5 + row}}, Box{});
+        }
+    }
+    run_for(world, 10);
+    CHECK(world.body(apex)->position().y == Approx(39.5).epsilon(0).margin(1e-3));
+}
+
+TEST_CASE("a heavy box rests on a light one, up to a million to one") {
+    const float ratio = GENERATE(1e2f, 1e4f, 1e6f);
+    World world({.enable_sleep = false});
+    add_ground(world);
+    const BodyId light = add(world, {.position_m = {0, 0.5}}, Box{});
+    const BodyId heavy = add(world, {.position_m = {0, 2}}, Box{1, 1}, {.density_kg_m2 = ratio / 4});
+    run_for(world, 10);
+    CAPTURE(ratio);
+    CHECK(world.body(light)->position().y == Approx(0.5).epsilon(0).margin(1e-3));
+    CHECK(world.body(heavy)->position().y == Approx(2).epsilon(0).margin(1e-3));
+}
+
+TEST_CASE("a wall of staggered bricks stands") {
+    World world({.enable_sleep = false});
+    add_ground(world);
+    std::vector<BodyId> bricks;
+    for (int row = 0; row < 20; ++row) {
+        for (int i = 0; i < 10; ++i) {
+            bricks.push_back(
+                add(world, {.position_m = {i + 0.4 * (row % 2), 0.25 + 0.5 * row}}, Box{0.5f, 0.25f}));
+        }
+    }
+    run_for(world, 20);
+    for (int i = 0; i < 200; ++i) {
+        CHECK(world.body(bricks[i])->position().y == Approx(0.25 + 0.5 * (i / 10)).epsilon(0).margin(1e-3));
     }
 }
 
@@ -91,7 +155,7 @@ TEST_CASE("ten boxes dropped onto each other come to stand") {
     CHECK(world.counts().awake_bodies == 0);
     for (int i = 0; i < 10; ++i) {
         CHECK(world.body(boxes[i])->position().x == Approx(0).margin(0.02));
-        CHECK(world.body(boxes[i])->position().y == Approx(0.5 + i).margin(0.04));  // what the contacts yield
+        CHECK(world.body(boxes[i])->position().y == Approx(0.5 + i).margin(0.005));
         CHECK(world.body(boxes[i])->angle() == Approx(0).margin(0.01));
     }
 }

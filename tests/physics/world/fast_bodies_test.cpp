@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "physics/support/making.h"
+#include "physics/support/random.h"
 
 namespace cairn::physics {
 
@@ -57,6 +58,25 @@ TEST_CASE("a fast box wakes the stack that it hits") {
     run_for(world, 0.2);
     CHECK(world.body(box)->is_awake());
     CHECK(world.body(box)->linear_velocity().x > 0.5f);
+}
+
+TEST_CASE("a fast disc stays in a box of thin walls, however often it bounces") {
+    Random random(1);
+    for (int round = 0; round < 50; ++round) {
+        World world({.gravity_m_s2 = {}, .enable_sleep = false});
+        const ShapeDef elastic{.material = {.friction = 0, .restitution = 1}};
+        for (const double side : {-5.0, 5.0}) {
+            add(world, {.type = BodyType::Static, .position_m = {side, 0}}, Box{0.02f, 5.1f}, elastic);
+            add(world, {.type = BodyType::Static, .position_m = {0, side}}, Box{5.1f, 0.02f}, elastic);
+        }
+        const BodyDef def{.position_m = {random.real(-4.5, 4.5), random.real(-4.5, 4.5)},
+                          .linear_velocity_m_s = random.vector(-50, 50)};
+        const BodyId disc = add(world, def, Circle{{}, random.real_f(0.05, 0.15)}, elastic);
+        run_for(world, 2);
+        const Position p = world.body(disc)->position();
+        INFO("round " << round);
+        REQUIRE(std::max(std::fabs(p.x), std::fabs(p.y)) < 5);
+    }
 }
 
 }  // namespace cairn::physics
