@@ -3,6 +3,8 @@
 
 #include <SDL.h>
 #include <chrono>
+#include <cstdlib>
+#include <string_view>
 #include <thread>
 #include <utility>
 
@@ -32,6 +34,14 @@ class VideoSubsystem {
   private:
     bool is_open_;
 };
+
+/// SDL falls back to drivers that show nothing when it finds no display; a game would then run unseen until
+/// somebody kills it. Only who names such a driver in SDL_VIDEODRIVER wants it.
+bool shows_nothing_unasked(std::string_view driver) {
+    if (driver != "offscreen" && driver != "dummy") return false;
+    const char* asked = std::getenv("SDL_VIDEODRIVER");
+    return asked == nullptr || std::string_view(asked).find(driver) == std::string_view::npos;
+}
 
 class SdlPlatform final : public Platform {
   public:
@@ -85,8 +95,10 @@ Result<std::unique_ptr<Platform>> make_sdl_platform(const PlatformDef& def) {
     SDL_SetMainReady();  // the program's main is its own, not SDL's
     SDL_SetHint(SDL_HINT_TOUCH_MOUSE_EVENTS, "1");
     VideoSubsystem video;
-    if (!video.is_open())
-        return Error{std::string("no display: ") + SDL_GetError() + "; run headlessly, or set DISPLAY"};
+    constexpr const char* kWayOut = "; set DISPLAY, or play without a display: --headless";
+    if (!video.is_open()) return Error{std::string("there is no display: ") + SDL_GetError() + kWayOut};
+    if (shows_nothing_unasked(SDL_GetCurrentVideoDriver()))
+        return Error{std::string("there is no display") + kWayOut};
     Result<std::unique_ptr<SdlWindow>> window = SdlWindow::create(def.window);
     if (!window) return window.error();
     return std::unique_ptr<Platform>(std::make_unique<SdlPlatform>(std::move(video), std::move(*window)));
