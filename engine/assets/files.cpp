@@ -58,6 +58,13 @@ Result<std::string> save_relative(std::string_view path) {
     return path_error(path, "only files below 'save/' can be written or removed");
 }
 
+/// Beside the file, and no longer than a name may be.
+std::string unfinished_name(const std::string& relative) {
+    constexpr std::string_view kEnding = ".unfinished";
+    const std::size_t start = relative.rfind('/') + 1;  // 0 without a folder
+    return relative.substr(0, start + kMaxFileNameBytes - kEnding.size()).append(kEnding);
+}
+
 /// The folder or archive that provides a path, and the path inside it.
 struct Origin {
     std::string root;
@@ -128,27 +135,33 @@ Result<std::unique_ptr<Files>> Files::create(const FilesDef& def) {
         return Error{"files: PhysFS does not start: " + physfs_reason()};
     PHYSFS_permitSymbolicLinks(0);
 
-    std::string save_folder;
-    if (!def.identity.empty()) {
-        Result<std::string> root = def.save_root.empty() ? default_save_root() : Result(def.save_root);
-        if (!root) {
-            PHYSFS_deinit();
-            return root.error();
-        }
-        save_folder = (fs::absolute(*root) / def.identity).lexically_normal().string();
-    }
-    std::unique_ptr<Files> files(new Files(def, std::move(save_folder)));
+    std::unique_ptr<Files> files(new Files(def));
     std::error_code ignored;
     if (!files->save_folder_.empty() && fs::is_directory(files->save_folder_, ignored))
         if (auto opened = files->open_save_folder(); !opened) return opened.error();
     return files;
 }
 
-Files::Files(const FilesDef& def, std::string save_folder)
-    : save_folder_(std::move(save_folder)), max_file_bytes_(def.max_file_bytes) {}
+Files::Files(const FilesDef& def) : max_file_bytes_(def.max_file_bytes) {
+    if (def.identity.empty()) {
+        no_save_folder_ = "this game has no save folder, because it has no identity";
+        return;
+    }
+    const Result<std::string> root = def.save_root.empty() ? default_save_root() : Result(def.save_root);
+    if (!root) {
+        // Most runs never save: the first write says it.
+        no_save_folder_ = root.error().message;
+        return;
+    }
+    save_folder_ = (fs::absolute(*root) / def.identity).lexically_normal().string();
+}
 
 Files::~Files() {
     PHYSFS_deinit();
+}
+
+bool Files::is_unmade_save_folder(std::string_view path) const {
+    return path == kSaveMount && !save_folder_.empty() && !save_mounted_;
 }
 
 Result<void> Files::open_save_folder() {
@@ -181,6 +194,7 @@ bool Files::exists(std::string_view path) const {
 }
 
 Result<FileKind> Files::kind(std::string_view path) const {
+    if (is_unmade_save_folder(path)) return FileKind::Folder;
     const Result<PHYSFS_Stat> info = stat(path);
     if (!info) return info.error();
     if (info->filetype == PHYSFS_FILETYPE_REGULAR) return FileKind::File;
@@ -200,6 +214,7 @@ Result<std::vector<std::string>> Files::list(std::string_view folder) const {
     const Result<FileKind> found = kind(folder);
     if (!found) return found.error();
     if (*found != FileKind::Folder) return path_error(folder, "is not a folder");
+    if (is_unmade_save_folder(folder)) return std::vector<std::string>{};
     char** names = PHYSFS_enumerateFiles(std::string(folder).c_str());
     if (!names) return path_error(folder, physfs_reason());
     std::vector<std::string> sorted;
@@ -234,20 +249,27 @@ Result<std::string> Files::native_path(std::string_view path) const {
 Result<void> Files::write(std::string_view path, std::span<const std::byte> contents) {
     const Result<std::string> relative = save_relative(path);
     if (!relative) return relative.error();
-    if (save_folder_.empty())
-        return path_error(path, "this game has no save folder, because it has no identity");
+    if (save_folder_.empty()) return path_error(path, no_save_folder_);
     if (!save_mounted_)
         if (auto opened = open_save_folder(); !opened) return opened;
     if (const std::size_t slash = relative->rfind('/'); slash != std::string::npos)
         if (!PHYSFS_mkdir(relative->substr(0, slash).c_str())) return path_error(path, physfs_reason());
 
-    const std::string unfinished = *relative + ".unfinished";
+    const std::string unfinished = unfinished_name(*relative);
     OpenFile file(PHYSFS_openWrite(unfinished.c_str()));
     if (!file) return path_error(path, physfs_reason());
-    const bool complete = PHYSFS_writeBytes(file.get(), contents.data(), contents.size()) ==
-                          static_cast<PHYSFS_sint64>(contents.size());
-    if (!file.close() || !complete) {
-        const std::string reason = physfs_reason();
+    const PHYSFS_sint64 written = PHYSFS_writeBytes(file.get(), contents.data(), contents.size());
+    // A part that fits is no error to PhysFS, whose last one is then about something else.
+    const bool complete = written == static_cast<PHYSFS_sint64>(contents.size());
+    std::string reason;
+    if (written < 0) {
+        reason = physfs_reason();
+    } else if (!complete) {
+        reason = "only " + std::to_string(written) + " of " + std::to_string(contents.size()) +
+                 " bytes were written; is the disk full?";
+    }
+    if (!file.close() && complete) reason = physfs_reason();
+    if (!reason.empty()) {
         PHYSFS_delete(unfinished.c_str());
         return path_error(path, reason);
     }

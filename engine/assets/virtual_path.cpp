@@ -43,6 +43,8 @@ Result<void> check_virtual_path(std::string_view path) {
         const std::size_t slash = std::min(path.find('/', start), path.size());
         const std::string_view name = path.substr(start, slash - start);
         if (name.empty()) return bad_path(path, "must not contain '//' or end in '/'");
+        if (name.size() > kMaxFileNameBytes)
+            return bad_path(path.substr(0, 40), "a name in it must be no longer than 255 bytes");
         if (name == "." || name == "..") return bad_path(path, "must not contain '.' or '..' as a folder");
         start = slash + 1;
     }

@@ -4,10 +4,10 @@
 #include <SDL_image.h>
 #include <cassert>
 #include <cstring>
-#include <fstream>
 #include <memory>
 
 #include <cairn/engine/image.h>
+#include <cairn/engine/native_file.h>
 
 namespace cairn::engine {
 namespace {
@@ -106,11 +106,7 @@ Result<std::vector<std::byte>> encode_png(const Image& image) {
 Result<void> save_png(const Image& image, const std::string& native_path) {
     const Result<std::vector<std::byte>> png = encode_png(image);
     if (!png) return png.error();
-    std::ofstream file(native_path, std::ios::binary);
-    file.write(reinterpret_cast<const char*>(png->data()), static_cast<std::streamsize>(png->size()));
-    file.close();
-    if (!file) return Error{"picture '" + native_path + "': cannot be written"};
-    return {};
+    return write_native_file(native_path, {reinterpret_cast<const char*>(png->data()), png->size()});
 }
 
 }  // namespace cairn::engine

@@ -1,10 +1,13 @@
 // Virtual files: what can be seen, what is refused, and that saving replaces a file in one stroke.
 #include <catch2/catch.hpp>
 #include <chrono>
+#include <cstdlib>
 #include <filesystem>
+#include <optional>
 
 #include <cairn/engine/files.h>
 
+#include "engine/support/file_size_limit.h"
 #include "engine/support/temporary_folder.h"
 
 using namespace cairn::engine;
@@ -123,6 +126,8 @@ TEST_CASE("saved files survive the program and leave nothing unfinished") {
         const auto files = make_files(def);
         CHECK(files->save_folder() == (root.path() / "test-game").string());
         CHECK_FALSE(std::filesystem::exists(files->save_folder()));
+        CHECK(*files->kind("save") == FileKind::Folder);
+        CHECK(files->list("save")->empty());
         REQUIRE(files->write("save/best.lua", "first and longer"));
         REQUIRE(files->write("save/best.lua", "second"));
         REQUIRE(files->write("save/runs/one", "1"));
@@ -167,6 +172,39 @@ TEST_CASE("nothing outside of the save folder can be written") {
     CHECK(*files->read_text("main.lua") == "original");
 }
 
+TEST_CASE("a save that does not fit says how much did, and the old one stays") {
+    TemporaryFolder root;
+    FilesDef def;
+    def.identity = "test-game";
+    def.save_root = root.path().string();
+    const auto files = make_files(def);
+    REQUIRE(files->write("save/best.lua", "old"));
+    CHECK_FALSE(files->exists("save/nosuch"));  // leaves "not found" as PhysFS's last error
+    {
+        const FileSizeLimit full(4096);
+        const std::string message = error_of(files->write("save/best.lua", std::string(10'000, 'x')));
+        CHECK_THAT(message, Catch::Contains("of 10000 bytes were written; is the disk full?") &&
+                                Catch::Contains("'save/best.lua'"));
+    }
+    CHECK(*files->read_text("save/best.lua") == "old");
+    CHECK(*files->list("save") == std::vector<std::string>{"best.lua"});
+}
+
+TEST_CASE("the longest name that file systems know can be saved, a longer one is refused") {
+    TemporaryFolder root;
+    FilesDef def;
+    def.identity = "test-game";
+    def.save_root = root.path().string();
+    const auto files = make_files(def);
+    for (const std::string folder : {"save/", "save/runs/"}) {
+        const std::string longest = folder + std::string(255, 'n');
+        REQUIRE(files->write(longest, "text"));
+        CHECK(*files->read_text(longest) == "text");
+        CHECK_THAT(error_of(files->write(longest + "n", "text")),
+                   Catch::Contains("no longer than 255 bytes"));
+    }
+}
+
 TEST_CASE("a save folder needs a name that is a plain file name") {
     for (const char* bad : {"../up", "a/b", ".hidden", "a b", "a\\b"}) {
         FilesDef def;
@@ -176,6 +214,31 @@ TEST_CASE("a save folder needs a name that is a plain file name") {
     }
     const auto files = make_files();
     CHECK_THAT(error_of(files->write("save/a", "x")), Catch::Contains("no identity"));
+}
+
+TEST_CASE("without a place for saves everything works but saving") {
+    const auto value_of = [](const char* name) -> std::optional<std::string> {
+        const char* value = std::getenv(name);
+        return value ? std::optional<std::string>(value) : std::nullopt;
+    };
+    const auto home = value_of("HOME");
+    const auto data = value_of("XDG_DATA_HOME");
+    unsetenv("HOME");
+    unsetenv("XDG_DATA_HOME");
+    {
+        TemporaryFolder game;
+        game.put("main.lua", "text");
+        FilesDef def;
+        def.identity = "homeless";
+        const auto files = make_files(def);
+        REQUIRE(files->mount(game.path().string()));
+        CHECK(*files->read_text("main.lua") == "text");
+        CHECK_FALSE(files->exists("save/best"));
+        CHECK_THAT(error_of(files->write("save/best", "1")),
+                   Catch::Contains("'save/best'") && Catch::Contains("HOME"));
+    }
+    if (home) setenv("HOME", home->c_str(), 1);
+    if (data) setenv("XDG_DATA_HOME", data->c_str(), 1);
 }
 
 TEST_CASE("the modification time changes when a file is saved again") {

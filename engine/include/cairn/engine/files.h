@@ -22,11 +22,15 @@ struct FilesDef {
     /// save folder.
     std::string identity = {};
     /// The native folder that holds the save folders; empty: the user's data folder, which is
-    /// $XDG_DATA_HOME/cairn or ~/.local/share/cairn on Linux. The folder is made by the first write.
+    /// $XDG_DATA_HOME/cairn or ~/.local/share/cairn on Linux. The folder is made by the first write, which
+    /// fails where there is no such place.
     std::string save_root = {};
     /// A larger file is refused, so that an archive that unpacks to gigabytes cannot fill the memory.
     std::uint64_t max_file_bytes = 256ull << 20;
 };
+
+/// Of a file's or folder's name; what nearly every file system allows.
+inline constexpr std::size_t kMaxFileNameBytes = 255;
 
 /// Where in the order of mounts a new one goes; the first mount that has a path wins.
 enum class MountOrder { First, Last };
@@ -68,14 +72,17 @@ class Files {
     Result<void> write(std::string_view path, std::span<const std::byte> contents);
     Result<void> remove(std::string_view path);
 
-    /// The native save folder, empty without an identity.
+    /// The native save folder, empty without an identity or a place for it.
     const std::string& save_folder() const { return save_folder_; }
 
   private:
-    explicit Files(const FilesDef& def, std::string save_folder);
+    explicit Files(const FilesDef& def);
     Result<void> open_save_folder();
+    /// "save" before the first write: an empty folder to whoever looks.
+    bool is_unmade_save_folder(std::string_view path) const;
 
     std::string save_folder_;
+    std::string no_save_folder_;  ///< why there is none
     std::uint64_t max_file_bytes_;
     bool save_mounted_ = false;
 };
