@@ -8,6 +8,7 @@
 
 #include <cairn/engine/fixed_step.h>
 #include <cairn/engine/image.h>
+#include <cairn/engine/native_file.h>
 #include <cairn/scripting/play.h>
 
 #include "bridge/error_screen.h"
@@ -112,7 +113,9 @@ class Session {
     bool captures_now() const {
         return !options_.screenshot.empty() && !is_captured_ && options_.screenshot_frame == game_->frame();
     }
-    bool captures_at_end() const { return !options_.screenshot.empty() && !is_captured_; }
+    bool captures_at_end() const {
+        return !options_.screenshot.empty() && !is_captured_ && !options_.screenshot_frame;
+    }
 
     Outcome run_headless() {
         // Pictures cost time and decide nothing, but a draw callback that fails must not go unnoticed: once a
@@ -151,7 +154,10 @@ class Session {
             const double now = platform.now_s();
             const engine::FixedStep::Frame frame = step.advance(now - then);
             then = now;
-            for (int i = 0; i < frame.updates && !error && !is_over(); ++i) error = update(waiting);
+            // A late picture has several updates; the one of the screenshot must not fall between two
+            // pictures.
+            for (int i = 0; i < frame.updates && !error && !is_over() && !captures_now(); ++i)
+                error = update(waiting);
             if (error) continue;
             const bool ends = is_over();
             error = draw(frame.alpha, captures_now() || (ends && captures_at_end()));
@@ -208,6 +214,11 @@ class Session {
         if (!options_.record.empty()) {
             if (const int status = write_recording(hash); status != 0) return status;
         }
+        if (!options_.screenshot.empty() && !is_captured_) {
+            return fail("the screenshot " + options_.screenshot + " was to show frame " +
+                        std::to_string(*options_.screenshot_frame) + ", but the run ended after frame " +
+                        std::to_string(game_->frame()));
+        }
         if (replay_ && replay_->hash && game_->frame() == replay_->frames && *replay_->hash != hash) {
             return fail("the replay " + options_.replay + " ended in another state: recorded hash " +
                         hash_text(*replay_->hash) + ", now " + hash_text(hash));
@@ -222,10 +233,8 @@ class Session {
                                .frames = game_->frame(),
                                .hash = hash,
                                .events = recorded_};
-        std::ofstream file(options_.record, std::ios::binary | std::ios::trunc);
-        file << to_text(recording);
-        file.close();
-        return file ? 0 : fail("cannot write the recording \"" + options_.record + "\"");
+        const auto written = engine::write_native_file(options_.record, to_text(recording));
+        return written ? 0 : fail("the recording: " + written.error().message);
     }
 
     const PlayOptions& options_;
