@@ -2,7 +2,9 @@
 #include "new_game.h"
 
 #include <filesystem>
-#include <fstream>
+#include <vector>
+
+#include <cairn/engine/native_file.h>
 
 namespace cairn::player {
 namespace {
@@ -81,34 +83,76 @@ test.test("a click throws one ball", function()
 end)
 )";
 
-engine::Result<void> write_file(const fs::path& path, const std::string& text) {
-    std::ofstream file(path, std::ios::binary);
-    file << text;
-    file.close();
-    if (!file) return engine::Error{"cannot write \"" + path.string() + "\""};
-    return {};
+/// Makes files and folders that were not there. Invariant: whatever exists is left alone, and what was made
+/// is taken back unless all of it was made.
+class Starter {
+  public:
+    Starter() = default;
+    Starter(const Starter&) = delete;
+    Starter& operator=(const Starter&) = delete;
+    ~Starter() {
+        std::error_code ignored;
+        for (auto made = made_.rbegin(); made != made_.rend(); ++made) fs::remove(*made, ignored);
+    }
+
+    engine::Result<void> make_folder(const fs::path& folder) {
+        std::error_code failed;
+        if (fs::is_directory(folder, failed)) return {};
+        if (folder.has_parent_path() && folder.parent_path() != folder) {
+            if (auto parent = make_folder(folder.parent_path()); !parent) return parent;
+        }
+        if (!fs::create_directory(folder, failed) && failed)
+            return engine::Error{"cannot make the folder \"" + folder.string() + "\": " + failed.message()};
+        made_.push_back(folder);
+        return {};
+    }
+
+    engine::Result<void> make_file(const fs::path& path, const std::string& text) {
+        std::error_code ignored;
+        if (fs::exists(fs::symlink_status(path, ignored)))
+            return engine::Error{"\"" + path.string() + "\" exists already"};
+        if (auto written = engine::write_native_file(path.string(), text); !written) return written;
+        made_.push_back(path);
+        return {};
+    }
+
+    void keep() { made_.clear(); }
+
+  private:
+    std::vector<fs::path> made_;
+};
+
+/// The folder's name as it can stand between quotes in conf.lua.
+std::string title_of(const fs::path& folder) {
+    std::error_code ignored;
+    fs::path named = fs::absolute(folder, ignored).lexically_normal();
+    if (named.filename().empty()) named = named.parent_path();
+    std::string title;
+    for (const char c : named.filename().string()) {
+        const bool is_control = static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
+        if (c != '"' && c != '\\' && !is_control) title += c;
+    }
+    return title;
 }
 
 }  // namespace
 
 engine::Result<void> new_game(const std::string& folder) {
+    if (folder.empty()) return engine::Error{"DIR is empty: it must name the folder of the new game"};
     std::error_code failed;
     const fs::path root = folder;
     if (fs::exists(root, failed) && !(fs::is_directory(root, failed) && fs::is_empty(root, failed))) {
         return engine::Error{"\"" + folder + "\" exists already and is not an empty folder"};
     }
-    fs::create_directories(root / "tests", failed);
-    if (failed) return engine::Error{"cannot make the folder \"" + folder + "\": " + failed.message()};
-    fs::path named = fs::absolute(root, failed).lexically_normal();
-    if (named.filename().empty()) named = named.parent_path();
-    std::string title;
-    for (const char c : named.filename().string()) {
-        if (c != '"' && c != '\\') title += c;
-    }
-    const std::string conf = "return {\n    title = \"" + title + "\",\n    width = 1280, height = 720,\n}\n";
-    if (auto written = write_file(root / "conf.lua", conf); !written) return written;
-    if (auto written = write_file(root / "main.lua", kMain); !written) return written;
-    return write_file(root / "tests" / "throw.lua", kTest);
+    const std::string conf =
+        "return {\n    title = \"" + title_of(root) + "\",\n    width = 1280, height = 720,\n}\n";
+    Starter starter;
+    if (auto made = starter.make_folder(root / "tests"); !made) return made;
+    if (auto made = starter.make_file(root / "conf.lua", conf); !made) return made;
+    if (auto made = starter.make_file(root / "main.lua", kMain); !made) return made;
+    if (auto made = starter.make_file(root / "tests" / "throw.lua", kTest); !made) return made;
+    starter.keep();
+    return {};
 }
 
 }  // namespace cairn::player
