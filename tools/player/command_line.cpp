@@ -2,22 +2,77 @@
 #include "command_line.h"
 
 #include <CLI/CLI.hpp>
+#include <charconv>
 #include <cstdio>
+#include <limits>
+#include <optional>
+#include <string_view>
 
+#include <cairn/engine/result.h>
 #include <cairn/scripting/suggest.h>
 
 namespace cairn::player {
 namespace {
 
-/// FILE or FILE@FRAME.
-void split_screenshot(const std::string& text, scripting::PlayOptions& options) {
-    options.screenshot = text;
-    const std::size_t at = text.rfind('@');
-    if (at == std::string::npos || at + 1 == text.size()) return;
-    const std::string frame = text.substr(at + 1);
-    if (frame.find_first_not_of("0123456789") != std::string::npos || frame.size() > 15) return;
-    options.screenshot = text.substr(0, at);
-    options.screenshot_frame = std::stoull(frame);
+/// A whole number that fits, and nothing else: no sign, no blank, no fraction.
+std::optional<std::uint64_t> whole_number(std::string_view text) {
+    std::uint64_t number = 0;
+    const char* const end = text.data() + text.size();
+    const auto read = std::from_chars(text.data(), end, number);
+    if (read.ec != std::errc() || read.ptr != end) return std::nullopt;
+    return number;
+}
+
+engine::Result<std::uint64_t> number_of(const char* option, const std::string& text) {
+    if (const auto number = whole_number(text)) return *number;
+    return engine::Error{std::string(option) + " is \"" + text + "\": must be a whole number from 0 to " +
+                         std::to_string(std::numeric_limits<std::uint64_t>::max())};
+}
+
+/// FILE.png or FILE.png@FRAME; a name may hold an @ of its own.
+engine::Result<void> read_screenshot(const std::string& text, scripting::PlayOptions& options) {
+    constexpr std::string_view kEnding = ".png";
+    std::string_view file = text;
+    if (!file.ends_with(kEnding)) {
+        const std::size_t at = text.rfind('@');
+        if (at != std::string::npos) {
+            const auto frame = whole_number(std::string_view(text).substr(at + 1));
+            if (!frame || *frame == 0)
+                return engine::Error{"--screenshot is \"" + text +
+                                     "\": after @ must stand the number of a frame, 1 or more"};
+            options.screenshot_frame = *frame;
+            file = file.substr(0, at);
+        }
+    }
+    if (!file.ends_with(kEnding) || file.size() == kEnding.size())
+        return engine::Error{"--screenshot is \"" + text + "\": the file's name must end in .png"};
+    options.screenshot = file;
+    return {};
+}
+
+/// The options of `cairn play` that are text to CLI11, whose own numbers wrap around silently.
+struct PlayTexts {
+    std::optional<std::string> frames;
+    std::optional<std::string> seed;
+    std::optional<std::string> screenshot;
+};
+
+engine::Result<void> read_play_options(const PlayTexts& texts, scripting::PlayOptions& options) {
+    if (texts.frames) {
+        const auto frames = number_of("--frames", *texts.frames);
+        if (!frames) return frames.error();
+        options.frames = *frames;
+    }
+    if (texts.seed) {
+        if (!options.replay.empty())
+            return engine::Error{"--seed is \"" + *texts.seed +
+                                 "\": must be left out with --replay, which has its own"};
+        const auto seed = number_of("--seed", *texts.seed);
+        if (!seed) return seed.error();
+        options.seed = *seed;
+    }
+    if (texts.screenshot) return read_screenshot(*texts.screenshot, options);
+    return {};
 }
 
 std::vector<std::string> option_names(const CLI::App& command) {
@@ -70,6 +125,7 @@ ParsedLine parse_command_line(int argc, char** argv) {
     ParsedLine parsed;
     CommandLine& line = parsed.line;
     scripting::PlayOptions& play = line.play;
+    PlayTexts texts;
     CLI::App app("Cairn, a 2D game framework with Lua scripting.", "cairn");
     app.footer("cairn COMMAND --help says more about a command.");
     app.require_subcommand(0, 1);  // in `cairn help play`, "play" is an argument
@@ -83,16 +139,16 @@ ParsedLine parse_command_line(int argc, char** argv) {
         ->required();
     play_command->add_option("ARGS", line.arguments, "arguments for cairn.load; after --");
     play_command->add_flag("--headless", play.headless, "without window and sound, as fast as possible");
-    play_command->add_option("--frames", play.frames, "end after N updates (headless default: 600)")
+    play_command->add_option("--frames", texts.frames, "end after N updates (headless default: 600)")
         ->type_name("N");
-    play_command->add_option("--seed", play.seed, "of the gameplay random stream (headless default: 1)")
+    play_command->add_option("--seed", texts.seed, "of the gameplay random stream (headless default: 1)")
         ->type_name("S");
     play_command->add_option("--record", play.record, "write the run to FILE")->type_name("FILE");
     play_command->add_option("--replay", play.replay, "take the input from FILE, and end with it")
         ->type_name("FILE");
-    std::string screenshot;
-    play_command->add_option("--screenshot", screenshot, "write a PNG picture of a frame (default: the last)")
-        ->type_name("FILE[@FRAME]");
+    play_command
+        ->add_option("--screenshot", texts.screenshot, "write a PNG picture of a frame (default: the last)")
+        ->type_name("FILE.png[@FRAME]");
     play_command->add_flag("--hash", play.print_hash, "print the hash of the last state");
 
     CLI::App* run_command = app.add_subcommand("run", "run a Lua file headlessly");
@@ -135,7 +191,12 @@ ParsedLine parse_command_line(int argc, char** argv) {
         parsed.status = 1;
         return parsed;
     }
-    if (!screenshot.empty()) split_screenshot(screenshot, play);
+    if (const auto read = read_play_options(texts, play); !read) {
+        std::fprintf(stderr, "cairn: error: %s\n", read.error().message.c_str());
+        parsed.is_done = true;
+        parsed.status = 1;
+        return parsed;
+    }
     play.arguments = line.arguments;
     if (wants_version) line.command = Command::Version;
     if (play_command->parsed()) line.command = Command::Play;

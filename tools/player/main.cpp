@@ -65,6 +65,9 @@ int run(const CommandLine& line, const std::string& program_path) {
 
 int main(int argc, char** argv) {
     const cairn::player::ParsedLine parsed = cairn::player::parse_command_line(argc, argv);
-    if (parsed.is_done) return parsed.status;
-    return run(parsed.line, argv[0]);
+    const int status = parsed.is_done ? parsed.status : run(parsed.line, argv[0]);
+    // What was asked for may not have arrived: a full disk shows only now.
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+        return fail("standard output cannot be written");
+    return status;
 }
