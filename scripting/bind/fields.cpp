@@ -1,6 +1,8 @@
 // Reading described tables.
 #include "bind/fields.h"
 
+#include <cmath>
+#include <cstdio>
 #include <string>
 
 #include "bind/function.h"
@@ -27,6 +29,24 @@ bool has_type(lua_State* L, FieldType type) {
             return is_object(L, -1, ObjectTag::Body);
     }
     return false;
+}
+
+std::string short_number(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.7g", value);
+    return text;
+}
+
+/// "must be above 0 and at most 2000000".
+std::string range_rule(const Field& field) {
+    constexpr double kLargest = std::numeric_limits<double>::max();
+    std::string rule;
+    if (field.low > -kLargest)
+        rule = std::string(field.excludes_low ? "above " : "at least ") + short_number(field.low);
+    if (field.high < kLargest)
+        rule += (rule.empty() ? "at most " : " and at most ") + short_number(field.high);
+    if (field.high == kLargest) rule += rule.empty() ? "finite" : " and finite";
+    return rule.empty() ? "must be a number, not nan" : "must be " + rule;
 }
 
 }  // namespace
@@ -86,6 +106,8 @@ std::string describe_value(lua_State* L, int index) {
         case LUA_TBOOLEAN:
             return lua_toboolean(L, index) != 0 ? "true" : "false";
         case LUA_TNUMBER: {
+            // The C library writes a sign before some, which means nothing to anybody.
+            if (std::isnan(lua_tonumber(L, index))) return "nan";
             lua_pushvalue(L, index);  // lua_tostring would turn the argument itself into a string
             std::string text = lua_tostring(L, -1);
             lua_pop(L, 1);
@@ -149,18 +171,22 @@ bool FieldReader::has(const Field& field) const {
     return is_there;
 }
 
-double FieldReader::number(const Field& field) const {
-    if (!push(field)) return field.default_number;
+double FieldReader::take_number(const Field& field) const {
     const double value = lua_tonumber(L_, -1);
     lua_pop(L_, 1);
+    const bool is_inside =
+        (field.excludes_low ? value > field.low : value >= field.low) && value <= field.high;
+    if (!is_inside) fail(field, range_rule(field));
     return value;
+}
+
+double FieldReader::number(const Field& field) const {
+    return push(field) ? take_number(field) : field.default_number;
 }
 
 std::optional<double> FieldReader::optional_number(const Field& field) const {
     if (!push(field)) return std::nullopt;
-    const double value = lua_tonumber(L_, -1);
-    lua_pop(L_, 1);
-    return value;
+    return take_number(field);
 }
 
 std::int64_t FieldReader::integer(const Field& field) const {

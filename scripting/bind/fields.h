@@ -3,6 +3,7 @@
 // nearest name that is.
 #pragma once
 
+#include <limits>
 #include <lua.hpp>
 #include <optional>
 #include <span>
@@ -20,6 +21,10 @@ struct Field {
     const char* default_text;
     const char* doc;
     double default_number = 0;
+    /// Of numbers given by the author; unless widened, finite ones. NaN never passes.
+    double low = std::numeric_limits<double>::lowest();
+    double high = std::numeric_limits<double>::max();
+    bool excludes_low = false;
 };
 
 /// Fields that belong together; those of `includes` belong to it too.
@@ -47,6 +52,21 @@ constexpr Field required_field(const char* name, FieldType type, const char* doc
 }
 constexpr Field optional_field(const char* name, FieldType type, const char* doc) {
     return {name, type, "", doc};
+}
+
+/// The same field for numbers from `low` to `high`.
+constexpr Field within(Field field, double low, double high) {
+    field.low = low;
+    field.high = high;
+    return field;
+}
+constexpr Field at_least(Field field, double low) {
+    return within(field, low, field.high);
+}
+/// The same field for numbers greater than `low`.
+constexpr Field above(Field field, double low, double high = std::numeric_limits<double>::max()) {
+    field.excludes_low = true;
+    return within(field, low, high);
 }
 
 /// "a number", "a body", ...: for messages.
@@ -77,6 +97,9 @@ class FieldReader {
     [[noreturn]] void fail(const Field& field, const std::string& rule) const;
 
   private:
+    /// Pops a number, after checking that it lies in the field's range.
+    double take_number(const Field& field) const;
+
     lua_State* L_;
     int index_;
 };

@@ -21,7 +21,38 @@ std::string_view trim(std::string_view text) {
     return text;
 }
 
+bool is_name_character(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '.';
+}
+
+/// "box.radius_m" becomes "radius", and what is no name of a field stays: "0.005", "step".
+std::string_view author_name(std::string_view word) {
+    if (word.empty() || (word[0] >= '0' && word[0] <= '9')) return word;
+    // The longest first.
+    for (const std::string_view unit :
+         {"_kg_m2", "_rad_s", "_m_s2", "_m_s", "_1_s", "_rad", "_nm", "_hz", "_m", "_s"}) {
+        if (!word.ends_with(unit)) continue;
+        word.remove_suffix(unit.size());
+        break;
+    }
+    return word.substr(word.rfind('.') + 1);  // all of it without a dot
+}
+
 }  // namespace
+
+std::string author_words(std::string_view physics_message) {
+    std::string words;
+    while (!physics_message.empty()) {
+        std::size_t length = 0;
+        while (length < physics_message.size() && is_name_character(physics_message[length])) ++length;
+        const std::string_view name = author_name(physics_message.substr(0, length));
+        if (name == "nan" && words.ends_with('-')) words.pop_back();
+        words += name;
+        if (length < physics_message.size()) words += physics_message[length++];
+        physics_message.remove_prefix(length);
+    }
+    return words;
+}
 
 std::vector<Parameter> parse_parameters(std::string_view text) {
     std::vector<Parameter> parameters;

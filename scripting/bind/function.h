@@ -54,6 +54,18 @@ std::string running_name(lua_State* L);
 /// Raises "NAME: message" at the caller's place.
 [[noreturn]] void call_error(lua_State* L, const std::string& message);
 
+/// What the physics says about a field, in the names of the Lua API: without the name of the C++ type before
+/// it and the unit behind it, and "nan" without a sign.
+std::string author_words(std::string_view physics_message);
+
+/// Raises "NAME: message" at the caller's place.
+[[noreturn]] inline void call_error(lua_State* L, const physics::Error& error) {
+    call_error(L, author_words(error.message));
+}
+[[noreturn]] inline void call_error(lua_State* L, const engine::Error& error) {
+    call_error(L, error.message);
+}
+
 // ---- Parameters: Argument<T>::get reads the Lua argument at an index, or raises.
 
 template <class T>
@@ -213,7 +225,7 @@ template <>
 struct Returned<physics::Result<void>> {
     static constexpr std::array<std::string_view, 0> kTypes = {};
     static int push(lua_State* L, const physics::Result<void>& result) {
-        if (!result) call_error(L, result.error().message);
+        if (!result) call_error(L, result.error());
         return 0;
     }
 };
@@ -221,7 +233,7 @@ template <>
 struct Returned<engine::Result<void>> {
     static constexpr std::array<std::string_view, 0> kTypes = {};
     static int push(lua_State* L, const engine::Result<void>& result) {
-        if (!result) call_error(L, result.error().message);
+        if (!result) call_error(L, result.error());
         return 0;
     }
 };
@@ -229,7 +241,7 @@ template <class T>
 struct Returned<physics::Result<T>> {
     static constexpr auto kTypes = Returned<T>::kTypes;
     static int push(lua_State* L, const physics::Result<T>& result) {
-        if (!result) call_error(L, result.error().message);
+        if (!result) call_error(L, result.error());
         return Returned<T>::push(L, *result);
     }
 };
@@ -237,7 +249,7 @@ template <class T>
 struct Returned<engine::Result<T>> {
     static constexpr auto kTypes = Returned<T>::kTypes;
     static int push(lua_State* L, const engine::Result<T>& result) {
-        if (!result) call_error(L, result.error().message);
+        if (!result) call_error(L, result.error());
         return Returned<T>::push(L, *result);
     }
 };
@@ -245,19 +257,19 @@ struct Returned<engine::Result<T>> {
 /// The value of a Result inside a binding, or the error raised.
 template <class T>
 T value_or_raise(lua_State* L, physics::Result<T> result) {
-    if (!result) call_error(L, result.error().message);
+    if (!result) call_error(L, result.error());
     return *std::move(result);
 }
 template <class T>
 T value_or_raise(lua_State* L, engine::Result<T> result) {
-    if (!result) call_error(L, result.error().message);
+    if (!result) call_error(L, result.error());
     return *std::move(result);
 }
 inline void check_or_raise(lua_State* L, const physics::Result<void>& result) {
-    if (!result) call_error(L, result.error().message);
+    if (!result) call_error(L, result.error());
 }
 inline void check_or_raise(lua_State* L, const engine::Result<void>& result) {
-    if (!result) call_error(L, result.error().message);
+    if (!result) call_error(L, result.error());
 }
 
 namespace detail {

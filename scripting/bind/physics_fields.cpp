@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include <cairn/physics/tuning.h>
+
 #include "bind/function.h"
 #include "bind/physics_objects.h"
 #include "data/nearest.h"
@@ -14,15 +16,20 @@ namespace {
 
 using physics::Vec2;
 
+// What the physics accepts, in the words of the fields: a shape reaches at most so far from the body's
+// origin, and two points that are nearer than its slop are one to it.
+constexpr double kMaxReach_m = 1e6;
+constexpr auto kPointsApart_m = static_cast<double>(physics::tuning::kLinearSlop_m);
+
 // ---- World
 constexpr Field kGravityX = number_field("gravity_x", 0, "0", "m/s^2");
 constexpr Field kGravityY = number_field("gravity_y", -10, "-10", "m/s^2");
 constexpr Field kSubsteps = integer_field("substeps", 4, "4", "solver passes per step, 1 to 64");
 constexpr Field kSleep = boolean_field("sleep", true, "whether resting bodies stop being computed");
-constexpr Field kHitSpeed =
-    number_field("hit_speed", 1, "1", "m/s; the least approach speed that makes a \"hit\" event");
+constexpr Field kHitSpeed = at_least(
+    number_field("hit_speed", 1, "1", "m/s; the least approach speed that makes a \"hit\" event"), 0);
 constexpr Field kRestitutionSpeed =
-    number_field("restitution_speed", 1, "1", "m/s; slower approaches do not bounce");
+    at_least(number_field("restitution_speed", 1, "1", "m/s; slower approaches do not bounce"), 0);
 constexpr const Field* kWorldOwn[] = {&kGravityX, &kGravityY, &kSubsteps,
                                       &kSleep,    &kHitSpeed, &kRestitutionSpeed};
 
@@ -34,8 +41,8 @@ constexpr Field kType{"type", FieldType::String, "dynamic", "\"static\", \"kinem
 constexpr Field kVelocityX = number_field("linear_velocity_x", 0, "0", "m/s, of the centre of mass");
 constexpr Field kVelocityY = number_field("linear_velocity_y", 0, "0", "m/s, of the centre of mass");
 constexpr Field kAngularVelocity = number_field("angular_velocity", 0, "0", "rad/s");
-constexpr Field kLinearDamping = number_field("linear_damping", 0, "0", "1/s; c in v e^(-c t)");
-constexpr Field kAngularDamping = number_field("angular_damping", 0, "0", "1/s");
+constexpr Field kLinearDamping = at_least(number_field("linear_damping", 0, "0", "1/s; c in v e^(-c t)"), 0);
+constexpr Field kAngularDamping = at_least(number_field("angular_damping", 0, "0", "1/s"), 0);
 constexpr Field kGravityScale = number_field("gravity_scale", 1, "1", "");
 constexpr Field kAllowSleep = boolean_field("allow_sleep", true, "");
 constexpr Field kAwake = boolean_field("awake", true, "");
@@ -56,10 +63,11 @@ constexpr const Field* kBodyOwn[] = {&kX,
                                      &kData};
 
 // ---- Shape
-constexpr Field kDensity = number_field("density", 1, "1", "kg/m^2");
-constexpr Field kFriction = number_field("friction", 0.6, "0.6", "Coulomb coefficient, at least 0");
+constexpr Field kDensity = at_least(number_field("density", 1, "1", "kg/m^2"), 0);
+constexpr Field kFriction =
+    at_least(number_field("friction", 0.6, "0.6", "Coulomb coefficient, at least 0"), 0);
 constexpr Field kRestitution =
-    number_field("restitution", 0, "0", "share of the approach speed given back, 0 to 1");
+    within(number_field("restitution", 0, "0", "share of the approach speed given back, 0 to 1"), 0, 1);
 constexpr Field kCategories = integer_field("categories", 1, "1", "bit set: what the shape is");
 constexpr Field kMask = integer_field("mask", -1, "-1", "bit set: what it collides with; -1 is everything");
 constexpr Field kGroup = integer_field(
@@ -70,12 +78,14 @@ constexpr const Field* kShapeOwn[] = {&kDensity, &kFriction, &kRestitution,   &k
                                       &kMask,    &kGroup,    &kContactEvents, &kHitEvents};
 
 // ---- Geometry
-constexpr Field kWidth = required_field("width", FieldType::Number, "m");
-constexpr Field kHeight = required_field("height", FieldType::Number, "m");
-constexpr Field kRadius = required_field("radius", FieldType::Number, "m");
-constexpr Field kRounding = number_field("radius", 0, "0", "m; rounds the corners outward");
+constexpr Field kWidth = above(required_field("width", FieldType::Number, "m"), 0, 2 * kMaxReach_m);
+constexpr Field kHeight = above(required_field("height", FieldType::Number, "m"), 0, 2 * kMaxReach_m);
+constexpr Field kRadius = above(required_field("radius", FieldType::Number, "m"), 0, kMaxReach_m);
+constexpr Field kRounding =
+    within(number_field("radius", 0, "0", "m; rounds the corners outward"), 0, kMaxReach_m);
 constexpr Field kLength =
-    required_field("length", FieldType::Number, "m, between the centres of the two ends, along x");
+    above(required_field("length", FieldType::Number, "m, between the centres of the two ends, along x"),
+          kPointsApart_m, 2 * kMaxReach_m);
 constexpr Field kPoints = required_field(
     "points", FieldType::Table, "{ {x, y}, ... }, m: 3 to 8 corners, of which the convex hull is taken");
 constexpr const Field* kBoxOwn[] = {&kWidth, &kHeight, &kRounding};
@@ -94,7 +104,8 @@ constexpr Field kLower = optional_field("lower", FieldType::Number, "rad; with u
 constexpr Field kUpper = optional_field("upper", FieldType::Number, "rad");
 constexpr Field kMotorSpeed =
     optional_field("motor_speed", FieldType::Number, "rad/s, of b against a; turns the motor on");
-constexpr Field kMaxMotorTorque = number_field("max_motor_torque", 0, "0", "N m");
+constexpr Field kMaxMotorTorque =
+    within(number_field("max_motor_torque", 0, "0", "N m"), 0, std::numeric_limits<double>::infinity());
 constexpr const Field* kRevoluteOwn[] = {&kBodyA, &kBodyB, &kPinX,       &kPinY,          &kCollideConnected,
                                          &kLower, &kUpper, &kMotorSpeed, &kMaxMotorTorque};
 constexpr Field kAnchorXA = optional_field(
@@ -102,12 +113,15 @@ constexpr Field kAnchorXA = optional_field(
 constexpr Field kAnchorYA = optional_field("y_a", FieldType::Number, "m");
 constexpr Field kAnchorXB = optional_field("x_b", FieldType::Number, "m; the anchor on body b");
 constexpr Field kAnchorYB = optional_field("y_b", FieldType::Number, "m");
-constexpr Field kRestLength = optional_field("length", FieldType::Number, "m; absent: the present distance");
-constexpr Field kFrequency = optional_field("frequency", FieldType::Number, "Hz; turns the spring on");
-constexpr Field kDampingRatio = number_field("damping_ratio", 0, "0", "1 is critical");
-constexpr Field kMinLength = number_field("min_length", 0, "0", "m, of the spring");
-constexpr Field kMaxLength =
-    number_field("max_length", std::numeric_limits<double>::infinity(), "math.huge", "m, of the spring");
+constexpr Field kRestLength =
+    above(optional_field("length", FieldType::Number, "m; absent: the present distance"), kPointsApart_m);
+constexpr Field kFrequency =
+    above(optional_field("frequency", FieldType::Number, "Hz; turns the spring on"), 0);
+constexpr Field kDampingRatio = at_least(number_field("damping_ratio", 0, "0", "1 is critical"), 0);
+constexpr Field kMinLength = at_least(number_field("min_length", 0, "0", "m, of the spring"), 0);
+constexpr Field kMaxLength = within(
+    number_field("max_length", std::numeric_limits<double>::infinity(), "math.huge", "m, of the spring"), 0,
+    std::numeric_limits<double>::infinity());
 constexpr const Field* kDistanceOwn[] = {&kBodyA,        &kBodyB,     &kAnchorXA,   &kAnchorYA,
                                          &kAnchorXB,     &kAnchorYB,  &kRestLength, &kFrequency,
                                          &kDampingRatio, &kMinLength, &kMaxLength,  &kCollideConnected};

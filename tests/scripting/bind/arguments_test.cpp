@@ -139,5 +139,47 @@ TEST_CASE("an unknown field names the nearest and lists all; a wrong one its val
           std::string::npos);
 }
 
+TEST_CASE("numbers out of range are refused in the author's words, before the physics sees them") {
+    LuaBench bench;
+    REQUIRE(bench.run("w = cairn.physics.new_world{}") == "");
+    const auto message = [&](const std::string& code) { return bench.run(code); };
+    CHECK(message("w:add_box{ width = 0, height = 1 }") ==
+          "test.lua:1: World:add_box: width = 0: must be above 0 and at most 2000000");
+    CHECK(message("w:add_box{ width = 1, height = 1, radius = -1 }") ==
+          "test.lua:1: World:add_box: radius = -1: must be at least 0 and at most 1000000");
+    CHECK(message("w:add_box{ width = 1, height = 3e6 }") ==
+          "test.lua:1: World:add_box: height = 3000000.0: must be above 0 and at most 2000000");
+    CHECK(message("w:add_circle{ radius = 1/0 }") ==
+          "test.lua:1: World:add_circle: radius = inf: must be above 0 and at most 1000000");
+    CHECK(message("w:add_capsule{ length = 0.001, radius = 1 }") ==
+          "test.lua:1: World:add_capsule: length = 0.001: must be above 0.005 and at most 2000000");
+    CHECK(message("w:add_circle{ radius = 1, friction = -1 }") ==
+          "test.lua:1: World:add_circle: friction = -1: must be at least 0 and finite");
+    CHECK(message("w:add_circle{ radius = 1, restitution = 2 }") ==
+          "test.lua:1: World:add_circle: restitution = 2: must be at least 0 and at most 1");
+    for (const char* nan : {"0/0", "-(0/0)"}) {
+        CHECK(message(std::string("cairn.physics.new_world{ gravity_y = ") + nan + " }") ==
+              "test.lua:1: cairn.physics.new_world: gravity_y = nan: must be finite");
+    }
+    CHECK(bench.value("w:body_count()") == "0");
+}
+
+TEST_CASE("what the physics itself refuses comes in the author's words") {
+    LuaBench bench;
+    REQUIRE(bench.run("w = cairn.physics.new_world{} b = w:add_circle{ radius = 1 }") == "");
+    CHECK(bench.run("w:step(0)") ==
+          "test.lua:1: World:step: dt is 0, but must be greater than 0 and at most 1 s");
+    for (const char* nan : {"0/0", "-(0/0)"}) {
+        CHECK(bench.run(std::string("w:set_gravity(") + nan + ", 0)") ==
+              "test.lua:1: World:set_gravity: gravity is (nan, 0), but must be finite");
+    }
+    CHECK(author_words("revolute_joint.body_a and .body_b are the same body, but must be two bodies") ==
+          "body_a and body_b are the same body, but must be two bodies");
+    CHECK(author_words("distance_joint.min_length_m is 3, but must be at most length_m") ==
+          "min_length is 3, but must be at most length");
+    CHECK(author_words("the distance is 0.001, but must be greater than 0.005 m (-nan)") ==
+          "the distance is 0.001, but must be greater than 0.005 m (nan)");
+}
+
 }  // namespace
 }  // namespace cairn::scripting::test
