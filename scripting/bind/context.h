@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <lua.hpp>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,6 +15,7 @@
 #include <cairn/engine/random.h>
 #include <cairn/engine/renderer.h>
 
+#include "bind/played_saves.h"
 #include "bind/timers.h"
 
 namespace cairn::scripting {
@@ -67,7 +67,7 @@ struct Context {
 
     /// With a value, the save folder is only played: files written are kept here and the real folder is
     /// neither read nor written, so that a replay does not depend on what the player saved.
-    std::optional<std::map<std::string, std::string, std::less<>>> played_saves{};
+    std::optional<PlayedSaves> played_saves{};
 
     /// In `cairn test`: what the running test does to its game; else null.
     TestDriver* test = nullptr;

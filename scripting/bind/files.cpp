@@ -1,6 +1,4 @@
 // cairn.files.
-#include <algorithm>
-
 #include "bind/context.h"
 #include "bind/data_values.h"
 #include "bind/modules.h"
@@ -11,58 +9,39 @@
 namespace cairn::scripting {
 namespace {
 
-constexpr std::string_view kSaveFolder = "save/";
-
-bool is_save_path(std::string_view path) {
-    return path.substr(0, kSaveFolder.size()) == kSaveFolder || path == "save";
-}
-
-/// What a run that only plays its save folder holds under a path, or null.
-const std::string* played_file(const Context& context, std::string_view path) {
-    const auto found = context.played_saves->find(path);
-    return found == context.played_saves->end() ? nullptr : &found->second;
+/// The save folder in memory when that is what a path lies in, else null.
+template <class SomeContext>
+auto* played(SomeContext& context, std::string_view path) {
+    return context.played_saves && PlayedSaves::covers(path) ? &*context.played_saves : nullptr;
 }
 
 engine::Result<std::string> read(lua_State* L, std::string_view path) {
     const Context& context = context_of(L);
     check_or_raise(L, engine::check_virtual_path(path));
-    if (!context.played_saves || !is_save_path(path)) return context.services.files.read_text(path);
-    if (const std::string* text = played_file(context, path)) return *text;
-    return engine::Error{"\"" + std::string(path) + "\" does not exist"};
+    if (const auto* saves = played(context, path)) return saves->read(path);
+    return context.services.files.read_text(path);
 }
 
 engine::Result<void> write(lua_State* L, std::string_view path, std::string_view text) {
     Context& context = context_of(L);
     check_or_raise(L, engine::check_virtual_path(path));
-    if (!context.played_saves) return context.services.files.write(path, text);
-    if (!is_save_path(path)) {
-        return engine::Error{"cannot write \"" + std::string(path) +
-                             "\": only paths below save/ can be written"};
-    }
-    (*context.played_saves)[std::string(path)] = text;
-    return {};
+    if (auto* saves = played(context, path)) return saves->write(path, text);
+    // Refuses what is not below save/.
+    return context.services.files.write(path, text);
 }
 
 bool exists(lua_State* L, std::string_view path) {
     const Context& context = context_of(L);
-    if (!context.played_saves || !is_save_path(path)) return context.services.files.exists(path);
-    return played_file(context, path) != nullptr;
+    if (!engine::check_virtual_path(path)) return false;
+    if (const auto* saves = played(context, path)) return saves->exists(path);
+    return context.services.files.exists(path);
 }
 
 Pushed list(lua_State* L, std::string_view folder) {
     const Context& context = context_of(L);
-    std::vector<std::string> names;
-    if (context.played_saves && is_save_path(folder)) {
-        const std::string prefix = std::string(folder) + (folder.back() == '/' ? "" : "/");
-        for (const auto& [path, text] : *context.played_saves) {
-            if (path.compare(0, prefix.size(), prefix) != 0) continue;
-            const std::string name =
-                path.substr(prefix.size(), path.find('/', prefix.size()) - prefix.size());
-            if (names.empty() || names.back() != name) names.push_back(name);
-        }
-    } else {
-        names = value_or_raise(L, context.services.files.list(folder));
-    }
+    check_or_raise(L, engine::check_virtual_path(folder));
+    const auto* saves = played(context, folder);
+    const auto names = value_or_raise(L, saves ? saves->list(folder) : context.services.files.list(folder));
     lua_createtable(L, static_cast<int>(names.size()), 0);
     for (std::size_t i = 0; i < names.size(); ++i) {
         lua_pushlstring(L, names[i].data(), names[i].size());
@@ -105,7 +84,7 @@ const Module kFilesModule = {"cairn.files",
                              "Paths have forward slashes and never lead "
                              "out of these. Only `save/` can be written. Headless runs and replays play the "
                              "save folder in memory: they neither see "
-                             "nor change what a player saved.",
+                             "nor change what a player saved, and may keep 64 MiB.",
                              kFunctions};
 
 }  // namespace cairn::scripting

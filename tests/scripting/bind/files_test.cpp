@@ -32,7 +32,7 @@ TEST_CASE("a run that plays its save folder keeps writes in memory") {
             "");
     CHECK(bench.value("cairn.files.read('save/a/one.txt')") == "first");
     CHECK(bench.value("table.concat(cairn.files.list('save'), ' ')") == "a b.txt");
-    CHECK(bench.run("cairn.files.read('save/none')").find("does not exist") != std::string::npos);
+    CHECK(bench.run("cairn.files.read('save/none')").find("not found") != std::string::npos);
     CHECK(bench.machine().files->save_folder() != "");
     CHECK_FALSE(std::filesystem::exists(bench.machine().files->save_folder() + "/b.txt"));
 }
@@ -42,6 +42,53 @@ TEST_CASE("a real run writes to the save folder") {
     REQUIRE(bench.run("cairn.files.write('save/one.txt', 'kept')") == "");
     CHECK(bench.value("cairn.files.read('save/one.txt')") == "kept");
     CHECK(std::filesystem::exists(bench.machine().files->save_folder() + "/one.txt"));
+}
+
+/// What the calls of a script answer, with the errors' messages.
+const char* const kTriesEverything = R"(
+    local answers = {}
+    local function try(f, ...)
+        local fine, result = pcall(f, ...)
+        if type(result) == "table" then result = "{" .. table.concat(result, " ") .. "}" end
+        if not fine then result = "error" end
+        answers[#answers + 1] = tostring(result)
+    end
+    local files = cairn.files
+    try(files.exists, "save") try(files.list, "save") try(files.list, "save/none") try(files.exists, "save/none")
+    try(files.write, "save/file", "text") try(files.write, "save/file/below", "x") try(files.read, "save/file/below")
+    try(files.write, "save/folder/inner", "x") try(files.write, "save/folder", "x") try(files.write, "save", "x")
+    try(files.read, "save/folder") try(files.exists, "save/folder") try(files.list, "save/file")
+    try(files.list, "save") try(files.list, "save/folder") try(files.list, "save/") try(files.read, "save/file")
+    try(files.write, "save/" .. ("n"):rep(255), "x") try(files.write, "save/" .. ("n"):rep(256), "x")
+    ANSWERS = table.concat(answers, ", ")
+)";
+
+TEST_CASE("saves in memory follow the rules of the disk") {
+    std::string on_disk;
+    {
+        LuaBench bench;
+        REQUIRE(bench.run(kTriesEverything) == "");
+        on_disk = bench.value("ANSWERS");
+    }
+    LuaBench bench({}, MachineKind::Headless, {.plays_saves = true});
+    REQUIRE(bench.run(kTriesEverything) == "");
+    CHECK(bench.value("ANSWERS") == on_disk);
+    CHECK(on_disk ==
+          "true, {}, error, false, nil, error, error, nil, error, error, error, true, error, {file folder}, "
+          "{inner}, error, text, nil, error");
+    CHECK(bench.run("cairn.files.write('save/file/below', 'x')") ==
+          "test.lua:1: cairn.files.write: file 'save/file/below': 'save/file' is a file, not a folder");
+}
+
+TEST_CASE("saves in memory have a limit, and what is replaced does not count") {
+    LuaBench bench({}, MachineKind::Headless, {.plays_saves = true});
+    REQUIRE(bench.run("half = ('x'):rep(32 << 20)") == "");
+    CHECK(bench.run("for i = 1, 4 do cairn.files.write('save/a', half) end") == "");
+    const std::string message = bench.run("cairn.files.write('save/b', half)");
+    CHECK(message.find("'save/b': the save folder would hold 67108876 bytes") != std::string::npos);
+    CHECK(message.find("at most 67108864") != std::string::npos);
+    CHECK(bench.value("cairn.files.exists('save/b')") == "false");
+    CHECK(bench.run("cairn.files.write('save/a', '') cairn.files.write('save/b', half)") == "");
 }
 
 }  // namespace

@@ -1,0 +1,36 @@
+// A save folder in memory, for runs that must neither see nor change what a player saved. Invariant: it
+// accepts what the save folder on disk accepts: a path is a file or a folder, never both.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <cairn/engine/result.h>
+
+namespace cairn::scripting {
+
+class PlayedSaves {
+  public:
+    /// Names and contents together; far more than a game saves, far less than a machine has.
+    static constexpr std::size_t kMaxBytes = 64u << 20;
+
+    /// Whether a path, which must be a valid virtual one, is "save" or below it.
+    static bool covers(std::string_view path);
+
+    engine::Result<std::string> read(std::string_view path) const;
+    engine::Result<void> write(std::string_view path, std::string_view text);
+    bool exists(std::string_view path) const;
+    /// Names, sorted.
+    engine::Result<std::vector<std::string>> list(std::string_view folder) const;
+
+  private:
+    bool is_folder(std::string_view path) const;
+
+    std::map<std::string, std::string, std::less<>> files_;  ///< by path, with "save/"
+    std::size_t bytes_ = 0;
+};
+
+}  // namespace cairn::scripting
