@@ -4,6 +4,7 @@
 
 #include <lua.hpp>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include <cairn/physics/world.h>
@@ -19,6 +20,7 @@ struct WorldObject : ObjectHeader {
     std::optional<physics::World> world;  ///< empty after world:destroy()
     int reference = 0;                    ///< of the world itself in the registry, while it lives
     int steps_with_retired = 0;           ///< for how many more steps the tables of retired bodies matter
+    std::set<std::uint64_t> warned{};     ///< handle bits of bodies that the log has called halted
 };
 
 /// The Lua tables that a world keeps as user values.

@@ -1,6 +1,8 @@
 // cairn.physics and the methods of World.
 #include <cstdio>
 
+#include <cairn/engine/log.h>
+
 #include "bind/context.h"
 #include "bind/modules.h"
 #include "bind/physics_fields.h"
@@ -25,7 +27,7 @@ Pushed new_world(lua_State* L, std::optional<TableArgument> description) {
     if (!description) lua_newtable(L);
     const FieldReader reader(L, description ? description->index : -1, kWorldFields);
     auto created = physics::World::create(read_world_def(reader, L));
-    if (!created) call_error(L, created.error().message);
+    if (!created) call_error(L, created.error());
     auto& object = new_object<WorldObject>(L, kWorldTableCount, std::nullopt, 0, 0);
     object.world.emplace(*std::move(created));
     for (int table = 1; table <= kWorldTableCount; ++table) {
@@ -50,9 +52,40 @@ constexpr Function kPhysicsFunctions[] = {
 
 // ---- World
 
+/// Once for each body: one that is pushed to infinity again in each step would fill the log.
+void warn_of_quarantined(WorldRef world) {
+    for (const physics::BodyId id : world.world.quarantined()) {
+        if (!world.object.warned.insert(id.bits()).second) continue;
+        const auto body = world.world.body(id);
+        if (!body) continue;
+        char place[64];
+        std::snprintf(place, sizeof place, "(%.3g, %.3g)", body->position().x, body->position().y);
+        engine::log(engine::LogLevel::Warning,
+                    std::string("body at ") + place +
+                        " was halted: its motion became infinite; world:quarantined() lists such bodies");
+    }
+}
+
 physics::Result<void> step(lua_State* L, WorldRef self, double dt_s) {
     age_retired(L, self.index, self.object);
-    return self.world.step(static_cast<float>(dt_s));
+    auto stepped = self.world.step(static_cast<float>(dt_s));
+    if (stepped) warn_of_quarantined(self);
+    return stepped;
+}
+
+template <class Ids>
+Pushed push_list_of_bodies(lua_State* L, WorldRef world, const Ids& ids) {
+    lua_createtable(L, static_cast<int>(ids.size()), 0);
+    lua_Integer count = 0;
+    for (const physics::BodyId id : ids) {
+        push_body(L, world.index, id);
+        lua_rawseti(L, -2, ++count);
+    }
+    return {1};
+}
+
+Pushed quarantined(lua_State* L, WorldRef self) {
+    return push_list_of_bodies(L, self, self.world.quarantined());
 }
 
 Pushed new_body(lua_State* L, WorldRef self, TableArgument description) {
@@ -73,7 +106,7 @@ Pushed add_body(lua_State* L, WorldRef self, TableArgument description) {
     const physics::BodyId id = value_or_raise(L, self.world.create_body(read_body_def(reader)));
     if (const auto made = self.world.create_shape(id, geometry.geometry, shape); !made) {
         check_or_raise(L, self.world.destroy_body(id));
-        call_error(L, made.error().message);
+        call_error(L, made.error());
     }
     push_new_body(L, self.index, self.object, id);
     return {1};
@@ -98,13 +131,7 @@ Pushed events(lua_State* L, WorldRef self, std::optional<std::string_view> kind)
 }
 
 Pushed bodies(lua_State* L, WorldRef self) {
-    const std::vector<physics::BodyId> ids = self.world.bodies();
-    lua_createtable(L, static_cast<int>(ids.size()), 0);
-    for (std::size_t i = 0; i < ids.size(); ++i) {
-        push_body(L, self.index, ids[i]);
-        lua_rawseti(L, -2, static_cast<lua_Integer>(i + 1));
-    }
-    return {1};
+    return push_list_of_bodies(L, self, self.world.bodies());
 }
 
 Pushed body_at(lua_State* L, WorldRef self, double x, double y) {
@@ -216,6 +243,10 @@ constexpr Function kWorldFunctions[] = {
         "Anything may be done in the loop; stepping the world ends it."),
     function_pushing<&bodies>("bodies", "", "bodies", kReturnsTable,
                               "A new list of all bodies, in a fixed order."),
+    function_pushing<&quarantined>("quarantined", "", "bodies", kReturnsTable,
+                                   "A new list of the bodies whose motion became infinite in the last step: "
+                                   "each was put back to where it was "
+                                   "and stopped. Empty unless forces beyond all measure act."),
     function_pushing<&body_at>(
         "body_at", "x [m], y [m]", "body, shape", kReturnsBodyAndShape,
         "A body with a shape that contains the point, and that shape; of several the newest "

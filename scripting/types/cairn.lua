@@ -227,6 +227,10 @@ function World:events(kind) end
 ---@return table bodies
 function World:bodies() end
 
+---A new list of the bodies whose motion became infinite in the last step: each was put back to where it was and stopped. Empty unless forces beyond all measure act.
+---@return table bodies
+function World:quarantined() end
+
 ---A body with a shape that contains the point, and that shape; of several the newest shape's; nil when there is none.
 ---@param x number [m]
 ---@param y number [m]

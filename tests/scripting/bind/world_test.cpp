@@ -1,5 +1,9 @@
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <string>
+#include <vector>
+
+#include <cairn/engine/log.h>
 
 #include "scripting/support/lua_bench.h"
 
@@ -94,6 +98,35 @@ TEST_CASE("a destroyed world says so and frees its place among the living") {
     CHECK(bench.run("for i = 1, 1000 do cairn.physics.new_world{}:destroy() end") == "");
     CHECK(bench.run("for i = 1, 1000 do cairn.physics.new_world{} end").find("64 worlds already") !=
           std::string::npos);
+}
+
+TEST_CASE("a body pushed to infinity is halted, listed, and named once in the log") {
+    std::vector<std::string> warnings;
+    const engine::LogSink before = engine::set_log_sink([&](engine::LogLevel level, std::string_view text) {
+        if (level == engine::LogLevel::Warning) warnings.emplace_back(text);
+    });
+    {
+        LuaBench bench;
+        CHECK(bench.run(R"(
+            local world = cairn.physics.new_world{ gravity_y = 0 }
+            local victim = world:add_circle{ x = 3, y = 4, radius = 0.01 }
+            local bystander = world:add_circle{ x = -3, radius = 1 }
+            world:step(1/60)
+            assert(#world:quarantined() == 0)
+            for _ = 1, 3 do
+                victim:apply_force_to_center(3e38, 0)
+                world:step(1/60)
+                local halted = world:quarantined()
+                assert(#halted == 1 and halted[1] == victim)
+                assert(victim:position() == 3 and victim:linear_velocity() == 0)
+            end
+            world:step(1/60)
+            assert(#world:quarantined() == 0)
+        )") == "");
+    }
+    engine::set_log_sink(before);
+    CHECK(warnings == std::vector<std::string>{"body at (3, 4) was halted: its motion became infinite; "
+                                               "world:quarantined() lists such bodies"});
 }
 
 }  // namespace
