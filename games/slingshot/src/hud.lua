@@ -2,6 +2,7 @@
 -- Invariant: a button does what it shows, wherever it is drawn: one table has both its place and its action.
 
 local art = require "src.art"
+local lettering = require "src.lettering"
 
 local hud = {}
 
@@ -42,16 +43,8 @@ local function set_color(color, alpha)
     cairn.graphics.set_color(color[1], color[2], color[3], alpha or 1)
 end
 
---- Light letters with a dark rim, for text over the picture.
 local function print_rimmed(text, x, y, align, font, alpha)
-    local graphics = cairn.graphics
-    graphics.set_font(font)
-    set_color(art.INK, 0.8 * (alpha or 1))
-    for k = 0, 7 do
-        graphics.print(text, x + 2.2 * math.cos(k * math.pi / 4), y + 2.2 * math.sin(k * math.pi / 4), align)
-    end
-    set_color(art.CREAM, alpha)
-    graphics.print(text, x, y, align)
+    lettering.print(text, x, y, align, font, art.CREAM, 2.2, alpha or 1)
 end
 
 local function print_ink(text, x, y, align, font, alpha)
@@ -76,7 +69,7 @@ local function draw_buttons(match)
 end
 
 local function draw_points(match)
-    print_rimmed("SCORE", 28, 16, "left", fonts.small, 0.9)
+    print_rimmed("SCORE", 28, 16, "left", fonts.small)
     print_rimmed(grouped(match.points), 28, 38, "left", fonts.large)
 end
 
@@ -88,9 +81,9 @@ local function draw_hints(match)
     local alpha = math.max(0, math.min(1, match.time / 0.4, 3.6 - match.time))
     print_rimmed(match.level.name, WIDTH / 2, 78, "center", fonts.huge, alpha)
     if not match.slingshot.held and match.level.hint ~= "" then
-        print_rimmed(match.level.hint, WIDTH / 2, HEIGHT - 96, "center", fonts.middle, math.min(1, match.time / 0.4))
-        print_rimmed("mouse, or arrow keys and space", WIDTH / 2, HEIGHT - 58, "center", fonts.small,
-            0.9 * math.min(1, match.time / 0.4))
+        local appeared = math.min(1, match.time / 0.4)
+        print_rimmed(match.level.hint, WIDTH / 2, HEIGHT - 96, "center", fonts.middle, appeared)
+        print_rimmed("mouse, or arrow keys and space", WIDTH / 2, HEIGHT - 58, "center", fonts.small, appeared)
     end
 end
 
@@ -151,7 +144,7 @@ local function draw_end(match)
     elseif won then
         line = "with the very last pebble"
     else
-        local count = #match.grumps
+        local count = match.grumps_left
         line = count == 1 and "one grump is still grumpy" or ("%d grumps are still grumpy"):format(count)
     end
     print_ink(line, WIDTH / 2, PANEL.y + rise + 274, "center", fonts.small, 0.75)

@@ -3,6 +3,7 @@
 
 local art = require "src.art"
 local damage = require "src.damage"
+local lettering = require "src.lettering"
 local scenery = require "src.scenery"
 local slingshot = require "src.slingshot"
 local things = require "src.things"
@@ -12,6 +13,7 @@ local picture = {}
 local PREVIEW_INTERVAL, PREVIEW_COUNT = 0.07, 18
 local LOADING_TIME = 0.35        -- s in which the next pebble hops into the pouch
 local SWING_TIME = 0.8           -- s for which the empty band swings
+local GOLD = { 1.0, 0.82, 0.30 }  -- the letters of big pop-ups
 local fonts = {}
 
 function picture.load()
@@ -228,24 +230,12 @@ local function draw_bits(bits)
 end
 
 local function draw_popups(popups, lens)
-    local graphics = cairn.graphics
     for _, popup in ipairs(popups) do
-        local t = popup.age / popup.life
-        local alpha = math.min(1, 3 * (1 - t))
+        local alpha = math.min(1, 3 * (1 - popup.age / popup.life))
         local font = popup.is_big and fonts.big_popup or fonts.popup
         local x, y = lens:to_screen(popup.x, popup.y)
-        y = y - font:height() / 2
-        graphics.set_font(font)
-        set_ink(0.85 * alpha)
-        for k = 0, 7 do
-            graphics.print(popup.text, x + 2 * math.cos(k * math.pi / 4), y + 2 * math.sin(k * math.pi / 4), "center")
-        end
-        if popup.is_big then
-            graphics.set_color(1.0, 0.82, 0.30, alpha)
-        else
-            graphics.set_color(art.CREAM[1], art.CREAM[2], art.CREAM[3], alpha)
-        end
-        graphics.print(popup.text, x, y, "center")
+        local color = popup.is_big and GOLD or art.CREAM
+        lettering.print(popup.text, x, y - font:height() / 2, "center", font, color, 2, alpha)
     end
 end
 
