@@ -12,7 +12,7 @@ namespace cairn::scripting {
 CameraRef Argument<CameraRef>::get(lua_State* L, int index) {
     auto* object = object_at<CameraObject>(L, index);
     if (object == nullptr) argument_error(L, index, "a Camera");
-    // A window that is resized may change the logical size.
+    // Asked each time: the platform decides what the logical size is.
     object->camera.set_screen_size(context_of(L).services.window.logical_size());
     const float pixels_per_metre = object->camera.pixels_per_metre();
     object->camera.shake_m = {-object->shake_px.x / pixels_per_metre, object->shake_px.y / pixels_per_metre};

@@ -137,7 +137,7 @@ std::optional<ScriptError> Game::deliver(const InputEvent& event) {
         case InputKind::WheelMoved:
             return call("wheel", nullptr, event.delta.x, event.delta.y);
         case InputKind::WindowResized:
-            return call("resized", nullptr, event.delta.x, event.delta.y);
+            return std::nullopt;  // a game's logical size is that of its conf.lua, whatever the window's
         case InputKind::FocusGained:
             return call("focus", nullptr, true);
         case InputKind::FocusLost:

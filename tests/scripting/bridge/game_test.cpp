@@ -13,7 +13,7 @@ TEST_CASE("events reach their callbacks, then timers, then update") {
     REQUIRE(bench.run(R"(
 log = {}
 local function note(name) cairn[name] = function(...) log[#log + 1] = name .. '(' .. table.concat({ ... }, ',') .. ')' end end
-for _, name in ipairs{ "mouse_pressed", "mouse_moved", "mouse_released", "wheel", "key_released", "text_input", "resized" } do note(name) end
+for _, name in ipairs{ "mouse_pressed", "mouse_moved", "mouse_released", "wheel", "key_released", "text_input" } do note(name) end
 function cairn.key_pressed(key, is_repeat) log[#log + 1] = key .. tostring(is_repeat) .. tostring(cairn.input.is_down(key)) end
 function cairn.focus(has) log[#log + 1] = tostring(has) end
 function cairn.update(dt) log[#log + 1] = ("update %.6f"):format(dt) end
@@ -32,7 +32,7 @@ cairn.timer.after(0, function() log[#log + 1] = "timer" end)
     CHECK(bench.value("table.concat(log, ' ')") ==
           "spacefalsetrue mouse_pressed(1.0,2.0,right) mouse_moved(3.0,4.0,2.0,2.0) wheel(0.0,-1.0) "
           "text_input(x) "
-          "resized(800.0,600.0) false key_released(space) timer update 0.016667");
+          "false key_released(space) timer update 0.016667");
     CHECK(bench.value("cairn.timer.frame()") == "1");
 }
 
