@@ -1,6 +1,8 @@
 #include "bridge/replay.h"
 
 #include <catch2/catch.hpp>
+#include <fstream>
+#include <sstream>
 
 namespace cairn::scripting {
 namespace {
@@ -69,6 +71,17 @@ TEST_CASE("every fault is named with its line") {
           "r.replay:8: frame 2 comes after frame 3; events must be in order");
     CHECK(error_of(head + "events\n3 key_presed a\n").find("r.replay:7: ") == 0);
     CHECK(error_of(head + "events\n3\n").find("r.replay:7: ") == 0);
+}
+
+TEST_CASE("the reference names every kind of event") {
+    std::ostringstream reference;
+    reference << std::ifstream(CAIRN_SOURCE_DIR "/docs/reference/replays.md").rdbuf();
+    REQUIRE(reference.str() != "");
+    for (int kind = 0; kind < engine::kInputKindCount; ++kind) {
+        const std::string name(engine::input_kind_name(static_cast<engine::InputKind>(kind)));
+        INFO(name);
+        CHECK(reference.str().find('`' + name) != std::string::npos);
+    }
 }
 
 }  // namespace
