@@ -8,6 +8,8 @@
 #include <set>
 #include <string>
 
+#include "data/source_text.h"
+
 namespace cairn::scripting {
 namespace {
 
@@ -462,7 +464,7 @@ class Parser {
 }  // namespace
 
 engine::Result<Value> parse_table_text(std::string_view text, std::string_view name) {
-    return Parser(text, name).file();
+    return Parser(code_of(text), name).file();
 }
 
 }  // namespace cairn::scripting

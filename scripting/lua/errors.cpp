@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <utility>
 
+#include "data/source_text.h"
 #include "lua/sandbox.h"
 
 namespace cairn::scripting {
@@ -40,6 +41,39 @@ std::vector<std::string> traceback_of(lua_State* L, int first_level) {
     return lines;
 }
 
+/// The text at an index with NUL bytes made visible: whatever prints it would stop there.
+std::string message_at(lua_State* L, int index) {
+    std::size_t length = 0;
+    const char* text = lua_tolstring(L, index, &length);
+    std::string message;
+    for (const char c : std::string_view(text, length)) {
+        if (c == '\0') {
+            message += "\\0";
+        } else {
+            message += c;
+        }
+    }
+    return message;
+}
+
+/// An error that leaves a function of coroutine.wrap, or is raised again by error(), got a second place put
+/// before its own; what the author needs is where it began, and the calls name the other.
+std::string without_repeated_place(std::string message) {
+    constexpr int kMostRepeats = 16;  // a message made of places alone would be copied for ever
+    constexpr std::size_t kLongestPlace = 256;
+    for (int i = 0; i < kMostRepeats; ++i) {
+        const auto outer = place_of(message.substr(0, kLongestPlace));
+        if (!outer) break;
+        const std::size_t end = message.find(": ", outer->file.size() + 1);
+        if (end == std::string::npos) break;
+        // Prose may hold a number between colons too.
+        const auto inner = place_of(message.substr(end + 2, kLongestPlace));
+        if (!inner || !inner->file.ends_with(".lua")) break;
+        message.erase(0, end + 2);
+    }
+    return message;
+}
+
 /// Where handle_error puts what it finds: the error of the innermost protected call on this thread. A closure
 /// over it would need memory, which is what a script may just have used up.
 thread_local ScriptError* current_error = nullptr;
@@ -49,7 +83,7 @@ int handle_error(lua_State* L) {
     if (lua_type(L, 1) == LUA_TSTRING || luaL_getmetafield(L, 1, "__tostring") != LUA_TNIL) {
         lua_settop(L, 1);
         push_text(L, 1);
-        error.message = lua_tostring(L, -1);
+        error.message = without_repeated_place(message_at(L, -1));
     } else {
         error.message = std::string("an error value that is ") + luaL_typename(L, 1) + " was raised";
     }
@@ -104,10 +138,11 @@ std::optional<ScriptError> protected_call(lua_State* L, int arguments, int resul
 }
 
 std::optional<ScriptError> load_text(lua_State* L, const std::string& text, const std::string& name) {
-    if (luaL_loadbufferx(L, text.data(), text.size(), ('@' + name).c_str(), "t") == LUA_OK)
+    const std::string_view code = code_of(text);
+    if (luaL_loadbufferx(L, code.data(), code.size(), ('@' + name).c_str(), "t") == LUA_OK)
         return std::nullopt;
     ScriptError error;
-    error.message = lua_tostring(L, -1);
+    error.message = message_at(L, -1);
     lua_pop(L, 1);
     return error;
 }

@@ -38,5 +38,11 @@ TEST_CASE("slips in conf.lua are named with line and rule") {
     CHECK(error_of("return { title = os.getenv('HOME') }").find("this file is data") != std::string::npos);
 }
 
+TEST_CASE("a byte order mark before conf.lua is skipped") {
+    const auto conf = parse_conf("\xef\xbb\xbfreturn { title = \"T\" }", "conf.lua", "game");
+    REQUIRE(conf);
+    CHECK(conf->title == "T");
+}
+
 }  // namespace
 }  // namespace cairn::scripting

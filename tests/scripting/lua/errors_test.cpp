@@ -45,6 +45,32 @@ TEST_CASE("errors without a place get the innermost known one") {
     CHECK(error_of(bench, "error()").message.find("src/aim.lua:1: ") == 0);
 }
 
+TEST_CASE("an error that leaves a wrapped coroutine names the place where it began, once") {
+    LuaBench bench;
+    CHECK(error_of(bench, "local co = coroutine.wrap(function()\n  error('no')\nend)\nco()").message ==
+          "src/aim.lua:2: no");
+    CHECK(error_of(bench, "local ok, e = pcall(error, 'own words')\nerror(e)").message ==
+          "src/aim.lua:2: own words");
+    CHECK(error_of(bench, "error('scale 3:4: too wide')").message == "src/aim.lua:1: scale 3:4: too wide");
+}
+
+TEST_CASE("a message goes on behind a NUL byte") {
+    LuaBench bench;
+    CHECK(error_of(bench, "error('before\\0after')").message == "src/aim.lua:1: before\\0after");
+}
+
+TEST_CASE("a byte order mark and a first line for the shell are no code, and lines keep their numbers") {
+    LuaBench bench;
+    CHECK(error_of(bench,
+                   "\xef\xbb\xbf"
+                   "x = 1")
+              .message == "");
+    CHECK(error_of(bench, "#!/usr/bin/env cairn run\nerror('no')").message == "src/aim.lua:2: no");
+    CHECK(error_of(bench, "\xef\xbb\xbf#!/usr/bin/env cairn run\nerror('no')").message ==
+          "src/aim.lua:2: no");
+    CHECK(error_of(bench, "# only this").message == "");
+}
+
 TEST_CASE("an endless recursion is an error with a short traceback") {
     LuaBench bench;
     const ScriptError error = error_of(bench, "local function f() return 1 + f() end f()");
