@@ -32,6 +32,27 @@ std::string without_tabs(const std::string& line) {
     return out;
 }
 
+/// As much of a line as fits into a width, with an ellipsis for the rest.
+std::string cut_to_width(const engine::Renderer& renderer, engine::FontId font, std::string text,
+                         float width) {
+    constexpr std::size_t kLongest = 1024;  // no screen shows more, and generated files have endless lines
+    const bool is_too_long = text.size() > kLongest;
+    if (is_too_long) text.resize(kLongest);
+    if (!is_too_long && renderer.measure_text(font, text).x <= width) return text;
+    const auto cut = [&](std::size_t length) {
+        while (length > 0 && (static_cast<unsigned char>(text[length]) & 0xc0) == 0x80)
+            --length;  // inside UTF-8
+        return text.substr(0, length) + "…";
+    };
+    std::size_t fits = 0;
+    std::size_t too_many = text.size();
+    while (too_many - fits > 1) {
+        const std::size_t middle = fits + (too_many - fits) / 2;
+        (renderer.measure_text(font, cut(middle)).x <= width ? fits : too_many) = middle;
+    }
+    return cut(fits);
+}
+
 /// Writes lines one below the other.
 class Column {
   public:
@@ -101,8 +122,9 @@ void draw_error_screen(const ErrorScreen& screen, engine::Renderer& renderer) {
                                {.position = {margin + number_width, column.y()},
                                 .color = color,
                                 .align = engine::TextAlign::Right});
-            renderer.draw_text(*small, source.text,
-                               {.position = {margin + number_width + line, column.y()}, .color = color});
+            const float left = margin + number_width + line;
+            renderer.draw_text(*small, cut_to_width(renderer, *small, source.text, width - margin - left),
+                               {.position = {left, column.y()}, .color = color});
             column.skip(line);
         }
         column.skip(height / 40 + padding);

@@ -44,5 +44,23 @@ TEST_CASE("the screen is drawn, with text of several colors on a dark ground") {
     CHECK(light > 1000);
 }
 
+TEST_CASE("a source line that is too long ends before the edge of the panel") {
+    std::string line = "error('x') --";
+    for (int i = 0; i < 400; ++i) line += "é#";
+    LuaBench bench(GameFiles{{"main.lua", line}}, MachineKind::HeadlessDrawing);
+    engine::Renderer& renderer = *bench.machine().renderer;
+    renderer.begin_frame({1, 1, 1, 1});
+    draw_error_screen(make_error_screen({"main.lua:1: x", {}}, *bench.machine().files), renderer);
+    const auto image = renderer.capture();
+    renderer.end_frame();
+    REQUIRE(image);
+    int light_in_margin = 0;
+    for (int y = 0; y < image->size.height; ++y) {
+        for (int x = image->size.width * 15 / 16 + 1; x < image->size.width; ++x)
+            light_in_margin += image->pixel(x, y)[0] > 150 ? 1 : 0;
+    }
+    CHECK(light_in_margin == 0);
+}
+
 }  // namespace
 }  // namespace cairn::scripting::test
