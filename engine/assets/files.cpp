@@ -33,8 +33,9 @@ Result<void> check_identity(std::string_view identity) {
                c == '_' || c == '.';
     });
     if (plain && !identity.starts_with('.') && identity.size() <= 64) return {};
-    return Error{"save folder name '" + std::string(identity) +
-                 "': must be at most 64 letters, digits, '-', '_' or '.', and not start with '.'"};
+    return Error{"identity '" + std::string(identity) +
+                 "': names the save folder, so it must be at most 64 letters, digits, '-', '_' or '.', and "
+                 "not start with '.'"};
 }
 
 Result<std::string> default_save_root() {

@@ -1,8 +1,11 @@
 // The two loops around a game: with a window and real time, and headless. Both feed it the same way: whatever
 // enters the game is a list of events per update, taken from the platform or from a recording, and noted down
 // when asked for.
+#include <cerrno>
 #include <chrono>
 #include <cstdio>
+#include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 
@@ -29,8 +32,11 @@ int fail(const std::string& message) {
 }
 
 engine::Result<Replay> read_replay(const std::string& path) {
+    std::error_code ignored;
+    if (std::filesystem::is_directory(path, ignored))
+        return engine::Error{"cannot read the recording \"" + path + "\": it is a folder"};
     std::ifstream file(path, std::ios::binary);
-    if (!file) return engine::Error{"cannot read the recording \"" + path + "\""};
+    if (!file) return engine::Error{"cannot read the recording \"" + path + "\": " + std::strerror(errno)};
     std::ostringstream text;
     text << file.rdbuf();
     return parse_replay(text.str(), path);

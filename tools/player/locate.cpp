@@ -57,6 +57,8 @@ engine::Result<scripting::GameSource> locate_game(const std::string& game, const
         source.name = path.stem().string();
         return source;
     }
+    if (path.extension() == ".lua" && !fs::exists(path, ignored))
+        return engine::Error{"the file \"" + game + "\" does not exist"};
     if (is_game_folder(path)) {
         source.path = path.string();
         source.name = fs::canonical(path, ignored).filename().string();
@@ -77,6 +79,17 @@ engine::Result<scripting::GameSource> locate_game(const std::string& game, const
     if (names.empty())
         message += " (no bundled games in \"" + data.string() + "\"; CAIRN_DATA can name another folder)";
     return engine::Error{message};
+}
+
+engine::Result<scripting::GameSource> locate_script(const std::string& file,
+                                                    const std::string& program_path) {
+    std::error_code ignored;
+    if (fs::is_directory(file, ignored))
+        return engine::Error{"\"" + file + "\" is a folder: cairn run takes a .lua file, cairn play a game"};
+    if (!fs::exists(file, ignored)) return engine::Error{"the file \"" + file + "\" does not exist"};
+    if (fs::path(file).extension() != ".lua")
+        return engine::Error{"\"" + file + "\" is no script: the file's name must end in .lua"};
+    return locate_game(file, program_path);
 }
 
 }  // namespace cairn::player

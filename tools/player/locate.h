@@ -19,4 +19,7 @@ std::vector<std::string> bundled_games(const std::string& data_folder);
 /// A folder with main.lua, a .lua file, or the name of a bundled game. The error lists the bundled games.
 engine::Result<scripting::GameSource> locate_game(const std::string& game, const std::string& program_path);
 
+/// A .lua file. The error says what else was named.
+engine::Result<scripting::GameSource> locate_script(const std::string& file, const std::string& program_path);
+
 }  // namespace cairn::player

@@ -52,7 +52,8 @@ int run(const CommandLine& line, const std::string& program_path) {
         case Command::Test:
             break;
     }
-    const auto source = cairn::player::locate_game(line.target, program_path);
+    const auto source = line.command == Command::Run ? cairn::player::locate_script(line.target, program_path)
+                                                     : cairn::player::locate_game(line.target, program_path);
     if (!source) return fail(source.error().message);
     if (line.command == Command::Test) return cairn::scripting::test_game(*source);
     if (line.command == Command::Run) return cairn::scripting::run_script(*source, line.arguments);
