@@ -11,6 +11,20 @@ local MAX_SIDE = 3.0
 local place = { type = "number", required = true, min = -50, max = 50 }
 local points = { type = "integer", required = true, min = 0 }
 
+--- Text that is shown must be what fonts can draw.
+local function check_utf8(text)
+    local _, bad_byte = utf8.len(text)
+    if bad_byte then
+        return ("must be valid UTF-8; byte %d is not"):format(bad_byte)
+    end
+end
+
+local function check_stars(stars)
+    if stars.two > stars.three then
+        return ("two = %d must not be above three = %d"):format(stars.two, stars.three)
+    end
+end
+
 local piece = { type = "table", fields = {
     material = { type = "string", required = true, what = "material", one_of = materials },
     shape = { type = "string", default = "box", what = "shape", one_of = { "box", "triangle" } },
@@ -27,8 +41,8 @@ local grump = { type = "table", fields = {
 } }
 
 level.schema = { type = "table", fields = {
-    name = { type = "string", required = true, min_length = 1, max_length = 40 },
-    hint = { type = "string", default = "" , max_length = 80 },
+    name = { type = "string", required = true, min_length = 1, max_length = 40, check = check_utf8 },
+    hint = { type = "string", default = "", max_length = 80, check = check_utf8 },
     shots = { type = "integer", required = true, min = 1, max = 8 },
     view = { type = "table", required = true, fields = {
         x = place,
@@ -36,7 +50,7 @@ level.schema = { type = "table", fields = {
         height = { type = "number", required = true, min = 4, max = 40 },
     } },
     slingshot = { type = "table", required = true, fields = { x = place } },
-    stars = { type = "table", required = true, fields = { two = points, three = points } },
+    stars = { type = "table", required = true, fields = { two = points, three = points }, check = check_stars },
     pieces = { type = "list", required = true, min_length = 1, items = piece },
     grumps = { type = "list", required = true, min_length = 1, items = grump },
 } }

@@ -1,6 +1,7 @@
 -- One attempt at a level, from the first look to stars or none.
 -- Invariant: `phase` goes aiming -> flying -> aiming ... -> won or lost; nothing but update, the recorded input and the
--- level decides how it goes, so a recorded match plays again to the same end.
+-- level decides how it goes, so a recorded match plays again to the same end. Things may go on falling after the end,
+-- but points, stars and the number of grumps left are final.
 
 local damage = require "src.damage"
 local effects = require "src.effects"
@@ -42,6 +43,7 @@ function match.new(level)
         points = 0,
         bonus = 0,
         stars = 0,
+        grumps_left = nil,      -- at the end
         stars_heard = 0,        -- of those shown in the panel, how many have rung
     }, match)
     things.add_ground(self.world)
@@ -104,7 +106,11 @@ end
 
 -- ---- Impacts
 
+--- Points for what happens at (x, y), unless the match is over.
 function match:gain(points, x, y, is_big)
+    if self:is_over() then
+        return
+    end
     self.points = self.points + points
     self.effects:popup(tostring(points), x, y, is_big)
 end
@@ -239,6 +245,7 @@ function match:end_shot()
 end
 
 function match:finish(outcome)
+    self.grumps_left = #self.grumps
     if outcome == "won" then
         self.bonus = score.bonus(self.shots_left)
         self.points = self.points + self.bonus

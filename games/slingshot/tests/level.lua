@@ -48,6 +48,27 @@ test.test("the level has what it takes: 12 pieces or more of three materials, 2 
     test.expect(level.stars.two < level.stars.three)
 end)
 
+--- The level with one field of its own replaced.
+local function level_with(name, value)
+    local level = require "src.level"
+    local changed = level.load("level-01")
+    changed.id = nil
+    changed[name] = value
+    return function() return cairn.level.check(changed, level.schema) end
+end
+
+test.test("stars that ask for more points for two than for three are refused, equal ones are not", function()
+    test.expect_error(level_with("stars", { two = 15001, three = 15000 }),
+        "stars: two = 15001 must not be above three = 15000")
+    test.expect_equal(level_with("stars", { two = 15000, three = 15000 })().stars.two, 15000)
+end)
+
+test.test("texts that are not UTF-8 are refused", function()
+    test.expect_error(level_with("name", "Gate\xffhouse"), "must be valid UTF-8; byte 5 is not")
+    test.expect_error(level_with("hint", "\xc3"), "must be valid UTF-8; byte 1 is not")
+    test.expect_equal(level_with("name", "Türme")().name, "Türme")
+end)
+
 test.test("a pebble flies along the dots of the preview", function()
     test.start{}
     local match = require("src.game").match
@@ -91,6 +112,31 @@ test.test("a grump that leaves the level is gone, and without grumps the match i
     local score = require "src.score"
     test.expect_equal(match.points, 2 * score.GRUMP + 3 * score.SPARE_SHOT)
     test.expect_equal(test.result().score, match.points)
+end)
+
+test.test("nothing counts after the end: neither the points nor the grumps left change", function()
+    test.start{}
+    local match = require("src.game").match
+    for _ = 1, 3 do
+        shoot(match, 1.2, -0.8)
+    end
+    test.expect_equal(match.phase, "lost")
+    local points, popups = match.points, #match.effects.popups
+    test.expect_equal(match.grumps_left, 2)
+    for _, body in ipairs(match.world:bodies()) do
+        if body.data.kind == "grump" then
+            body:set_position(100, 5)
+        end
+    end
+    match:break_piece(match.pieces[1])
+    test.run(1)
+    test.expect_equal(#match.grumps, 0)
+    test.expect_equal(#match.effects.popups, popups)
+    test.run(300)
+    test.expect_equal(match.phase, "lost")
+    test.expect_equal(match.points, points)
+    test.expect_equal(match.grumps_left, 2)
+    test.expect_equal(test.result().score, points)
 end)
 
 test.test("a restart gives the state of a fresh start", function()
