@@ -307,7 +307,6 @@ HWY_INLINE V relax_normals(Pair<kKind>& pair, std::array<PointLanes, 2>& points,
 template <BlockKind kKind>
 HWY_INLINE void relax_lanes(ContactBlock& block, int lane, float* velocity, const float* pose,
                             const ContactPassTime& time) {
-    const V zero = hn::Zero(kD);
     const V nx = load(block.normal_x, lane);
     const V ny = load(block.normal_y, lane);
     const Columns pose_b = load_rows(pose, block.b.data() + lane);
