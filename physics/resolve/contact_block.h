@@ -23,7 +23,7 @@ struct alignas(32) ContactBlockPoint {
     Lanes<float> arm_a;  // k_a (r_a x n)
     Lanes<float> arm_b;
     Lanes<float> mass;              // effective, along the normal; 0 in unused points
-    Lanes<float> start_separation;  // m, at the start of the step, less what the arms add at angle 0
+    Lanes<float> start_separation;  // m, at the start of the step
     Lanes<float> separation;        // m, now: kept by the relaxing pass for the next biased one
     Lanes<float> static_impulse;    // N s, the estimate for rest
     Lanes<float> impulse;           // N s, of one substep

@@ -1,5 +1,6 @@
 // Contacts as the solver sees them: non-penetration with a soft push-out, Coulomb friction, restitution.
-// This is the scalar form, exact for any rotation; contact_blocks.h packs what it can into SIMD lanes.
+// This is the scalar form, in which arms turn with their bodies; contact_blocks.h packs what it can into SIMD
+// lanes.
 #pragma once
 
 #include <array>
@@ -30,7 +31,7 @@ struct ContactInput {
     float friction_impulse;
     float radius_a;  // by which the shapes are rounded
     float radius_b;
-    bool reports;  // the total impulse is wanted: restitution or hit events
+    bool reports;  // the total impulse is wanted: restitution or events
 };
 
 struct ContactPointConstraint {

@@ -10,8 +10,8 @@ struct StepTime {
     float h_s = 0;  // of one substep
     int substeps = 0;
     float step_ratio = 1;  // of this step's substep to the last one's
-    float impulse_ratio =
-        1;  // the same, at most 1: impulses of which no estimate is known do not grow with the step
+    // The same, at most 1: impulses of which no estimate is known do not grow with the step.
+    float impulse_ratio = 1;
 };
 
 StepTime make_step_time(float dt_s, int substeps, float previous_h_s);
