@@ -2,7 +2,8 @@
 // and 16 of pose. Invariant: row 0 is the world itself: infinite mass, never moves; all static bodies are it.
 // Angular quantities are scaled by sqrt(I), and arms by k = sqrt(1/I): then an impulse p at arm r' = k (r x
 // n) changes the scaled angular velocity by r' p, and neither mass nor inertia stands in a constraint. Bodies
-// of infinite inertia have k = 1; kernels never write them.
+// that turn and cannot be turned have k = 1, and kernels do not write them; a body that moves but never turns
+// has k = 0.
 #pragma once
 
 #include <cstdint>
@@ -87,8 +88,9 @@ inline void Motions::clear() {
 }
 
 inline void Motions::add(Vec2 v, float w, float inverse_mass, float inverse_inertia_of_body) {
-    const float k = inverse_inertia_of_body > 0 ? std::sqrt(inverse_inertia_of_body) : 1;
-    velocity.push_back({v, w / k, inverse_mass});
+    float k = inverse_mass > 0 ? 0 : 1;
+    if (inverse_inertia_of_body > 0) k = std::sqrt(inverse_inertia_of_body);
+    velocity.push_back({v, k > 0 ? w / k : 0, inverse_mass});
     pose.push_back({{}, 0, k});
     unconstrained.push_back({});
     by_joints.push_back({});
@@ -103,6 +105,7 @@ struct Drive {
     float angular_acceleration = 0;  // rad/s^2
     float linear_damping = 0;        // 1/s
     float angular_damping = 0;       // 1/s
+    float gravity_scale = 0;
 };
 
 }  // namespace cairn::physics

@@ -12,7 +12,8 @@ float decay(float damping_1_s, float time_s) {
 VelocityRow accelerated(const VelocityRow& row, const Drive& drive, float k, float time_s) {
     VelocityRow next = row;
     next.v = decay(drive.linear_damping, time_s) * (row.v + time_s * drive.acceleration);
-    next.w = decay(drive.angular_damping, time_s) * (row.w + time_s * drive.angular_acceleration / k);
+    const float faster = k > 0 ? time_s * drive.angular_acceleration / k : 0;
+    next.w = decay(drive.angular_damping, time_s) * (row.w + faster);
     return next;
 }
 

@@ -1,23 +1,14 @@
 // Eight contacts side by side, as the SIMD kernels read them.
-// Invariant: no body stands in two lanes of blocks of one colour, except the rows that nobody writes; unused
-// lanes point to a dummy row with zero mass. Arms are scaled as in base/motion.h; the tangent is the normal
-// turned clockwise.
+// Invariant: no body that moves stands in two lanes of blocks of one colour; unused lanes point to the row of
+// the world and have arms, masses and impulses of zero. Arms are scaled as in base/motion.h; the tangent is
+// the normal turned clockwise.
 #pragma once
 
-#include <array>
 #include <cstdint>
 
-#include <cairn/physics/math.h>
+#include "base/lanes.h"
 
 namespace cairn::physics {
-
-inline constexpr int kBlockLanes =
-    8;  // wider registers gain nothing: the limit is memory; narrower ones take two rounds
-
-inline constexpr int kNoBlock = -1;
-
-template <class T>
-using Lanes = std::array<T, kBlockLanes>;
 
 struct alignas(32) ContactBlockPoint {
     Lanes<float> arm_a;  // k_a (r_a x n)
@@ -32,7 +23,7 @@ struct alignas(32) ContactBlockPoint {
 /// A manifold of up to two points between two bodies, with one friction row midway between the points: on the
 /// line of a manifold all points have the same tangential arm.
 struct alignas(32) ContactBlock {
-    Lanes<std::int32_t> a;  // rows; static contacts have no a
+    Lanes<std::int32_t> a;  // rows
     Lanes<std::int32_t> b;
     Lanes<float> normal_x;
     Lanes<float> normal_y;
@@ -45,10 +36,15 @@ struct alignas(32) ContactBlock {
     // Touched only when `reports` is set: what impacts gave over the whole step.
     std::array<Lanes<float>, 2> total_impulse;
     bool reports = false;
-    // Which contacts these are, and the next block of the same colour and kind.
-    Lanes<std::int32_t> contact;
-    int used = 0;  // lanes
-    int next = kNoBlock;
 };
+
+/// What may move in the contacts of a block. Body b always can.
+enum class BlockKind : std::uint8_t {
+    TwoBodies,
+    OneBody,  ///< a is the world
+    Carried,  ///< a moves as it likes, and nothing pushes it
+};
+
+inline constexpr int kBlockKinds = 3;
 
 }  // namespace cairn::physics

@@ -191,7 +191,7 @@ ContactConstraint make_contact(const ContactInput& input, const Motions& motions
         c.points[i].core_r_b = input.points[i].r_b + (half_gap + input.radius_b) * input.normal;
         c.points[i].separation = input.points[i].separation;
         c.points[i].normal_impulse = input.points[i].impulse;
-        c.points[i].static_impulse = input.points[i].static_impulse;
+        c.points[i].feature = input.points[i].feature;
     }
     const Motion a = motions.get(c.a);
     const Motion b = motions.get(c.b);
@@ -212,10 +212,13 @@ ContactConstraint make_contact(const ContactInput& input, const Motions& motions
     return c;
 }
 
-void warm_start_contact(const ContactConstraint& c, Motions& motions) {
+void warm_start_contact(ContactConstraint& c, Motions& motions, float step_ratio, float friction_ratio) {
     Motion a = motions.get(c.a);
     Motion b = motions.get(c.b);
+    c.friction_impulse *= friction_ratio;
     for (int i = 0; i < c.count; ++i) {
+        ContactPointConstraint& p = c.points[i];
+        p.normal_impulse = first_guess(p.normal_impulse, p.static_impulse, step_ratio);
         apply(a, b, c.points[i].r_a, c.points[i].r_b, c.points[i].normal_impulse * c.normal);
     }
     apply(a, b, c.friction_r_a, c.friction_r_b, c.friction_impulse * right_perp(c.normal));

@@ -3,7 +3,9 @@
 // lanes.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cstdint>
 #include <span>
 
 #include "base/motion.h"
@@ -17,8 +19,8 @@ struct ContactInput {
         Vec2 r_a;  // from the centres of mass to the point, in world axes
         Vec2 r_b;
         float separation;
-        float impulse;         // of the last substep, as the first guess
-        float static_impulse;  // what it would be at rest, by estimate
+        std::int32_t feature;
+        float impulse;  // of the last substep, as the first guess
     };
     int a;  // rows
     int b;
@@ -31,8 +33,10 @@ struct ContactInput {
     float friction_impulse;
     float radius_a;  // by which the shapes are rounded
     float radius_b;
-    bool reports;  // the total impulse is wanted: restitution or events
 };
+
+/// m/s. A new contact that closes slower than this is one of things put down, not of an impact.
+inline constexpr float kRestSpeed_m_s = 0.5f;
 
 struct ContactPointConstraint {
     Vec2 r_a;  // from the centres of mass to the point, in world axes, at the start of the step
@@ -46,12 +50,14 @@ struct ContactPointConstraint {
     float normal_impulse = 0;        // of one substep, N s
     float total_normal_impulse = 0;  // of the whole step, N s
     float normal_mass = 0;
+    std::int32_t feature = 0;
 };
 
 struct ContactConstraint {
     int a = 0;  // rows
     int b = 0;
     int contact = 0;  // where the impulses go back to
+    bool in_lane = true;  // solved there; this form serves restitution and events
     Vec2 normal;      // unit, from a to b
     float friction = 0;
     float restitution = 0;
@@ -83,8 +89,19 @@ ContactRules make_contact_rules(float h_s, float max_push_out_speed_m_s, float r
 /// With what follows from the geometry: effective masses, softness, closing velocities.
 ContactConstraint make_contact(const ContactInput& input, const Motions& motions, const ContactRules& rules);
 
-/// Applies the remembered impulses, as a first guess.
-void warm_start_contact(const ContactConstraint& c, Motions& motions);
+/// The impulse of a point of which nothing is known yet but that it is closed and at rest: its static
+/// estimate will stand for it.
+inline constexpr float kUnknownImpulse = -1;
+
+/// Impulses grow with the substep, but not beyond what the contact would bear at rest: their noise would grow
+/// too.
+inline float first_guess(float remembered, float static_impulse, float step_ratio) {
+    if (remembered < 0) return static_impulse;
+    return std::min(step_ratio * remembered, std::max(remembered, static_impulse));
+}
+
+/// Makes the first guess of a step and applies it.
+void warm_start_contact(ContactConstraint& c, Motions& motions, float step_ratio, float friction_ratio);
 
 void solve_contact(ContactConstraint& c, Motions& motions, const ContactRules& rules, float h_s, Pass pass);
 

@@ -12,98 +12,18 @@
 
 #include <cairn/physics/tuning.h>
 
+#include "base/simd_rows-inl.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace cairn::physics {
 namespace HWY_NAMESPACE {
-namespace hn = hwy::HWY_NAMESPACE;
 
-using D = hn::CappedTag<float, kBlockLanes>;
-using V = hn::Vec<D>;
-inline constexpr D kD{};
-
-// One quantity of several rows per register: rows are loaded whole and transposed, which is faster than
-// gathers.
-struct Columns {
-    V x, y, z, u;
-};
-
-#if HWY_TARGET == HWY_SCALAR
-
-HWY_INLINE Columns load_rows(const float* rows, const std::int32_t* index) {
-    const float* row = rows + 4 * index[0];
-    return {hn::Set(kD, row[0]), hn::Set(kD, row[1]), hn::Set(kD, row[2]), hn::Set(kD, row[3])};
+// Whether the velocity of a is read, and whether it is changed.
+constexpr bool reads_a(BlockKind kind) {
+    return kind != BlockKind::OneBody;
 }
-
-HWY_INLINE void store_rows(float* rows, const std::int32_t* index, const Columns& c) {
-    float* row = rows + 4 * index[0];
-    row[0] = hn::GetLane(c.x);
-    row[1] = hn::GetLane(c.y);
-    row[2] = hn::GetLane(c.z);
-    row[3] = hn::GetLane(c.u);
-}
-
-#else
-
-// Transposes the 4 x 4 matrix in each 128-bit part.
-HWY_INLINE void transpose(V& a, V& b, V& c, V& e) {
-    const hn::Repartition<double, D> pairs;
-    const V ab_low = hn::InterleaveLower(kD, a, b);
-    const V ab_high = hn::InterleaveUpper(kD, a, b);
-    const V ce_low = hn::InterleaveLower(kD, c, e);
-    const V ce_high = hn::InterleaveUpper(kD, c, e);
-    const auto ab_low2 = hn::BitCast(pairs, ab_low);
-    const auto ab_high2 = hn::BitCast(pairs, ab_high);
-    const auto ce_low2 = hn::BitCast(pairs, ce_low);
-    const auto ce_high2 = hn::BitCast(pairs, ce_high);
-    a = hn::BitCast(kD, hn::InterleaveLower(pairs, ab_low2, ce_low2));
-    b = hn::BitCast(kD, hn::InterleaveUpper(pairs, ab_low2, ce_low2));
-    c = hn::BitCast(kD, hn::InterleaveLower(pairs, ab_high2, ce_high2));
-    e = hn::BitCast(kD, hn::InterleaveUpper(pairs, ab_high2, ce_high2));
-}
-
-// Rows i and i + 4 stand in the two halves of one register, or row i alone where registers hold four.
-HWY_INLINE V load_row(const float* rows, const std::int32_t* index, int i) {
-    const hn::FixedTag<float, 4> quad;
-    const auto low = hn::Load(quad, rows + 4 * index[i]);
-#if HWY_MAX_BYTES >= 32
-    return hn::Combine(kD, hn::Load(quad, rows + 4 * index[i + 4]), low);
-#else
-    return low;
-#endif
-}
-
-HWY_INLINE void store_row(float* rows, const std::int32_t* index, int i, V v) {
-    const hn::FixedTag<float, 4> quad;
-#if HWY_MAX_BYTES >= 32
-    hn::Store(hn::LowerHalf(quad, v), quad, rows + 4 * index[i]);
-    hn::Store(hn::UpperHalf(quad, v), quad, rows + 4 * index[i + 4]);
-#else
-    hn::Store(v, quad, rows + 4 * index[i]);
-#endif
-}
-
-HWY_INLINE Columns load_rows(const float* rows, const std::int32_t* index) {
-    Columns c{load_row(rows, index, 0), load_row(rows, index, 1), load_row(rows, index, 2),
-              load_row(rows, index, 3)};
-    transpose(c.x, c.y, c.z, c.u);
-    return c;
-}
-
-HWY_INLINE void store_rows(float* rows, const std::int32_t* index, Columns c) {
-    transpose(c.x, c.y, c.z, c.u);
-    store_row(rows, index, 0, c.x);
-    store_row(rows, index, 1, c.y);
-    store_row(rows, index, 2, c.z);
-    store_row(rows, index, 3, c.u);
-}
-
-#endif
-
-HWY_INLINE V load(const Lanes<float>& lanes, int lane) {
-    return hn::Load(kD, lanes.data() + lane);
-}
-HWY_INLINE void store(V v, Lanes<float>& lanes, int lane) {
-    hn::Store(v, kD, lanes.data() + lane);
+constexpr bool moves_a(BlockKind kind) {
+    return kind == BlockKind::TwoBodies;
 }
 
 // The velocities of some lanes of a block, in the block's own coordinates.
@@ -120,25 +40,25 @@ struct Pair {
         V vx = b.x;
         V vy = b.y;
         inverse_mass = b.u;
-        if constexpr (kKind == BlockKind::TwoBodies) {
+        if constexpr (reads_a(kKind)) {
             a = load_rows(velocity, block.a.data() + lane);
             vx = hn::Sub(vx, a.x);
             vy = hn::Sub(vy, a.y);
-            inverse_mass = hn::Add(inverse_mass, a.u);
         }
+        if constexpr (moves_a(kKind)) inverse_mass = hn::Add(inverse_mass, a.u);
         normal_velocity = hn::Add(hn::Mul(nx, vx), hn::Mul(ny, vy));
         tangent_velocity = hn::Sub(hn::Mul(ny, vx), hn::Mul(nx, vy));
     }
 
     [[nodiscard]] HWY_INLINE V jv(V along, V arm_a, V arm_b) const {
         V result = hn::Add(along, hn::Mul(arm_b, b.z));
-        if constexpr (kKind == BlockKind::TwoBodies) result = hn::Sub(result, hn::Mul(arm_a, a.z));
+        if constexpr (reads_a(kKind)) result = hn::Sub(result, hn::Mul(arm_a, a.z));
         return result;
     }
 
     HWY_INLINE void turn(V impulse, V arm_a, V arm_b) {
         b.z = hn::Add(b.z, hn::Mul(arm_b, impulse));
-        if constexpr (kKind == BlockKind::TwoBodies) a.z = hn::Sub(a.z, hn::Mul(arm_a, impulse));
+        if constexpr (moves_a(kKind)) a.z = hn::Sub(a.z, hn::Mul(arm_a, impulse));
     }
 
     HWY_INLINE void finish(const ContactBlock& block, int lane, float* velocity, V nx, V ny, V normal_impulse,
@@ -148,7 +68,7 @@ struct Pair {
         b.x = hn::Add(b.x, hn::Mul(b.u, px));
         b.y = hn::Add(b.y, hn::Mul(b.u, py));
         store_rows(velocity, block.b.data() + lane, b);
-        if constexpr (kKind == BlockKind::TwoBodies) {
+        if constexpr (moves_a(kKind)) {
             a.x = hn::Sub(a.x, hn::Mul(a.u, px));
             a.y = hn::Sub(a.y, hn::Mul(a.u, py));
             store_rows(velocity, block.a.data() + lane, a);
@@ -175,20 +95,20 @@ HWY_INLINE V solve_friction(ContactBlock& block, int lane, Pair<kKind>& pair, V 
 // The impulse about which a contact is soft: the estimate, but not much more than what it bore last, so that
 // an estimate that is wrong cannot push.
 HWY_INLINE V base_of(V static_impulse, V last) {
-    return hn::Min(static_impulse, hn::Mul(hn::Set(kD, kStaticsTrust), last));
+    return hn::Min(static_impulse, hn::Mul(hn::Set(D(), kStaticsTrust), last));
 }
 
 // A loaded point that opens by less than can be seen stays soft: a hard stop there would ratchet.
-HWY_INLINE hn::Mask<D> is_apart(V separation, V base_impulse) {
-    const V zero = hn::Zero(kD);
-    const V gap = hn::IfThenElseZero(hn::Gt(base_impulse, zero), hn::Set(kD, tuning::kLinearSlop_m));
+HWY_INLINE M is_apart(V separation, V base_impulse) {
+    const V zero = hn::Zero(D());
+    const V gap = hn::IfThenElseZero(hn::Gt(base_impulse, zero), hn::Set(D(), tuning::kLinearSlop_m));
     return hn::Gt(separation, gap);
 }
 
 template <BlockKind kKind>
 HWY_INLINE void solve_lanes(ContactBlock& block, int lane, float* velocity, const ContactPassTime& time) {
-    const V zero = hn::Zero(kD);
-    const V one = hn::Set(kD, 1);
+    const V zero = hn::Zero(D());
+    const V one = hn::Set(D(), 1);
     const V nx = load(block.normal_x, lane);
     const V ny = load(block.normal_y, lane);
     Pair<kKind> pair(block, lane, velocity, nx, ny);
@@ -201,11 +121,11 @@ HWY_INLINE void solve_lanes(ContactBlock& block, int lane, float* velocity, cons
         const V arm_b = load(point.arm_b, lane);
         const V base = base_of(load(point.static_impulse, lane), old);
         const auto apart = is_apart(s, base);
-        const V soft_bias = hn::Max(hn::Mul(hn::Set(kD, time.softness.bias_rate), s),
-                                    hn::Set(kD, -time.max_push_out_speed_m_s));
-        const V bias = hn::IfThenElse(apart, hn::Mul(s, hn::Set(kD, time.inverse_h_1_s)), soft_bias);
-        const V mass_scale = hn::IfThenElse(apart, one, hn::Set(kD, time.softness.mass_scale));
-        const V impulse_scale = hn::IfThenElse(apart, zero, hn::Set(kD, time.softness.impulse_scale));
+        const V soft_bias = hn::Max(hn::Mul(hn::Set(D(), time.softness.bias_rate), s),
+                                    hn::Set(D(), -time.max_push_out_speed_m_s));
+        const V bias = hn::IfThenElse(apart, hn::Mul(s, hn::Set(D(), time.inverse_h_1_s)), soft_bias);
+        const V mass_scale = hn::IfThenElse(apart, one, hn::Set(D(), time.softness.mass_scale));
+        const V impulse_scale = hn::IfThenElse(apart, zero, hn::Set(D(), time.softness.impulse_scale));
 
         const V mass = hn::Mul(load(point.mass, lane), mass_scale);
         const V jv = pair.jv(pair.normal_velocity, arm_a, arm_b);
@@ -248,21 +168,21 @@ HWY_INLINE V push(Pair<kKind>& pair, const PointLanes& p, V impulse) {
 template <BlockKind kKind>
 HWY_INLINE V coupling(const Pair<kKind>& pair, const PointLanes& p, const PointLanes& q) {
     V k = hn::Add(pair.inverse_mass, hn::Mul(p.arm_b, q.arm_b));
-    if constexpr (kKind == BlockKind::TwoBodies) k = hn::Add(k, hn::Mul(p.arm_a, q.arm_a));
+    if constexpr (moves_a(kKind)) k = hn::Add(k, hn::Mul(p.arm_a, q.arm_a));
     return k;
 }
 
 struct Impulses {
     V first;
     V second;
-    hn::Mask<D> regular;  // else the points are too near each other to be told apart
+    M regular;  // else the points are too near each other to be told apart
 };
 
 // As solve_both in contact_constraint.cpp: the case that fits is selected, from the last to the first.
 template <BlockKind kKind>
 HWY_INLINE Impulses solve_both(const Pair<kKind>& pair, const std::array<PointLanes, 2>& p) {
-    const V zero = hn::Zero(kD);
-    const V one = hn::Set(kD, 1);
+    const V zero = hn::Zero(D());
+    const V one = hn::Set(D(), 1);
     const V k00 = coupling(pair, p[0], p[0]);
     const V k11 = coupling(pair, p[1], p[1]);
     const V k01 = coupling(pair, p[0], p[1]);
@@ -283,7 +203,7 @@ HWY_INLINE Impulses solve_both(const Pair<kKind>& pair, const std::array<PointLa
     const V first = hn::IfThenElse(both, both0, hn::IfThenElseZero(only0, alone0));
     const V second =
         hn::IfThenElse(both, both1, hn::IfThenZeroElse(only0, hn::IfThenElseZero(only1, alone1)));
-    return {first, second, hn::Gt(determinant, hn::Mul(hn::Set(kD, 1e-3f), product))};
+    return {first, second, hn::Gt(determinant, hn::Mul(hn::Set(D(), 1e-3f), product))};
 }
 
 // Brings both points to their targets at once, since sweeping would leave a part of the push-out velocity.
@@ -291,7 +211,7 @@ HWY_INLINE Impulses solve_both(const Pair<kKind>& pair, const std::array<PointLa
 template <BlockKind kKind>
 HWY_INLINE V relax_normals(Pair<kKind>& pair, std::array<PointLanes, 2>& points, V first_mass,
                            V second_mass) {
-    const V zero = hn::Zero(kD);
+    const V zero = hn::Zero(D());
     const Impulses together = solve_both(pair, points);
     const V first_swept = hn::Sub(points[0].old, hn::Mul(first_mass, residual(pair, points[0])));
     const V first = hn::IfThenElse(together.regular, together.first, hn::Max(first_swept, zero));
@@ -313,7 +233,7 @@ HWY_INLINE void relax_lanes(ContactBlock& block, int lane, float* velocity, cons
     Columns pose_a{};
     V dx = pose_b.x;
     V dy = pose_b.y;
-    if constexpr (kKind == BlockKind::TwoBodies) {
+    if constexpr (reads_a(kKind)) {
         pose_a = load_rows(pose, block.a.data() + lane);
         dx = hn::Sub(dx, pose_a.x);
         dy = hn::Sub(dy, pose_a.y);
@@ -329,10 +249,10 @@ HWY_INLINE void relax_lanes(ContactBlock& block, int lane, float* velocity, cons
         p.arm_a = load(stored.arm_a, lane);
         p.arm_b = load(stored.arm_b, lane);
         V s = hn::Add(load(stored.start_separation, lane), hn::Add(moved, hn::Mul(p.arm_b, pose_b.z)));
-        if constexpr (kKind == BlockKind::TwoBodies) s = hn::Sub(s, hn::Mul(p.arm_a, pose_a.z));
+        if constexpr (reads_a(kKind)) s = hn::Sub(s, hn::Mul(p.arm_a, pose_a.z));
         store(s, stored.separation, lane);
         p.bias = hn::IfThenElseZero(is_apart(s, base_of(load(stored.static_impulse, lane), p.old)),
-                                    hn::Mul(s, hn::Set(kD, time.inverse_h_1_s)));
+                                    hn::Mul(s, hn::Set(D(), time.inverse_h_1_s)));
     }
     const V first_mass = load(block.points[0].mass, lane);
     const V second_mass = load(block.points[1].mass, lane);
@@ -350,64 +270,86 @@ HWY_INLINE void relax_lanes(ContactBlock& block, int lane, float* velocity, cons
 }
 
 template <BlockKind kKind>
-HWY_INLINE void warm_start_lanes(const ContactBlock& block, int lane, float* velocity) {
+HWY_INLINE void warm_start_lanes(ContactBlock& block, int lane, float* velocity, V step_ratio,
+                                 V friction_ratio) {
     const V nx = load(block.normal_x, lane);
     const V ny = load(block.normal_y, lane);
     Pair<kKind> pair(block, lane, velocity, nx, ny);
-    V sum = hn::Zero(kD);
-    for (const ContactBlockPoint& point : block.points) {
-        const V impulse = load(point.impulse, lane);
+    V sum = hn::Zero(D());
+    for (ContactBlockPoint& point : block.points) {
+        const V remembered = load(point.impulse, lane);
+        const V at_rest = load(point.static_impulse, lane);
+        const V scaled = hn::Min(hn::Mul(step_ratio, remembered), hn::Max(remembered, at_rest));
+        const V impulse = hn::IfThenElse(hn::Lt(remembered, hn::Zero(D())), at_rest, scaled);
+        store(impulse, point.impulse, lane);
         pair.turn(impulse, load(point.arm_a, lane), load(point.arm_b, lane));
         sum = hn::Add(sum, impulse);
     }
-    const V tangent = load(block.friction_impulse, lane);
+    const V tangent = hn::Mul(friction_ratio, load(block.friction_impulse, lane));
+    store(tangent, block.friction_impulse, lane);
     pair.turn(tangent, load(block.tangent_arm_a, lane), load(block.tangent_arm_b, lane));
     pair.finish(block, lane, velocity, nx, ny, sum, tangent);
 }
 
-constexpr int kStep = static_cast<int>(hn::MaxLanes(D()));  // lanes that one register holds
-
 template <BlockKind kKind>
-void solve_all(ContactBlock* pool, int first, float* velocity, const ContactPassTime& time) {
-    for (int i = first; i != kNoBlock; i = pool[i].next) {
-        for (int lane = 0; lane < kBlockLanes; lane += kStep)
-            solve_lanes<kKind>(pool[i], lane, velocity, time);
+void solve_all(std::span<ContactBlock> blocks, float* velocity, const ContactPassTime& time) {
+    for (ContactBlock& block : blocks) {
+        for (int lane = 0; lane < kLanes; lane += kStep) solve_lanes<kKind>(block, lane, velocity, time);
     }
 }
 
 template <BlockKind kKind>
-void relax_all(ContactBlock* pool, int first, float* velocity, const float* pose,
+void relax_all(std::span<ContactBlock> blocks, float* velocity, const float* pose,
                const ContactPassTime& time) {
-    for (int i = first; i != kNoBlock; i = pool[i].next) {
-        for (int lane = 0; lane < kBlockLanes; lane += kStep)
-            relax_lanes<kKind>(pool[i], lane, velocity, pose, time);
+    for (ContactBlock& block : blocks) {
+        for (int lane = 0; lane < kLanes; lane += kStep)
+            relax_lanes<kKind>(block, lane, velocity, pose, time);
     }
 }
 
 template <BlockKind kKind>
-void warm_start_all(const ContactBlock* pool, int first, float* velocity) {
-    for (int i = first; i != kNoBlock; i = pool[i].next) {
-        for (int lane = 0; lane < kBlockLanes; lane += kStep)
-            warm_start_lanes<kKind>(pool[i], lane, velocity);
+void warm_start_all(std::span<ContactBlock> blocks, float* velocity, float step_ratio,
+                    float friction_ratio) {
+    for (ContactBlock& block : blocks) {
+        for (int lane = 0; lane < kLanes; lane += kStep)
+            warm_start_lanes<kKind>(block, lane, velocity, set(step_ratio), set(friction_ratio));
     }
 }
 
-void solve_blocks(ContactBlock* pool, int first, BlockKind kind, float* velocity,
+void solve_blocks(std::span<ContactBlock> blocks, BlockKind kind, float* velocity,
                   const ContactPassTime& time) {
-    if (kind == BlockKind::TwoBodies) return solve_all<BlockKind::TwoBodies>(pool, first, velocity, time);
-    solve_all<BlockKind::OneBody>(pool, first, velocity, time);
+    switch (kind) {
+        case BlockKind::TwoBodies:
+            return solve_all<BlockKind::TwoBodies>(blocks, velocity, time);
+        case BlockKind::OneBody:
+            return solve_all<BlockKind::OneBody>(blocks, velocity, time);
+        case BlockKind::Carried:
+            return solve_all<BlockKind::Carried>(blocks, velocity, time);
+    }
 }
 
-void relax_blocks(ContactBlock* pool, int first, BlockKind kind, float* velocity, const float* pose,
+void relax_blocks(std::span<ContactBlock> blocks, BlockKind kind, float* velocity, const float* pose,
                   const ContactPassTime& time) {
-    if (kind == BlockKind::TwoBodies)
-        return relax_all<BlockKind::TwoBodies>(pool, first, velocity, pose, time);
-    relax_all<BlockKind::OneBody>(pool, first, velocity, pose, time);
+    switch (kind) {
+        case BlockKind::TwoBodies:
+            return relax_all<BlockKind::TwoBodies>(blocks, velocity, pose, time);
+        case BlockKind::OneBody:
+            return relax_all<BlockKind::OneBody>(blocks, velocity, pose, time);
+        case BlockKind::Carried:
+            return relax_all<BlockKind::Carried>(blocks, velocity, pose, time);
+    }
 }
 
-void warm_start_blocks(const ContactBlock* pool, int first, BlockKind kind, float* velocity) {
-    if (kind == BlockKind::TwoBodies) return warm_start_all<BlockKind::TwoBodies>(pool, first, velocity);
-    warm_start_all<BlockKind::OneBody>(pool, first, velocity);
+void warm_start_blocks(std::span<ContactBlock> blocks, BlockKind kind, float* velocity, float step_ratio,
+                       float friction_ratio) {
+    switch (kind) {
+        case BlockKind::TwoBodies:
+            return warm_start_all<BlockKind::TwoBodies>(blocks, velocity, step_ratio, friction_ratio);
+        case BlockKind::OneBody:
+            return warm_start_all<BlockKind::OneBody>(blocks, velocity, step_ratio, friction_ratio);
+        case BlockKind::Carried:
+            return warm_start_all<BlockKind::Carried>(blocks, velocity, step_ratio, friction_ratio);
+    }
 }
 
 }  // namespace HWY_NAMESPACE
@@ -421,18 +363,19 @@ HWY_EXPORT(solve_blocks);
 HWY_EXPORT(relax_blocks);
 HWY_EXPORT(warm_start_blocks);
 
-void solve_blocks(ContactBlock* pool, int first, BlockKind kind, VelocityRow* velocity,
+void solve_blocks(std::span<ContactBlock> blocks, BlockKind kind, VelocityRow* velocity,
                   const ContactPassTime& time) {
-    HWY_DYNAMIC_DISPATCH(solve_blocks)(pool, first, kind, &velocity->v.x, time);
+    HWY_DYNAMIC_DISPATCH(solve_blocks)(blocks, kind, &velocity->v.x, time);
 }
 
-void relax_blocks(ContactBlock* pool, int first, BlockKind kind, VelocityRow* velocity, const PoseRow* pose,
+void relax_blocks(std::span<ContactBlock> blocks, BlockKind kind, VelocityRow* velocity, const PoseRow* pose,
                   const ContactPassTime& time) {
-    HWY_DYNAMIC_DISPATCH(relax_blocks)(pool, first, kind, &velocity->v.x, &pose->d.x, time);
+    HWY_DYNAMIC_DISPATCH(relax_blocks)(blocks, kind, &velocity->v.x, &pose->d.x, time);
 }
 
-void warm_start_blocks(const ContactBlock* pool, int first, BlockKind kind, VelocityRow* velocity) {
-    HWY_DYNAMIC_DISPATCH(warm_start_blocks)(pool, first, kind, &velocity->v.x);
+void warm_start_blocks(std::span<ContactBlock> blocks, BlockKind kind, VelocityRow* velocity,
+                       float step_ratio, float friction_ratio) {
+    HWY_DYNAMIC_DISPATCH(warm_start_blocks)(blocks, kind, &velocity->v.x, step_ratio, friction_ratio);
 }
 
 }  // namespace cairn::physics

@@ -2,6 +2,8 @@
 // The same bits at every level: lanes are independent, and no level fuses multiplications with additions.
 #pragma once
 
+#include <span>
+
 #include "base/motion.h"
 #include "resolve/contact_block.h"
 #include "resolve/contact_constraint.h"
@@ -16,15 +18,13 @@ struct ContactPassTime {
     float max_push_out_speed_m_s = 0;
 };
 
-/// Whether both bodies of a block may move, or only b.
-enum class BlockKind { TwoBodies, OneBody };
-
-// Each works on the blocks of one colour and kind: `first` in the pool and those that follow it.
-void solve_blocks(ContactBlock* pool, int first, BlockKind kind, VelocityRow* velocity,
+// Each works on blocks of one colour and kind.
+void solve_blocks(std::span<ContactBlock> blocks, BlockKind kind, VelocityRow* velocity,
                   const ContactPassTime& time);
-void relax_blocks(ContactBlock* pool, int first, BlockKind kind, VelocityRow* velocity, const PoseRow* pose,
+void relax_blocks(std::span<ContactBlock> blocks, BlockKind kind, VelocityRow* velocity, const PoseRow* pose,
                   const ContactPassTime& time);
-/// Applies the remembered impulses once, as the first guess of a step.
-void warm_start_blocks(const ContactBlock* pool, int first, BlockKind kind, VelocityRow* velocity);
+/// Makes the first guess of a step and applies it once.
+void warm_start_blocks(std::span<ContactBlock> blocks, BlockKind kind, VelocityRow* velocity,
+                       float step_ratio, float friction_ratio);
 
 }  // namespace cairn::physics

@@ -7,6 +7,7 @@
 #include <cairn/physics/tuning.h>
 
 #include "collide/mass.h"
+#include "world/contact_lists.h"
 #include "world/contacts.h"
 #include "world/filtering.h"
 #include "world/finalize.h"
@@ -65,9 +66,11 @@ void update_mass(Stores& stores, int body) {
     });
 
     BodyRows& rows = stores.bodies.rows_of(body);
-    rows.center[record.row] = transform_point(xf, record.mass.center_m);
+    stores.bodies.places[body].center = transform_point(xf, record.mass.center_m);
     rows.velocity[record.row] +=
         cross(rows.spin[record.row], rotate(xf.q, record.mass.center_m - old_center));
+    for_each_edge(stores.contacts.slots, record.first_contact,
+                  [&](int contact, int) { relist_contact(stores, contact); });
 }
 
 void destroy_contacts_of(WorldState& world, int shape) {
@@ -103,8 +106,9 @@ int create_body(Stores& stores, const BodyDef& def) {
     stores.bodies.add_row(body, initial_set(def));
 
     BodyRows& rows = stores.bodies.rows_of(body);
-    rows.center.back() = def.position_m;
-    rows.rotation.back() = rows.rotation_before.back() = Rotation::from_angle(def.angle_rad);
+    Place& place = stores.bodies.places[body];
+    place.center = def.position_m;
+    place.rotation = rows.rotation_before.back() = Rotation::from_angle(def.angle_rad);
     if (stores.bodies.is_awake(body)) {
         rows.velocity.back() = def.linear_velocity_m_s;
         rows.spin.back() = def.angular_velocity_rad_s;
@@ -180,7 +184,9 @@ void remix_contacts(Stores& stores, int shape) {
     for_each_edge(stores.contacts.slots, stores.bodies.slots[stores.shapes[shape].body].first_contact,
                   [&](int contact, int) {
                       ContactRecord& c = stores.contacts.slots[contact];
-                      if (c.shape_a == shape || c.shape_b == shape) mix_materials(stores, c);
+                      if (c.shape_a != shape && c.shape_b != shape) return;
+                      mix_materials(stores, c);
+                      relist_contact(stores, contact);
                   });
 }
 
@@ -190,8 +196,9 @@ void teleport(Stores& stores, int body, Position origin_m, double angle_rad) {
     const BodyRecord& record = stores.bodies.slots[body];
     BodyRows& rows = stores.bodies.rows_of(body);
     const Transform xf{origin_m, Rotation::from_angle(angle_rad)};
-    rows.rotation[record.row] = rows.rotation_before[record.row] = xf.q;
-    rows.center[record.row] = transform_point(xf, record.mass.center_m);
+    Place& place = stores.bodies.places[body];
+    place.rotation = rows.rotation_before[record.row] = xf.q;
+    place.center = transform_point(xf, record.mass.center_m);
     rows.moved[record.row] = {};
     update_boxes(stores, body);
     if (record.type != BodyType::Static) return;

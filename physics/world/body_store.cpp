@@ -3,12 +3,20 @@
 
 namespace cairn::physics {
 
+void BodyStore::set_row(int body, RowSet set, int row) {
+    slots[body].set = set;
+    slots[body].row = row;
+    places[body].row = set == RowSet::Awake ? row + 1 : kWorldRow;
+    if (set != RowSet::Awake) places[body].flags &= place_flag::kBoxesMoved;
+}
+
 void BodyStore::add_row(int body, RowSet set) {
     BodyRows& to = rows(set);
     std::apply([](auto&... column) { (column.emplace_back(), ...); }, to.columns());
     to.body.back() = body;
-    slots[body].set = set;
-    slots[body].row = to.size() - 1;
+    if (places.size() <= static_cast<std::size_t>(body)) places.resize(body + 1);
+    places[body] = {};
+    set_row(body, set, to.size() - 1);
 }
 
 void BodyStore::drop_row(RowSet set, int row) {
@@ -16,12 +24,13 @@ void BodyStore::drop_row(RowSet set, int row) {
     const int moved_body = from.body.back();
     std::apply([row](auto&... column) { ((column[row] = column.back(), column.pop_back()), ...); },
                from.columns());
-    if (row < from.size()) slots[moved_body].row = row;
+    if (row < from.size()) set_row(moved_body, set, row);
 }
 
 void BodyStore::remove_row(int body) {
     drop_row(slots[body].set, slots[body].row);
     slots[body].row = kNone;
+    places[body].row = kWorldRow;
 }
 
 void BodyStore::move_row(int body, RowSet set) {
@@ -34,20 +43,17 @@ void BodyStore::move_row(int body, RowSet set) {
             std::apply([&](auto&... source) { (target.push_back(source[old_row]), ...); }, from.columns());
         },
         to.columns());
-    slots[body].set = set;
-    slots[body].row = to.size() - 1;
+    set_row(body, set, to.size() - 1);
     drop_row(old_set, old_row);
 }
 
 Transform BodyStore::transform(int body) const {
-    const BodyRecord& record = slots[body];
-    const BodyRows& in = rows(record.set);
-    const Rotation q = in.rotation[record.row];
-    return {in.center[record.row] + -rotate(q, record.mass.center_m), q};
+    const Place& place = places[body];
+    return {place.center + -rotate(place.rotation, slots[body].mass.center_m), place.rotation};
 }
 
 Vec2 BodyStore::center_offset(int a, int b) const {
-    return rows_of(b).center[slots[b].row] - rows_of(a).center[slots[a].row];
+    return places[b].center - places[a].center;
 }
 
 }  // namespace cairn::physics

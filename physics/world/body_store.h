@@ -1,6 +1,6 @@
-// Bodies: a cold record in a slot that never moves, and a hot row among those of the same state.
+// Bodies: a cold record and a place in a slot that never moves, and a hot row among those of the same state.
 // Invariant: each body has exactly one row, in the set that its record names, and that row names the body
-// back.
+// back; its place names the row of its motion.
 #pragma once
 
 #include <array>
@@ -10,6 +10,8 @@
 
 #include <cairn/physics/body.h>
 
+#include "base/motion.h"
+#include "base/place.h"
 #include "base/slot_map.h"
 
 namespace cairn::physics {
@@ -39,8 +41,6 @@ struct BodyRecord {
 
 /// Rows of bodies, one column per quantity.
 struct BodyRows {
-    std::vector<Position> center;  // of mass, m
-    std::vector<Rotation> rotation;
     std::vector<Vec2> moved;                // by the last step, m
     std::vector<Rotation> rotation_before;  // the last step
     std::vector<Vec2> velocity;
@@ -52,8 +52,7 @@ struct BodyRows {
 
     [[nodiscard]] int size() const { return static_cast<int>(body.size()); }
     auto columns() {
-        return std::tie(center, rotation, moved, rotation_before, velocity, spin, force, torque, rest_time,
-                        body);
+        return std::tie(moved, rotation_before, velocity, spin, force, torque, rest_time, body);
     }
 };
 
@@ -62,6 +61,7 @@ class BodyStore {
     explicit BodyStore(std::uint16_t world_tag) : slots(world_tag) {}
 
     SlotMap<BodyRecord, BodyId> slots;
+    std::vector<Place> places;  // by slot
 
     [[nodiscard]] BodyRows& rows(RowSet set) { return rows_[static_cast<std::size_t>(set)]; }
     [[nodiscard]] const BodyRows& rows(RowSet set) const { return rows_[static_cast<std::size_t>(set)]; }
@@ -82,6 +82,7 @@ class BodyStore {
 
   private:
     void drop_row(RowSet set, int row);
+    void set_row(int body, RowSet set, int row);
 
     std::array<BodyRows, 3> rows_;
 };

@@ -11,6 +11,7 @@ namespace {
 struct Row {
     BodyRecord& record;
     BodyRows& rows;
+    Place& place;
     int row;
     int body;
 };
@@ -19,7 +20,8 @@ Row row_of(WorldState& world, BodyId id) {
     const int body = world.stores.bodies.slots.find(id);
     CAIRN_ASSERT(body != kNone, "a Body view was used after its body was destroyed");
     BodyRecord& record = world.stores.bodies.slots[body];
-    return {record, world.stores.bodies.rows(record.set), record.row, body};
+    return {record, world.stores.bodies.rows(record.set), world.stores.bodies.places[body],
+            record.row, body};
 }
 
 // The row of a body about to move by outside cause: awake, with its rest time restarted.
@@ -50,16 +52,16 @@ Transform Body::transform() const {
 Transform Body::interpolated_transform(float alpha) const {
     const Row at = row_of(*world_, id_);
     const Rotation before = at.rows.rotation_before[at.row];
-    const Rotation after = at.rows.rotation[at.row];
+    const Rotation after = at.place.rotation;
     const float turned = (inverse(before) * after).angle_rad();
     const Rotation q = Rotation::from_angle(static_cast<double>(alpha * turned)) * before;
-    const Position center = at.rows.center[at.row] + (alpha - 1) * at.rows.moved[at.row];
+    const Position center = at.place.center + (alpha - 1) * at.rows.moved[at.row];
     return {center + -rotate(q, at.record.mass.center_m), q};
 }
 
 Position Body::world_center() const {
     const Row at = row_of(*world_, id_);
-    return at.rows.center[at.row];
+    return at.place.center;
 }
 
 Result<void> Body::set_transform(Position position_m, double angle_rad) {
@@ -83,7 +85,7 @@ float Body::angular_velocity() const {
 
 Vec2 Body::velocity_at(Position point_m) const {
     const Row at = row_of(*world_, id_);
-    return at.rows.velocity[at.row] + cross(at.rows.spin[at.row], point_m - at.rows.center[at.row]);
+    return at.rows.velocity[at.row] + cross(at.rows.spin[at.row], point_m - at.place.center);
 }
 
 Result<void> Body::set_linear_velocity(Vec2 velocity_m_s) {
@@ -111,7 +113,7 @@ Result<void> Body::apply_force(Vec2 force_n, Position point_m) {
     if (!is_dynamic(row_of(*world_, id_))) return {};
     const Row at = woken_row_of(*world_, id_);
     at.rows.force[at.row] += force_n;
-    at.rows.torque[at.row] += cross(point_m - at.rows.center[at.row], force_n);
+    at.rows.torque[at.row] += cross(point_m - at.place.center, force_n);
     return {};
 }
 
@@ -134,7 +136,7 @@ Result<void> Body::apply_impulse(Vec2 impulse_ns, Position point_m) {
     }
     if (!is_dynamic(row_of(*world_, id_))) return {};
     const Row at = woken_row_of(*world_, id_);
-    add_impulse(at, impulse_ns, point_m - at.rows.center[at.row]);
+    add_impulse(at, impulse_ns, point_m - at.place.center);
     return {};
 }
 

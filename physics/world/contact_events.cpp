@@ -1,15 +1,18 @@
 // Contact events.
 #include "world/contact_events.h"
 
+#include <algorithm>
+
 #include <cairn/physics/tuning.h>
+
+#include "world/contact_lists.h"
 
 namespace cairn::physics {
 namespace {
 
 // Where a contact point of body a is at the end of the step.
 Position place_of(const Stores& stores, const ContactRecord& contact, const Motion& a, Vec2 r_a) {
-    const int row = stores.bodies.slots[contact.body_a].row;
-    return stores.bodies.rows_of(contact.body_a).center[row] + (a.dp + rotate(a.dq, r_a));
+    return stores.bodies.places[contact.body_a].center + (a.dp + rotate(a.dq, r_a));
 }
 
 ContactBegin begin_event(const Stores& stores, const ContactRecord& c, const ContactConstraint& constraint,
@@ -18,7 +21,7 @@ ContactBegin begin_event(const Stores& stores, const ContactRecord& c, const Con
     if (constraint.count == 2) middle = 0.5f * (middle + constraint.points[1].r_a);
     return {stores.shapes.id(c.shape_a),      stores.shapes.id(c.shape_b),
             stores.bodies.slots.id(c.body_a), stores.bodies.slots.id(c.body_b),
-            place_of(stores, c, a, middle),   c.normal};
+            place_of(stores, c, a, middle),   constraint.normal};
 }
 
 ContactHit hit_event(const Stores& stores, const ContactRecord& c, const ContactConstraint& constraint,
@@ -27,7 +30,7 @@ ContactHit hit_event(const Stores& stores, const ContactRecord& c, const Contact
     for (int i = 0; i < constraint.count; ++i) impulse += constraint.points[i].total_normal_impulse;
     return {stores.shapes.id(c.shape_a),         stores.shapes.id(c.shape_b),
             stores.bodies.slots.id(c.body_a),    stores.bodies.slots.id(c.body_b),
-            place_of(stores, c, a, fastest.r_a), c.normal,
+            place_of(stores, c, a, fastest.r_a), constraint.normal,
             -fastest.closing_velocity,           impulse};
 }
 
@@ -50,6 +53,18 @@ bool touches(int count, const std::array<float, 2>& impulse, const std::array<fl
         if (impulse[i] > 0 || separation[i] < gap) return true;
     }
     return false;
+}
+
+bool is_touching(const ContactStore& contacts, int contact) {
+    const ContactRecord& c = contacts.slots[contact];
+    if (c.reports_touch) return c.touching;
+    if (!c.has_points) return false;
+    const ContactMemory memory = memory_of(contacts, contact);
+    if (memory.impulse[0] > 0 || memory.impulse[1] > 0) return true;
+    if (c.bucket == kNone || c.bucket == kLooseBucket || !is_colored(c.bucket)) return false;
+    const ContactBlock& block = contacts.lanes.bucket(c.bucket).blocks[c.lane / kLanes];
+    const auto gap = [&](int i) { return block.points[i].separation[c.lane % kLanes]; };
+    return std::min(gap(0), gap(1)) < tuning::kLinearSlop_m;
 }
 
 void report_parting(const Stores& stores, ContactRecord& contact, std::vector<ContactEnd>& ends) {

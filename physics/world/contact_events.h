@@ -11,6 +11,9 @@ namespace cairn::physics {
 bool touches(int count, const std::array<float, 2>& impulse, const std::array<float, 2>& separation,
              bool touched);
 
+/// Whether the pair touches, as far as is known after the last step.
+bool is_touching(const ContactStore& contacts, int contact);
+
 /// The contact has no points any more, or is about to go: if it touched, `ends` says so.
 void report_parting(const Stores& stores, ContactRecord& contact, std::vector<ContactEnd>& ends);
 

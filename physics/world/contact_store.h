@@ -1,29 +1,23 @@
-// Contacts: pairs of shapes whose fat boxes overlap, with what they remember from step to step.
-// Invariant: a pair has at most one contact; shape_a < shape_b; a contact is in `active` exactly when one of
-// its bodies is awake; it is in the lists of both bodies.
+// Contacts: pairs of shapes whose fat boxes overlap.
+// Invariant: a pair has at most one contact; body b can be moved by the contact, body a is the one that
+// cannot if there is such; a contact is listed, in a bucket of lanes or among the loose ones, exactly when one
+// of its bodies is awake; it is in the edge lists of both bodies.
 #pragma once
 
-#include <array>
 #include <cstdint>
+#include <vector>
 
 #include <cairn/physics/ids.h>
 
 #include "base/pair_set.h"
 #include "base/slot_map.h"
-#include "world/active_list.h"
+#include "resolve/contact_lanes.h"
 #include "world/edge_list.h"
 
 namespace cairn::physics {
 
-struct ContactPoint {
-    Vec2 r_a;  // from the bodies' centres of mass, in world axes, m
-    Vec2 r_b;
-    float separation = 0;
-    std::uint16_t id = 0;
-    bool is_new = false;       // this step
-    float normal_impulse = 0;  // of one substep, N s
-    float static_impulse = 0;  // what it would be at rest, by estimate
-};
+/// The list of contacts that are solved in plain form, one by one.
+inline constexpr int kLooseBucket = kBuckets;
 
 struct ContactRecord {
     int shape_a = kNone;
@@ -31,16 +25,13 @@ struct ContactRecord {
     int body_a = kNone;
     int body_b = kNone;
     Edges edges;
-    int active_index = kNone;
-    Vec2 normal;  // world axes, from a to b
-    int count = 0;
-    std::array<ContactPoint, 2> points{};
-    float radius_a = 0;  // by which the shapes are rounded
-    float radius_b = 0;
-    float friction_impulse = 0;  // of the whole manifold
+    int bucket = kNone;  // kNone: not listed
+    int lane = 0;        // in the bucket, or among the loose contacts
+    ContactMemory memory;  // kept in the lane instead while the contact is in a colour
     float friction = 0;
     float restitution = 0;
-    bool touching = false;
+    bool has_points = false;
+    bool touching = false;  // kept up for contacts that report touching
     bool reports_touch = false;
     bool reports_hit = false;
 };
@@ -49,7 +40,9 @@ struct ContactStore {
     explicit ContactStore(std::uint16_t world_tag) : slots(world_tag) {}
 
     SlotMap<ContactRecord, Handle<struct ContactTag>> slots;
-    ActiveList active;
+    ContactLanes lanes;
+    std::vector<int> loose;
+    std::vector<std::uint32_t> colors;  // by body slot: bits of those in which the body is moved
     PairSet pairs;
 };
 

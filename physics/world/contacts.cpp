@@ -2,19 +2,27 @@
 #include "world/contacts.h"
 
 #include <algorithm>
+#include <bit>
 
 #include <cairn/physics/tuning.h>
 
-#include "collide/manifold.h"
 #include "world/contact_events.h"
+#include "world/contact_lists.h"
 #include "world/fast_bodies.h"
 #include "world/filtering.h"
+#include "world/narrow_phase.h"
 #include "world/sleep.h"
 
 namespace cairn::physics {
 namespace {
 
+// Whether contacts can move the body, now or later.
+bool is_immovable(const BodyStore& bodies, int body) {
+    return bodies.slots[body].type != BodyType::Dynamic;
+}
+
 void create_contact(Stores& stores, int shape_a, int shape_b) {
+    if (is_immovable(stores.bodies, stores.shapes[shape_b].body)) std::swap(shape_a, shape_b);
     const ShapeRecord& a = stores.shapes[shape_a];
     const ShapeRecord& b = stores.shapes[shape_b];
     ContactRecord c;
@@ -22,8 +30,6 @@ void create_contact(Stores& stores, int shape_a, int shape_b) {
     c.shape_b = shape_b;
     c.body_a = a.body;
     c.body_b = b.body;
-    c.radius_a = a.convex.radius();
-    c.radius_b = b.convex.radius();
     mix_materials(stores, c);
     c.reports_touch = a.def.contact_events || b.def.contact_events;
     c.reports_hit = a.def.hit_events || b.def.hit_events;
@@ -32,52 +38,17 @@ void create_contact(Stores& stores, int shape_a, int shape_b) {
     const int contact = contacts.slots.insert(c);
     link_edge(contacts.slots, stores.bodies.slots[c.body_a].first_contact, contact, 0);
     link_edge(contacts.slots, stores.bodies.slots[c.body_b].first_contact, contact, 1);
-    if (stores.bodies.is_awake(c.body_a) || stores.bodies.is_awake(c.body_b)) {
-        contacts.active.add(contacts.slots, contact);
-    }
+    list_contact(stores, contact);
 }
 
 void remove_contact(Stores& stores, int contact) {
     ContactStore& contacts = stores.contacts;
     const ContactRecord& c = contacts.slots[contact];
     contacts.pairs.erase(c.shape_a, c.shape_b);
-    contacts.active.remove(contacts.slots, contact);
+    unlist_contact(stores, contact);
     unlink_edge(contacts.slots, stores.bodies.slots[c.body_a].first_contact, contact, 0);
     unlink_edge(contacts.slots, stores.bodies.slots[c.body_b].first_contact, contact, 1);
     contacts.slots.erase(contact);
-}
-
-void compute_manifold(const Stores& stores, ContactRecord& c) {
-    const BodyStore& bodies = stores.bodies;
-    const Transform xf_a = bodies.transform(c.body_a);
-    const Transform xf_b = bodies.transform(c.body_b);
-    const RelativePose b_in_a{inverse_rotate(xf_a.q, xf_b.p - xf_a.p), inverse(xf_a.q) * xf_b.q};
-    const Manifold m = collide(stores.shapes[c.shape_a].convex, stores.shapes[c.shape_b].convex, b_in_a,
-                               tuning::kSpeculativeDistance_m);
-
-    const auto old_points = c.points;
-    const int old_count = c.count;
-    const Vec2 center_a = bodies.slots[c.body_a].mass.center_m;
-    const Vec2 a_to_b = bodies.center_offset(c.body_a, c.body_b);
-    c.normal = rotate(xf_a.q, m.normal);
-    c.count = m.count;
-    bool carried = false;
-    for (int i = 0; i < m.count; ++i) {
-        ContactPoint p;
-        p.r_a = rotate(xf_a.q, m.points[i].point - center_a);
-        p.r_b = p.r_a - a_to_b;
-        p.separation = m.points[i].separation;
-        p.id = m.points[i].id;
-        p.is_new = true;
-        for (int j = 0; j < old_count; ++j) {
-            if (old_points[j].id != p.id) continue;
-            p.normal_impulse = old_points[j].normal_impulse;
-            carried = true;
-            p.is_new = false;
-        }
-        c.points[i] = p;
-    }
-    if (!carried) c.friction_impulse = 0;
 }
 
 // A kinematic body that stands still disturbs nobody.
@@ -98,6 +69,228 @@ void wake_touched(Stores& stores, const ContactRecord& c) {
     if (sleeps(c.body_b) && disturbs(stores.bodies, c.body_a)) wake_body(stores, c.body_b);
 }
 
+void remove_gone(Stores& stores, Events& events, StepScratch& scratch) {
+    for (const int contact : scratch.gone) {
+        report_parting(stores, stores.contacts.slots[contact], events.ends);
+        remove_contact(stores, contact);
+    }
+    scratch.gone.clear();
+}
+
+// One pass over the contacts of a step. What leaves its list is noted first and moved after the pass.
+class Update {
+  public:
+    Update(WorldState& world, const StepTime& time, const ContactRules& rules)
+        : world_(world), stores_(world.stores), scratch_(world.scratch), time_(time), rules_(rules) {}
+
+    void run() {
+        scratch_.contacts.clear();
+        scratch_.scalar_contacts.clear();
+        update_all_near();
+        for (const int contact : scratch_.met) color_contact(stores_, contact);
+        scratch_.met.clear();
+        remove_gone(stores_, world_.events, scratch_);
+        for (int bucket = kFirstColored; bucket < stores_.contacts.lanes.end_bucket(); ++bucket) {
+            for (int block = 0; block < stores_.contacts.lanes.bucket(bucket).block_count(); ++block) {
+                update_block(bucket, block);
+            }
+        }
+        update_loose();
+        for (const int body : stores_.boxes_moved) stores_.bodies.places[body].flags &= ~place_flag::kBoxesMoved;
+        stores_.boxes_moved.clear();
+    }
+
+  private:
+    // Waking lists more pairs, of both kinds.
+    void update_all_near() {
+        std::array<int, 2> done{};
+        const auto more = [&](int geometry) {
+            return done[geometry] < stores_.contacts.lanes.bucket(kNearBucket + geometry).lanes;
+        };
+        while (more(0) || more(1)) {
+            for (const PairGeometry geometry : {PairGeometry::Boxes, PairGeometry::General}) {
+                int& first = done[static_cast<std::size_t>(geometry)];
+                first = update_near(geometry, first);
+            }
+        }
+    }
+
+    // Near pairs from a lane on: those that meet are noted in `met`. The result is how many there are.
+    int update_near(PairGeometry geometry, int first) {
+        LaneBucket& bucket = stores_.contacts.lanes.bucket(near_bucket(geometry));
+        while (first < bucket.lanes) {
+            const int block = first / kLanes;
+            const int last = std::min(bucket.lanes, (block + 1) * kLanes);
+            const unsigned lanes = ((1u << (last - block * kLanes)) - 1) & ~0u << (first - block * kLanes);
+            load_places(stores_.bodies, bucket.pairs[block], lanes, places_);
+            collide_block(stores_, bucket.pairs[block], geometry, lanes, places_.poses, manifold_);
+            for (unsigned rest = lanes; rest != 0; rest &= rest - 1) {
+                update_near_lane(bucket, block, std::countr_zero(rest));
+            }
+            first = last;
+        }
+        return first;
+    }
+
+    void update_near_lane(LaneBucket& bucket, int block, int lane) {
+        const PairBlock& pairs = bucket.pairs[block];
+        const int contact = pairs.contact[lane];
+        if (is_gone(pairs, lane)) return;
+        if (manifold_.points[0].id[lane] != kNoFeature) {
+            ContactRecord& c = stores_.contacts.slots[contact];
+            c.has_points = true;
+            wake_touched(stores_, c);
+            extend_motions(stores_.bodies, world_.def.gravity_m_s2, time_.dt_s, scratch_);
+            // Between a platform at rest and what sleeps on it, nothing happens.
+            if (stores_.bodies.is_awake(c.body_b) || (stores_.bodies.is_awake(c.body_a) && is_dynamic(c.body_a)))
+                scratch_.met.push_back(contact);
+            return;
+        }
+        if ((places_.fast >> lane & 1) != 0 && predict(contact, lane)) {
+            bucket.pairs[block].remembers |= static_cast<std::uint8_t>(1u << lane);
+            return;
+        }
+        if ((bucket.pairs[block].remembers >> lane & 1) == 0) return;
+        bucket.pairs[block].remembers &= static_cast<std::uint8_t>(~(1u << lane));
+        ContactRecord& c = stores_.contacts.slots[contact];
+        report_parting(stores_, c, world_.events.ends);
+        c.has_points = false;
+        c.memory = {};
+    }
+
+    // A pair that is apart but meets within the step is solved in plain form, wherever it is listed.
+    bool predict(int contact, int lane) {
+        ContactRecord& c = stores_.contacts.slots[contact];
+        const AxisGap apart{{manifold_.normal_x[lane], manifold_.normal_y[lane]}, manifold_.gap[lane]};
+        ContactInput input;
+        if (!predict_contact(stores_, c, apart, world_.def.gravity_m_s2, time_.dt_s, input)) return false;
+        c.has_points = true;
+        wake_touched(stores_, c);
+        extend_motions(stores_.bodies, world_.def.gravity_m_s2, time_.dt_s, scratch_);
+        input.a = stores_.bodies.places[c.body_a].row;
+        input.b = stores_.bodies.places[c.body_b].row;
+        input.contact = contact;
+        add_scalar(input, c.memory);
+        return true;
+    }
+
+    void update_block(int bucket_index, int block_index) {
+        LaneBucket& bucket = stores_.contacts.lanes.bucket(bucket_index);
+        PairBlock& pairs = bucket.pairs[block_index];
+        ContactBlock& block = bucket.blocks[block_index];
+        const unsigned lanes = (1u << bucket.used(block_index)) - 1;
+        load_places(stores_.bodies, pairs, lanes, places_);
+        collide_block(stores_, pairs, geometry_of(bucket_index), lanes, places_.poses, manifold_);
+        block.a = places_.row_a;
+        block.b = places_.row_b;
+        block.reports = pairs.reports != 0;
+        const PreparedLanes prepared =
+            prepare_block(places_.poses, manifold_, scratch_.motions.velocity.data(),
+                          scratch_.motions.pose.data(), pairs.features, block);
+        for (unsigned moved = places_.boxes_moved; moved != 0; moved &= moved - 1) {
+            (void)is_gone(pairs, std::countr_zero(moved));
+        }
+        for (unsigned apart = prepared.apart & lanes; apart != 0; apart &= apart - 1) {
+            part(pairs.contact[std::countr_zero(apart)], std::countr_zero(apart));
+        }
+        const unsigned loose = places_.turn_far & prepared.swings & ~prepared.apart;
+        for (unsigned plain = (pairs.reports | loose) & ~prepared.apart; plain != 0; plain &= plain - 1) {
+            const int lane = std::countr_zero(plain);
+            add_plain(pairs, block, lane);
+            if ((loose >> lane & 1) == 0) continue;
+            solve_as_scalar();
+            stores_.contacts.lanes.blank(bucket_index, block_index * kLanes + lane);
+        }
+    }
+
+    // The contact has no points any more. It does nothing in this step, and leaves its list after it.
+    void part(int contact, int lane) {
+        scratch_.parted.push_back(contact);
+        if ((places_.fast >> lane & 1) != 0 && predict(contact, lane)) return;
+        report_parting(stores_, stores_.contacts.slots[contact], world_.events.ends);
+    }
+
+    // The plain form, beside the lane.
+    void add_plain(const PairBlock& pairs, const ContactBlock& block, int lane) {
+        ContactInput input = make_input(stores_, pairs, places_, manifold_, lane);
+        for (int i = 0; i < input.count; ++i) input.points[i].impulse = block.points[i].impulse[lane];
+        input.friction_impulse = block.friction_impulse[lane];
+        scratch_.contacts.push_back(make_contact(input, scratch_.motions, rules_));
+    }
+
+    // The constraint that was added last is solved itself: no lane does it.
+    void solve_as_scalar() {
+        scratch_.contacts.back().in_lane = false;
+        scratch_.scalar_contacts.push_back(static_cast<int>(scratch_.contacts.size()) - 1);
+    }
+
+    void update_loose() {
+        for (const int contact : stores_.contacts.loose) {
+            ContactRecord& c = stores_.contacts.slots[contact];
+            single_.contact[0] = contact;
+            single_.body_a[0] = c.body_a;
+            single_.body_b[0] = c.body_b;
+            single_.shape_a[0] = c.shape_a;
+            single_.shape_b[0] = c.shape_b;
+            load_places(stores_.bodies, single_, 1, places_);
+            collide_block(stores_, single_, PairGeometry::General, 1, places_.poses, manifold_);
+            if (is_gone(single_, 0)) continue;
+            if (manifold_.points[0].id[0] == kNoFeature) {
+                part(contact, 0);
+                continue;
+            }
+            const ContactInput input = make_input(stores_, single_, places_, manifold_, 0);
+            add_scalar(input, c.memory);
+        }
+    }
+
+    // With the impulses that the contact remembers by feature.
+    void add_scalar(ContactInput input, const ContactMemory& memory) {
+        bool carried = false;
+        std::array<bool, 2> known{};
+        for (int i = 0; i < input.count; ++i) {
+            for (int j = 0; j < 2; ++j) {
+                if (memory.features[j] != input.points[i].feature) continue;
+                input.points[i].impulse = memory.impulse[j];
+                known[i] = carried = true;
+            }
+        }
+        input.friction_impulse = carried ? memory.friction_impulse : 0;
+        ContactConstraint constraint = make_contact(input, scratch_.motions, rules_);
+        for (int i = 0; i < input.count; ++i) {
+            const ContactPointConstraint& p = constraint.points[i];
+            const bool rests = p.separation <= 0.1f * tuning::kLinearSlop_m &&
+                               std::fabs(p.closing_velocity) < kRestSpeed_m_s;
+            if (!known[i] && rests) constraint.points[i].normal_impulse = kUnknownImpulse;
+        }
+        scratch_.contacts.push_back(constraint);
+        solve_as_scalar();
+    }
+
+    // Whether the boxes have parted. Then the contact is noted.
+    bool is_gone(const PairBlock& pairs, int lane) {
+        if ((places_.boxes_moved >> lane & 1) == 0) return false;
+        const Aabb& a = stores_.shapes[pairs.shape_a[lane]].fat_box;
+        const Aabb& b = stores_.shapes[pairs.shape_b[lane]].fat_box;
+        if (overlap(a, b)) return false;
+        scratch_.gone.push_back(pairs.contact[lane]);
+        return true;
+    }
+
+    [[nodiscard]] bool is_dynamic(int body) const {
+        return stores_.bodies.slots[body].type == BodyType::Dynamic;
+    }
+
+    WorldState& world_;
+    Stores& stores_;
+    StepScratch& scratch_;
+    const StepTime& time_;
+    const ContactRules& rules_;
+    BlockPlaces places_;
+    ManifoldLanes manifold_;
+    PairBlock single_{};  // a loose contact, in the first lane
+};
+
 }  // namespace
 
 void mix_materials(const Stores& stores, ContactRecord& contact) {
@@ -114,35 +307,19 @@ void find_new_pairs(Stores& stores) {
     }
 }
 
-void update_contacts(Stores& stores, Events& events, std::vector<int>& parted, Vec2 gravity_m_s2,
-                     float dt_s) {
-    ContactStore& contacts = stores.contacts;
-    parted.clear();
-    // Waking appends to the active list, so its size is asked anew each time.
-    for (int i = 0; i < contacts.active.size(); ++i) {
-        const int contact = contacts.active[i];
-        ContactRecord& c = contacts.slots[contact];
-        if (!overlap(stores.shapes[c.shape_a].fat_box, stores.shapes[c.shape_b].fat_box)) {
-            parted.push_back(contact);
-            continue;
-        }
-        compute_manifold(stores, c);
-        if (c.count == 0) predict_contact(stores, c, gravity_m_s2, dt_s);
-        if (c.count == 0) {
-            report_parting(stores, c, events.ends);
-        } else {
-            wake_touched(stores, c);
-        }
-    }
-    for (const int contact : parted) {
-        report_parting(stores, contacts.slots[contact], events.ends);
-        remove_contact(stores, contact);
-    }
+void update_contacts(WorldState& world, const StepTime& time, const ContactRules& rules) {
+    Update(world, time, rules).run();
+}
+
+void settle_contacts(Stores& stores, Events& events, StepScratch& scratch) {
+    for (const int contact : scratch.parted) forget_points(stores, contact);
+    scratch.parted.clear();
+    remove_gone(stores, events, scratch);
 }
 
 void destroy_contact(Stores& stores, Events& events, int contact) {
     ContactRecord& c = stores.contacts.slots[contact];
-    if (c.count > 0) {
+    if (c.has_points) {
         wake_body(stores, c.body_a);
         wake_body(stores, c.body_b);
     }

@@ -1,16 +1,19 @@
 // The life of contacts: made when fat boxes begin to overlap, updated each step, gone when the boxes part.
 #pragma once
 
-#include "world/world_state.h"
+#include "world/prepare.h"
 
 namespace cairn::physics {
 
 /// Stage: contacts for the pairs that the broad phase reports.
 void find_new_pairs(Stores& stores);
 
-/// Stage: manifolds of all active contacts, with impulses carried over by feature; sleeping bodies that are
-/// touched wake, and their contacts are updated in the same pass.
-void update_contacts(Stores& stores, Events& events, std::vector<int>& parted, Vec2 gravity_m_s2, float dt_s);
+/// Stage: manifolds of all listed contacts, and from them the constraints of this step, in lanes or in plain
+/// form; sleeping bodies that are touched wake, and take part in this step.
+void update_contacts(WorldState& world, const StepTime& time, const ContactRules& rules);
+
+/// Stage: contacts that lost their points leave their lanes, and those whose boxes parted are removed.
+void settle_contacts(Stores& stores, Events& events, StepScratch& scratch);
 
 /// Friction and restitution of the pair, from the materials of its two shapes.
 void mix_materials(const Stores& stores, ContactRecord& contact);

@@ -37,9 +37,10 @@ Sweep make_sweep(const Stores& stores, int shape, Position origin, Vec2 gravity,
     const int body = stores.shapes[shape].body;
     const BodyRecord& record = stores.bodies.slots[body];
     const BodyRows& rows = stores.bodies.rows_of(body);
+    const Place& place = stores.bodies.places[body];
     return {&stores.shapes[shape].convex,
-            rows.center[record.row] - origin,
-            rows.rotation[record.row],
+            place.center - origin,
+            place.rotation,
             record.mass.center_m,
             expected_velocity(stores.bodies, body, gravity, dt_s),
             rows.spin[record.row]};
@@ -59,7 +60,7 @@ float free_share_of_way(const Stores& stores, int body) {
     const Transform now = stores.bodies.transform(body);
     const Vec2 moved = awake.moved[record.row];
     const Rotation q_before = awake.rotation_before[record.row];
-    const Position center_before = awake.center[record.row] + -moved;
+    const Position center_before = stores.bodies.places[body].center + -moved;
     float share = 1;
     for (int s = record.first_shape; s != kNone; s = stores.shapes[s].next_of_body) {
         const Convex& convex = stores.shapes[s].convex;
@@ -88,13 +89,16 @@ void cover_fast_ways(Stores& stores, Vec2 gravity_m_s2, float dt_s, std::vector<
     const BodyRows& awake = stores.bodies.rows(RowSet::Awake);
     for (int row = 0; row < awake.size(); ++row) {
         const int body = awake.body[row];
+        std::uint32_t& flags = stores.bodies.places[body].flags;
+        flags &= ~place_flag::kFast;
         if (!is_fast(stores.bodies, body, gravity_m_s2, dt_s)) continue;
+        flags |= place_flag::kFast;
         fast.push_back(body);
         const Vec2 way = dt_s * expected_velocity(stores.bodies, body, gravity_m_s2, dt_s);
         const Transform xf = stores.bodies.transform(body);
         const float turn = dt_s * std::fabs(awake.spin[row]);
         for (int s = stores.bodies.slots[body].first_shape; s != kNone; s = stores.shapes[s].next_of_body) {
-            ShapeRecord& shape = stores.shapes[s];
+            const ShapeRecord& shape = stores.shapes[s];
             const Aabb now = bounds(shape.convex, xf);
             // Turning moves a point by no more than its arm times the angle.
             const float swing =
@@ -102,8 +106,7 @@ void cover_fast_ways(Stores& stores, Vec2 gravity_m_s2, float dt_s, std::vector<
             const Aabb then = bounds(shape.convex, {xf.p + way, xf.q});
             const Aabb all = grown(merged(now, then), swing);
             if (contains(shape.fat_box, all)) continue;
-            shape.fat_box = grown(all, shape.margin_m);
-            stores.broad.move(shape.layer, shape.proxy, shape.fat_box);
+            set_fat_box(stores, s, grown(all, shape.margin_m));
         }
     }
 }
@@ -116,41 +119,50 @@ void hold_fast_bodies(Stores& stores, std::span<const int> fast) {
         BodyRows& awake = stores.bodies.rows(RowSet::Awake);
         const int row = stores.bodies.slots[body].row;
         const Vec2 moved = awake.moved[row];
-        awake.center[row] = awake.center[row] + (share - 1) * moved;
+        Position& center = stores.bodies.places[body].center;
+        center = center + (share - 1) * moved;
         awake.moved[row] = share * moved;
         update_boxes(stores, body);
     }
 }
 
-void predict_contact(const Stores& stores, ContactRecord& contact, Vec2 gravity_m_s2, float dt_s) {
-    if (!is_fast(stores.bodies, contact.body_a, gravity_m_s2, dt_s) &&
-        !is_fast(stores.bodies, contact.body_b, gravity_m_s2, dt_s)) {
-        return;
+bool predict_contact(const Stores& stores, const ContactRecord& contact, const AxisGap& apart,
+                     Vec2 gravity_m_s2, float dt_s, ContactInput& input) {
+    const Sweep a = make_sweep(stores, contact.shape_a, stores.bodies.places[contact.body_a].center,
+                               gravity_m_s2, dt_s);
+    const Sweep b = make_sweep(stores, contact.shape_b, stores.bodies.places[contact.body_a].center,
+                               gravity_m_s2, dt_s);
+    if (apart.gap_m > 0) {
+        const float turning = std::fabs(a.spin) * stores.bodies.slots[contact.body_a].extent_m +
+                              std::fabs(b.spin) * stores.bodies.slots[contact.body_b].extent_m;
+        const float closing = turning - dot(b.velocity - a.velocity, apart.axis);
+        if (apart.gap_m - dt_s * closing > kImpactGap_m) return false;
     }
-    const Position origin =
-        stores.bodies.rows_of(contact.body_a).center[stores.bodies.slots[contact.body_a].row];
-    const Sweep a = make_sweep(stores, contact.shape_a, origin, gravity_m_s2, dt_s);
-    const Sweep b = make_sweep(stores, contact.shape_b, origin, gravity_m_s2, dt_s);
     const std::optional<float> time = time_of_impact(a, b, dt_s, kImpactGap_m);
-    if (!time) return;
+    if (!time) return false;
 
     const Manifold m =
         collide(*a.shape, *b.shape, relative_pose_at(a, b, *time), tuning::kSpeculativeDistance_m);
     const SweptPose pose_a = pose_at(a, *time);
-    contact.normal = rotate(pose_a.rotation, m.normal);
-    contact.count = m.count;
+    input = {};
+    input.normal = rotate(pose_a.rotation, m.normal);
+    input.count = m.count;
     for (int i = 0; i < m.count; ++i) {
         const Vec2 at = pose_a.origin + rotate(pose_a.rotation, m.points[i].point);
-        ContactPoint p;
+        ContactInput::Point& p = input.points[i];
         // The arms are those of the impact, so that both bodies feel the impulse in one place. The gap is
         // chosen such that the one which the solver sees at the impact is the true one.
         p.r_a = at - (a.center + *time * a.velocity);
         p.r_b = at - (b.center + *time * b.velocity);
-        p.id = m.points[i].id;
+        p.feature = m.points[i].id;
         p.separation =
-            m.points[i].separation - dot(moved(b, p.r_b, *time) - moved(a, p.r_a, *time), contact.normal);
-        contact.points[i] = p;
+            m.points[i].separation - dot(moved(b, p.r_b, *time) - moved(a, p.r_a, *time), input.normal);
     }
+    input.friction = contact.friction;
+    input.restitution = contact.restitution;
+    input.radius_a = a.shape->radius();
+    input.radius_b = b.shape->radius();
+    return m.count > 0;
 }
 
 }  // namespace cairn::physics

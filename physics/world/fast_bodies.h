@@ -17,8 +17,15 @@ void cover_fast_ways(Stores& stores, Vec2 gravity_m_s2, float dt_s, std::vector<
 /// next step sees them meet.
 void hold_fast_bodies(Stores& stores, std::span<const int> fast);
 
-/// The contact of a pair that is apart now but meets within the step, as seen from now; count stays 0 when it
-/// does not. Costs nothing but two tests when neither body is fast.
-void predict_contact(const Stores& stores, ContactRecord& contact, Vec2 gravity_m_s2, float dt_s);
+/// An axis, from a to b, along which two shapes are at least this far apart; 0 says nothing.
+struct AxisGap {
+    Vec2 axis;
+    float gap_m = 0;
+};
+
+/// The contact of a pair that is apart now but meets within the step, as seen from now; false when it does
+/// not.
+bool predict_contact(const Stores& stores, const ContactRecord& contact, const AxisGap& apart,
+                     Vec2 gravity_m_s2, float dt_s, ContactInput& input);
 
 }  // namespace cairn::physics

@@ -33,6 +33,16 @@ void halt(Motions& motions, int row) {
 
 }  // namespace
 
+void set_fat_box(Stores& stores, int shape, const Aabb& box) {
+    ShapeRecord& record = stores.shapes[shape];
+    record.fat_box = box;
+    stores.broad.move(record.layer, record.proxy, box);
+    std::uint32_t& flags = stores.bodies.places[record.body].flags;
+    if (flags & place_flag::kBoxesMoved) return;
+    flags |= place_flag::kBoxesMoved;
+    stores.boxes_moved.push_back(record.body);
+}
+
 void update_boxes(Stores& stores, int body) {
     const Transform xf = stores.bodies.transform(body);
     for (int shape = stores.bodies.slots[body].first_shape; shape != kNone;
@@ -40,8 +50,7 @@ void update_boxes(Stores& stores, int body) {
         ShapeRecord& record = stores.shapes[shape];
         const Aabb box = bounds(record.convex, xf);
         if (contains(record.fat_box, box)) continue;
-        record.fat_box = grown(box, record.margin_m);
-        stores.broad.move(record.layer, record.proxy, record.fat_box);
+        set_fat_box(stores, shape, grown(box, record.margin_m));
     }
 }
 
@@ -57,10 +66,11 @@ void finalize_bodies(Stores& stores, StepScratch& scratch, float dt_s, bool slee
         const Vec2 velocity = scratch.motions.velocity[row + 1].v;
         const float spin = scratch.motions.spin(row + 1);
         const int body = awake.body[row];
-        awake.rotation_before[row] = awake.rotation[row];
-        awake.center[row] = awake.center[row] + pose.d;
-        awake.rotation[row] =
-            normalized(Rotation::from_small_angle(scratch.motions.angle(row + 1)) * awake.rotation[row]);
+        Place& place = stores.bodies.places[body];
+        awake.rotation_before[row] = place.rotation;
+        place.center = place.center + pose.d;
+        place.rotation =
+            normalized(Rotation::from_small_angle(scratch.motions.angle(row + 1)) * place.rotation);
         awake.moved[row] = pose.d;
         awake.velocity[row] = velocity;
         awake.spin[row] = spin;

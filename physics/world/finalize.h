@@ -9,6 +9,9 @@ namespace cairn::physics {
 void finalize_bodies(Stores& stores, StepScratch& scratch, float dt_s, bool sleep_enabled,
                      std::vector<BodyId>& quarantined);
 
+/// The box of a shape in the broad phase.
+void set_fat_box(Stores& stores, int shape, const Aabb& box);
+
 /// Brings the boxes of a body's shapes up to its place; boxes that the shape has left are made anew.
 void update_boxes(Stores& stores, int body);
 

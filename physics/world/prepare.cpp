@@ -10,12 +10,8 @@
 namespace cairn::physics {
 namespace {
 
-// Bodies that are not awake in the hot rows act as the world itself: what sleeps and is touched was woken
-// before.
-int row_of(const BodyStore& bodies, int body) {
-    const BodyRecord& record = bodies.slots[body];
-    return record.set == RowSet::Awake ? record.row + 1 : kWorldRow;
-}
+// rad. Lanes take separations as linear in the angle, which is wrong by half its square times the arm.
+constexpr float kMaxTurn_rad = 0.25f;
 
 void mark_mover(Motions& motions, int row, Mover mover) {
     if (motions.mover[row] < mover) motions.mover[row] = mover;
@@ -23,10 +19,9 @@ void mark_mover(Motions& motions, int row, Mover mover) {
 
 JointAnchors make_anchors(const BodyStore& bodies, const JointRecord& j, Vec2 local_a, Vec2 local_b) {
     const auto arm = [&](int body, Vec2 local) {
-        const BodyRecord& record = bodies.slots[body];
-        return rotate(bodies.rows_of(body).rotation[record.row], local - record.mass.center_m);
+        return rotate(bodies.places[body].rotation, local - bodies.slots[body].mass.center_m);
     };
-    return {row_of(bodies, j.body_a), row_of(bodies, j.body_b), arm(j.body_a, local_a),
+    return {bodies.places[j.body_a].row, bodies.places[j.body_b].row, arm(j.body_a, local_a),
             arm(j.body_b, local_b), bodies.center_offset(j.body_a, j.body_b)};
 }
 
@@ -36,9 +31,8 @@ Softness joint_softness(const StepTime& time) {
 }
 
 float angle_between(const BodyStore& bodies, int a, int b, double reference_rad) {
-    const Rotation qa = bodies.rows_of(a).rotation[bodies.slots[a].row];
-    const Rotation qb = bodies.rows_of(b).rotation[bodies.slots[b].row];
-    return (inverse(Rotation::from_angle(reference_rad)) * (inverse(qa) * qb)).angle_rad();
+    const Rotation turn = inverse(bodies.places[a].rotation) * bodies.places[b].rotation;
+    return (inverse(Rotation::from_angle(reference_rad)) * turn).angle_rad();
 }
 
 RevoluteConstraint pack(const Stores& stores, const JointRecord& j, const RevoluteJointDef& def,
@@ -77,50 +71,6 @@ DistanceConstraint pack(const Stores& stores, const JointRecord& j, const Distan
     return c;
 }
 
-// Whether a new point may take its static estimate for a first guess: it is closed and hardly moves.
-bool starts_at_rest(const Stores& stores, const ContactRecord& c, int point) {
-    const ContactPoint& p = c.points[point];
-    if (p.separation > 0.1f * tuning::kLinearSlop_m) return false;
-    const auto velocity = [&](int body, Vec2 r) {
-        const BodyRows& rows = stores.bodies.rows_of(body);
-        const int row = stores.bodies.slots[body].row;
-        return rows.velocity[row] + cross(rows.spin[row], r);
-    };
-    return std::fabs(dot(velocity(c.body_b, p.r_b) - velocity(c.body_a, p.r_a), c.normal)) < 0.5f;
-}
-
-// Impulses grow with the substep, but not beyond what the contact would bear at rest: their noise would grow
-// too.
-float first_guess(const ContactPoint& p, const StepTime& time) {
-    const float scaled = time.step_ratio * p.normal_impulse;
-    return std::min(scaled, std::max(p.normal_impulse, p.static_impulse));
-}
-
-ContactInput unpack(const Stores& stores, const ContactRecord& record, int contact, const StepTime& time) {
-    ContactInput input;
-    input.a = row_of(stores.bodies, record.body_a);
-    input.b = row_of(stores.bodies, record.body_b);
-    input.contact = contact;
-    input.normal = record.normal;
-    input.count = record.count;
-    for (int i = 0; i < record.count; ++i) {
-        input.points[i] = {record.points[i].r_a, record.points[i].r_b, record.points[i].separation,
-                           first_guess(record.points[i], time), record.points[i].static_impulse};
-    }
-    for (int i = 0; i < record.count; ++i) {
-        if (record.points[i].is_new && starts_at_rest(stores, record, i)) {
-            input.points[i].impulse = record.points[i].static_impulse;
-        }
-    }
-    input.friction = record.friction;
-    input.restitution = record.restitution;
-    input.friction_impulse = time.impulse_ratio * record.friction_impulse;
-    input.radius_a = record.radius_a;
-    input.radius_b = record.radius_b;
-    input.reports = record.reports_touch || record.reports_hit || record.restitution > 0;
-    return input;
-}
-
 }  // namespace
 
 StepTime make_step_time(float dt_s, int substeps, float previous_h_s) {
@@ -129,12 +79,16 @@ StepTime make_step_time(float dt_s, int substeps, float previous_h_s) {
     return {dt_s, h_s, substeps, ratio, std::min(ratio, 1.0f)};
 }
 
-void prepare_motions(const BodyStore& bodies, Vec2 gravity_m_s2, StepScratch& scratch) {
-    const BodyRows& awake = bodies.rows(RowSet::Awake);
+void prepare_motions(BodyStore& bodies, Vec2 gravity_m_s2, float dt_s, StepScratch& scratch) {
     scratch.motions.clear();
     scratch.motions.add({}, 0, 0, 0);  // the world
     scratch.drives.assign(1, Drive{});
-    for (int row = 0; row < awake.size(); ++row) {
+    extend_motions(bodies, gravity_m_s2, dt_s, scratch);
+}
+
+void extend_motions(BodyStore& bodies, Vec2 gravity_m_s2, float dt_s, StepScratch& scratch) {
+    const BodyRows& awake = bodies.rows(RowSet::Awake);
+    for (int row = scratch.motions.size() - 1; row < awake.size(); ++row) {
         const BodyRecord& record = bodies.slots[awake.body[row]];
         scratch.motions.add(awake.velocity[row], awake.spin[row], record.inverse_mass,
                             record.inverse_inertia);
@@ -144,33 +98,32 @@ void prepare_motions(const BodyStore& bodies, Vec2 gravity_m_s2, StepScratch& sc
             drive.angular_acceleration = record.inverse_inertia * awake.torque[row];
             drive.linear_damping = record.linear_damping_1_s;
             drive.angular_damping = record.angular_damping_1_s;
+            drive.gravity_scale = record.gravity_scale;
         }
         scratch.drives.push_back(drive);
+        std::uint32_t& flags = bodies.places[awake.body[row]].flags;
+        flags &= ~place_flag::kTurnsFar;
+        if (std::fabs(awake.spin[row]) * dt_s > kMaxTurn_rad) flags |= place_flag::kTurnsFar;
     }
 }
 
-void prepare_contacts(const Stores& stores, const StepTime& time, const ContactRules& rules,
-                      StepScratch& scratch) {
-    scratch.contacts.clear();
-    scratch.scalar_contacts.clear();
-    scratch.reports.clear();
-    scratch.blocks.start(scratch.motions.size());
-    for (const int contact : stores.contacts.active) {
-        const ContactRecord& record = stores.contacts.slots[contact];
-        if (record.count == 0) continue;
-        const ContactInput input = unpack(stores, record, contact, time);
-        mark_mover(scratch.motions, input.a, Mover::Substeps);
-        mark_mover(scratch.motions, input.b, Mover::Substeps);
-        const ContactLane lane = scratch.blocks.add(input, scratch.motions, time.dt_s);
-        if (!lane) {
-            scratch.scalar_contacts.push_back(static_cast<int>(scratch.contacts.size()));
-            mark_mover(scratch.motions, input.a, Mover::Turning);
-            mark_mover(scratch.motions, input.b, Mover::Turning);
-        }
-        // What impacts, and what must be told, is kept in plain form beside its lane.
-        if (!lane || input.reports) {
-            scratch.contacts.push_back(make_contact(input, scratch.motions, rules));
-            scratch.reports.push_back(lane);
+void choose_movers(const Stores& stores, StepScratch& scratch) {
+    const BodyRows& awake = stores.bodies.rows(RowSet::Awake);
+    const std::vector<std::uint32_t>& colors = stores.contacts.colors;
+    for (int row = 0; row < awake.size(); ++row) {
+        const auto body = static_cast<std::size_t>(awake.body[row]);
+        if (body < colors.size() && colors[body] != 0) scratch.motions.mover[row + 1] = Mover::Substeps;
+    }
+    for (const int i : scratch.scalar_contacts) {
+        mark_mover(scratch.motions, scratch.contacts[i].a, Mover::Turning);
+        mark_mover(scratch.motions, scratch.contacts[i].b, Mover::Turning);
+    }
+    // What carries others moves with them.
+    for (int i = kFirstColored; i < stores.contacts.lanes.end_bucket(); ++i) {
+        if (kind_of(i) != BlockKind::Carried) continue;
+        const LaneBucket& bucket = stores.contacts.lanes.bucket(i);
+        for (int block = 0; block < bucket.block_count(); ++block) {
+            for (const int row : bucket.blocks[block].a) mark_mover(scratch.motions, row, Mover::Substeps);
         }
     }
 }
@@ -198,35 +151,35 @@ void prepare_joints(const Stores& stores, const StepTime& time, StepScratch& scr
     }
 }
 
-void collect_outcomes(StepScratch& scratch) {
-    for (std::size_t i = 0; i < scratch.contacts.size(); ++i) {
-        if (!scratch.reports[i]) continue;
-        ContactConstraint& c = scratch.contacts[i];
-        const ContactOutcome outcome = scratch.blocks.outcome(scratch.reports[i]);
-        for (int k = 0; k < c.count; ++k) {
-            c.points[k].normal_impulse = outcome.impulse[k];
-            c.points[k].total_normal_impulse = outcome.total_impulse[k];
-            c.points[k].end_separation = outcome.separation[k];
+void collect_outcomes(const ContactStore& contacts, StepScratch& scratch) {
+    for (ContactConstraint& c : scratch.contacts) {
+        if (!c.in_lane) continue;
+        const ContactRecord& record = contacts.slots[c.contact];
+        const ContactBlock& block = contacts.lanes.bucket(record.bucket).blocks[record.lane / kLanes];
+        const int lane = record.lane % kLanes;
+        for (int i = 0; i < c.count; ++i) {
+            c.points[i].normal_impulse = block.points[i].impulse[lane];
+            c.points[i].total_normal_impulse = block.total_impulse[i][lane];
+            c.points[i].end_separation = block.points[i].separation[lane];
         }
-        c.friction_impulse = outcome.friction_impulse;
+        c.friction_impulse = block.friction_impulse[lane];
     }
 }
 
 void store_contact_impulses(ContactStore& contacts, const StepScratch& scratch) {
-    scratch.blocks.for_each_outcome([&](int contact, const ContactOutcome& outcome) {
-        ContactRecord& record = contacts.slots[contact];
-        record.points[0].normal_impulse = outcome.impulse[0];
-        record.points[1].normal_impulse = outcome.impulse[1];
-        record.friction_impulse = outcome.friction_impulse;
-        if (!record.reports_touch)
-            record.touching = touches(record.count, outcome.impulse, outcome.separation, record.touching);
-    });
     for (const ContactConstraint& c : scratch.contacts) {
         ContactRecord& record = contacts.slots[c.contact];
+        ContactMemory memory;
         for (int i = 0; i < c.count; ++i) {
-            record.points[i].normal_impulse = c.points[i].normal_impulse;
+            memory.features[i] = c.points[i].feature;
+            memory.impulse[i] = c.points[i].normal_impulse;
         }
-        record.friction_impulse = c.friction_impulse;
+        memory.friction_impulse = c.friction_impulse;
+        if (record.bucket != kLooseBucket && is_colored(record.bucket)) {
+            contacts.lanes.set_memory(record.bucket, record.lane, memory);
+        } else {
+            record.memory = memory;
+        }
     }
 }
 

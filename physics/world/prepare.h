@@ -16,18 +16,19 @@ struct StepTime {
 
 StepTime make_step_time(float dt_s, int substeps, float previous_h_s);
 
-/// Stage: what acts on each awake body in this step.
-void prepare_motions(const BodyStore& bodies, Vec2 gravity_m_s2, StepScratch& scratch);
-/// Stage: contacts with points.
-void prepare_contacts(const Stores& stores, const StepTime& time, const ContactRules& rules,
-                      StepScratch& scratch);
+/// Stage: the motion of each awake body, and what acts on it in this step.
+void prepare_motions(BodyStore& bodies, Vec2 gravity_m_s2, float dt_s, StepScratch& scratch);
+/// The same for bodies that woke since.
+void extend_motions(BodyStore& bodies, Vec2 gravity_m_s2, float dt_s, StepScratch& scratch);
+/// Stage: who moves each body, now that all contacts are known.
+void choose_movers(const Stores& stores, StepScratch& scratch);
 /// Stage: active joints.
 void prepare_joints(const Stores& stores, const StepTime& time, StepScratch& scratch);
 
-/// Stage: what the solver found, in the plain form of the contacts that impact or are told about.
-void collect_outcomes(StepScratch& scratch);
+/// Stage: what the lanes hold, for contacts that impact or are told about.
+void collect_outcomes(const ContactStore& contacts, StepScratch& scratch);
 
-/// Stage: impulses to start the next step from.
+/// Stage: impulses of contacts in plain form, to start the next step from.
 void store_contact_impulses(ContactStore& contacts, const StepScratch& scratch);
 /// Stage: the same for joints, and their reactions.
 void store_joint_impulses(JointStore& joints, const StepTime& time, const StepScratch& scratch);

@@ -5,26 +5,34 @@
 
 #include <cairn/physics/tuning.h>
 
+#include "world/contact_lists.h"
+
 namespace cairn::physics {
 namespace {
 
 // A contact or joint takes part in the step while one of its bodies is awake.
-template <class Store>
-void update_activity(Store& store, const BodyStore& bodies, int record) {
-    const auto& r = store.slots[record];
-    if (bodies.is_awake(r.body_a) || bodies.is_awake(r.body_b)) {
-        store.active.add(store.slots, record);
-    } else {
-        store.active.remove(store.slots, record);
-    }
+bool is_active(const BodyStore& bodies, int body_a, int body_b) {
+    return bodies.is_awake(body_a) || bodies.is_awake(body_b);
 }
 
 void update_links(Stores& stores, int body) {
     const BodyRecord& record = stores.bodies.slots[body];
-    for_each_edge(stores.contacts.slots, record.first_contact,
-                  [&](int contact, int) { update_activity(stores.contacts, stores.bodies, contact); });
-    for_each_edge(stores.joints.slots, record.first_joint,
-                  [&](int joint, int) { update_activity(stores.joints, stores.bodies, joint); });
+    for_each_edge(stores.contacts.slots, record.first_contact, [&](int contact, int) {
+        const ContactRecord& c = stores.contacts.slots[contact];
+        if (is_active(stores.bodies, c.body_a, c.body_b)) {
+            list_contact(stores, contact);
+        } else {
+            unlist_contact(stores, contact);
+        }
+    });
+    for_each_edge(stores.joints.slots, record.first_joint, [&](int joint, int) {
+        const JointRecord& j = stores.joints.slots[joint];
+        if (is_active(stores.bodies, j.body_a, j.body_b)) {
+            stores.joints.active.add(stores.joints.slots, joint);
+        } else {
+            stores.joints.active.remove(stores.joints.slots, joint);
+        }
+    });
 }
 
 // Kinematic bodies carry islands but do not join them: two piles on one lift are two islands.
@@ -40,10 +48,10 @@ bool is_moving(const Stores& stores, int body) {
 
 template <class Visit>
 void for_each_link(const Stores& stores, Visit&& visit) {
-    for (const int contact : stores.contacts.active) {
+    for_each_acting(stores.contacts, [&](int contact) {
         const ContactRecord& c = stores.contacts.slots[contact];
-        if (c.count > 0) visit(c.body_a, c.body_b);
-    }
+        visit(c.body_a, c.body_b);
+    });
     for (const int joint : stores.joints.active) {
         const JointRecord& j = stores.joints.slots[joint];
         visit(j.body_a, j.body_b);
@@ -89,7 +97,7 @@ void wake_neighbours(Stores& stores, int body) {
     const BodyRecord& record = stores.bodies.slots[body];
     for_each_edge(stores.contacts.slots, record.first_contact, [&](int contact, int side) {
         const ContactRecord& c = stores.contacts.slots[contact];
-        if (c.count > 0) wake_body(stores, side == 0 ? c.body_b : c.body_a);
+        if (c.has_points) wake_body(stores, side == 0 ? c.body_b : c.body_a);
     });
     for_each_edge(stores.joints.slots, record.first_joint, [&](int joint, int side) {
         const JointRecord& j = stores.joints.slots[joint];
@@ -105,7 +113,7 @@ void put_to_sleep(Stores& stores, std::span<const int> bodies) {
         asleep.velocity.back() = {};
         asleep.spin.back() = 0;
         asleep.moved.back() = {};
-        asleep.rotation_before.back() = asleep.rotation.back();
+        asleep.rotation_before.back() = stores.bodies.places[body].rotation;
         stores.bodies.slots[body].next_sleeper = bodies[(i + 1) % bodies.size()];
     }
     for (const int body : bodies) update_links(stores, body);

@@ -1,7 +1,7 @@
 // The solver's passes over all constraints of a step.
 #pragma once
 
-#include "world/world_state.h"
+#include "world/prepare.h"
 
 namespace cairn::physics {
 
@@ -10,21 +10,23 @@ namespace cairn::physics {
 
 /// The impulses of the last substep, as the first guess. Those of contacts are applied once per step:
 /// integrate_velocities carries them on.
-inline void warm_start(StepScratch& scratch, bool first_substep) {
+inline void warm_start(ContactLanes& lanes, StepScratch& scratch, const StepTime& time, bool first_substep) {
     for (const RevoluteConstraint& c : scratch.revolutes) warm_start_revolute(c, scratch.motions);
     for (const DistanceConstraint& c : scratch.distances) warm_start_distance(c, scratch.motions);
     if (!first_substep) return;
-    for (const int i : scratch.scalar_contacts) warm_start_contact(scratch.contacts[i], scratch.motions);
-    scratch.blocks.warm_start(scratch.motions);
+    for (const int i : scratch.scalar_contacts) {
+        warm_start_contact(scratch.contacts[i], scratch.motions, time.step_ratio, time.impulse_ratio);
+    }
+    lanes.warm_start(scratch.motions, time.step_ratio, time.impulse_ratio);
 }
 
-inline void solve(StepScratch& scratch, const ContactRules& rules, float h_s, Pass pass) {
+inline void solve(ContactLanes& lanes, StepScratch& scratch, const ContactRules& rules, float h_s, Pass pass) {
     for (RevoluteConstraint& c : scratch.revolutes) solve_revolute(c, scratch.motions, h_s, pass);
     for (DistanceConstraint& c : scratch.distances) solve_distance(c, scratch.motions, h_s, pass);
     for (const int i : scratch.scalar_contacts) {
         solve_contact(scratch.contacts[i], scratch.motions, rules, h_s, pass);
     }
-    scratch.blocks.solve(scratch.motions, rules, h_s, pass);
+    lanes.solve(scratch.motions, rules, h_s, pass);
 }
 
 }  // namespace cairn::physics

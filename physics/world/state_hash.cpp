@@ -1,7 +1,7 @@
 // The hash of a world's state, in slot order.
 #include "base/state_hash.h"
 
-#include "world/world_state.h"
+#include "world/contact_lists.h"
 
 namespace cairn::physics {
 namespace {
@@ -11,19 +11,22 @@ void add_body(StateHash& hash, const BodyStore& bodies, int body) {
     const BodyRows& rows = bodies.rows(record.set);
     hash.add(bodies.slots.id(body).bits() & 0xffffffffffffu);  // without the world's tag: twins hash alike
     hash.add(static_cast<std::uint64_t>(record.type) << 8 | static_cast<std::uint64_t>(record.set));
-    hash.add(rows.center[record.row]);
-    hash.add(rows.rotation[record.row]);
+    hash.add(bodies.places[body].center);
+    hash.add(bodies.places[body].rotation);
     hash.add(rows.velocity[record.row]);
     hash.add(rows.spin[record.row], rows.rest_time[record.row]);
     hash.add(rows.force[record.row]);
     hash.add(rows.torque[record.row], record.mass.mass_kg);
 }
 
-void add_contact(StateHash& hash, const ContactRecord& c) {
+void add_contact(StateHash& hash, const ContactStore& contacts, int contact) {
+    const ContactRecord& c = contacts.slots[contact];
     hash.add(static_cast<std::uint64_t>(c.shape_a) << 32 | static_cast<std::uint32_t>(c.shape_b));
-    for (int i = 0; i < c.count; ++i) {
-        hash.add(std::uint64_t{c.points[i].id});
-        hash.add(c.points[i].normal_impulse, c.friction_impulse);
+    const ContactMemory memory = memory_of(contacts, contact);
+    for (int i = 0; i < 2; ++i) {
+        if (memory.features[i] == kNoFeature) continue;
+        hash.add(static_cast<std::uint64_t>(memory.features[i]));
+        hash.add(memory.impulse[i], memory.friction_impulse);
     }
 }
 
@@ -44,7 +47,7 @@ std::uint64_t hash_state(const WorldState& world) {
         if (stores.bodies.slots.alive(i)) add_body(hash, stores.bodies, i);
     }
     for (int i = 0; i < stores.contacts.slots.end_index(); ++i) {
-        if (stores.contacts.slots.alive(i)) add_contact(hash, stores.contacts.slots[i]);
+        if (stores.contacts.slots.alive(i)) add_contact(hash, stores.contacts, i);
     }
     for (int i = 0; i < stores.joints.slots.end_index(); ++i) {
         if (stores.joints.slots.alive(i)) add_joint(hash, stores.joints.slots[i]);

@@ -1,6 +1,6 @@
 // Loads handed down from body to body. Glossary, along and across gravity, relative to a body's centre of
 // mass: F load (own weight and what stands on it), M its moment sum(x F), x_j places of the n supporting
-// points, x_m their mean.
+// points, x_m their mean. Places are arms as the solver has them, scaled by k = sqrt(1/I) of their body.
 //     lambda_j = F/n + (x_j - x_m)(M/F - x_m) F / sum (x - x_m)^2
 // is the distribution of least squares that carries F and M; where a share would pull, the two outermost
 // points take all. Bodies are visited when all that stands on them has been (Kahn 1962): no sorting, and what
@@ -17,109 +17,146 @@ namespace {
 // tremble.
 constexpr float kBearing = 0.99f;
 
-struct Bearing {
-    int upper = kNone;  // body; kNone: the contact does not bear
-    int lower = kNone;
-    float steepness = 0;
-};
+// Supports this near each other, squared and scaled as arms are, act as one.
+constexpr float kNarrow = 1e-8f;
 
-Bearing bearing_of(const ContactRecord& c, Vec2 up) {
-    const float along = dot(c.normal, up);
-    if (c.count == 0 || std::fabs(along) <= kBearing) return {};
-    return along > 0 ? Bearing{c.body_b, c.body_a, along} : Bearing{c.body_a, c.body_b, -along};
-}
-
-void share_by_lever(std::span<const Support> supports, float load, float center, std::span<float> shares) {
-    const auto [low, high] = std::minmax_element(
-        supports.begin(), supports.end(), [](const Support& p, const Support& q) { return p.x < q.x; });
+void share_by_lever(std::span<const float> x, float load, float center, std::span<float> shares) {
+    const auto [low, high] = std::minmax_element(x.begin(), x.end());
     std::fill(shares.begin(), shares.end(), 0.0f);
-    const float width = high->x - low->x;
-    const float t = width > 0 ? std::clamp((center - low->x) / width, 0.0f, 1.0f) : 0.0f;
-    shares[low - supports.begin()] += (1 - t) * load;
-    shares[high - supports.begin()] += t * load;
+    const float width = *high - *low;
+    const float t = width > 0 ? std::clamp((center - *low) / width, 0.0f, 1.0f) : 0.0f;
+    shares[low - x.begin()] += (1 - t) * load;
+    shares[high - x.begin()] += t * load;
 }
 
-void share(std::span<const Support> supports, float load, float center, std::span<float> shares) {
-    const auto n = static_cast<float>(supports.size());
+void share(std::span<const float> x, float load, float center, std::span<float> shares) {
+    const auto n = static_cast<float>(x.size());
     float mean = 0;
-    for (const Support& s : supports) mean += s.x / n;
+    for (const float at : x) mean += at / n;
     float spread = 0;
-    for (const Support& s : supports) spread += (s.x - mean) * (s.x - mean);
+    for (const float at : x) spread += (at - mean) * (at - mean);
     bool pulls = false;
-    for (std::size_t i = 0; i < supports.size(); ++i) {
+    for (std::size_t i = 0; i < x.size(); ++i) {
         shares[i] = load / n;
-        if (spread > 1e-8f) shares[i] += (supports[i].x - mean) * (center - mean) * load / spread;
+        if (spread > kNarrow) shares[i] += (x[i] - mean) * (center - mean) * load / spread;
         pulls |= shares[i] < 0;
     }
-    if (pulls) share_by_lever(supports, load, center, shares);
+    if (pulls) share_by_lever(x, load, center, shares);
 }
 
-void find_supports(const Stores& stores, int body, Vec2 up, std::vector<Support>& supports) {
-    const Vec2 right = right_perp(up);
-    supports.clear();
-    for_each_edge(stores.contacts.slots, stores.bodies.slots[body].first_contact, [&](int contact, int side) {
-        const ContactRecord& c = stores.contacts.slots[contact];
-        const Bearing bearing = bearing_of(c, up);
-        if (bearing.upper != body) return;
-        for (int i = 0; i < c.count; ++i) {
-            const Vec2 own = side == 1 ? c.points[i].r_b : c.points[i].r_a;
-            const Vec2 below = side == 1 ? c.points[i].r_a : c.points[i].r_b;
-            supports.push_back(
-                {contact, i, bearing.lower, dot(own, right), dot(below, right), bearing.steepness});
+// The estimate of one step, from contacts in lanes and in plain form alike.
+class Estimate {
+  public:
+    Estimate(const Motions& motions, StaticsScratch& scratch, Vec2 up)
+        : motions_(motions), scratch_(scratch), up_(up) {
+        const auto rows = static_cast<std::size_t>(motions.size());
+        scratch_.supports.clear();
+        scratch_.first.assign(rows, kNone);
+        scratch_.above.assign(rows, 0);
+        scratch_.load.assign(rows, 0);
+        scratch_.moment.assign(rows, 0);
+        scratch_.ready.clear();
+    }
+
+    void add(ContactBlock& block) {
+        for (int lane = 0; lane < kLanes; ++lane) {
+            const float along = block.normal_x[lane] * up_.x + block.normal_y[lane] * up_.y;
+            if (std::fabs(along) <= kBearing) continue;
+            add(block, lane, along);
         }
-    });
-}
+    }
 
-bool bears_on(const BodyStore& bodies, int body) {
-    return body != kNone && bodies.is_awake(body) && bodies.slots[body].inverse_mass > 0;
-}
+    void add(ContactConstraint& c) {
+        const float along = dot(c.normal, up_);
+        if (std::fabs(along) <= kBearing) return;
+        const auto arms = [&](int row, bool b) {
+            const float k = row == kWorldRow ? 0 : motions_.pose[row].k;
+            std::array<float, 2> x{};
+            for (int i = 0; i < c.count; ++i) {
+                x[i] = k * cross(b ? c.points[i].r_b : c.points[i].r_a, c.normal);
+            }
+            return x;
+        };
+        add_support(along, c.a, c.b, arms(c.a, false), arms(c.b, true), c.count,
+                    {&c.points[0].static_impulse, &c.points[1].static_impulse});
+    }
+
+    /// `weight` is that of a unit of mass over a substep, N s/kg.
+    void run(std::span<const Drive> drives, float weight) {
+        for (int row = 1; row < motions_.size(); ++row) {
+            if (scratch_.above[row] == 0) scratch_.ready.push_back(row);
+        }
+        for (std::size_t next = 0; next < scratch_.ready.size(); ++next) {
+            const int row = scratch_.ready[next];
+            if (scratch_.first[row] == kNone) continue;
+            bear(row, drives[row].gravity_scale * weight / motions_.velocity[row].inverse_mass);
+        }
+    }
+
+  private:
+    void add(ContactBlock& block, int lane, float along) {
+        const std::array<float, 2> arms_a{block.points[0].arm_a[lane], block.points[1].arm_a[lane]};
+        const std::array<float, 2> arms_b{block.points[0].arm_b[lane], block.points[1].arm_b[lane]};
+        const int count = block.points[1].mass[lane] > 0 ? 2 : block.points[0].mass[lane] > 0 ? 1 : 0;
+        add_support(along, block.a[lane], block.b[lane], arms_a, arms_b, count,
+                    {&block.points[0].static_impulse[lane], &block.points[1].static_impulse[lane]});
+    }
+
+    [[nodiscard]] bool has_weight(int row) const { return motions_.velocity[row].inverse_mass > 0; }
+
+    // `along`: of the normal, which points from a to b, with the upward direction. Arms about the normal are
+    // those about that direction, or its opposite.
+    void add_support(float along, int a, int b, std::array<float, 2> arms_a, std::array<float, 2> arms_b,
+                     int count, std::array<float*, 2> impulse) {
+        const int upper = along > 0 ? b : a;
+        const int lower = along > 0 ? a : b;
+        if (count == 0 || !has_weight(upper)) return;
+        scratch_.supports.push_back({scratch_.first[upper], lower, std::fabs(along), count,
+                                     along > 0 ? arms_b : arms_a, along > 0 ? arms_a : arms_b, impulse});
+        scratch_.first[upper] = static_cast<int>(scratch_.supports.size()) - 1;
+        if (has_weight(lower)) ++scratch_.above[lower];
+    }
+
+    // Shares what stands on a body, and its own weight, among its supports.
+    void bear(int row, float weight) {
+        const float load = scratch_.load[row] + weight;
+        scratch_.x.clear();
+        for (int i = scratch_.first[row]; i != kNone; i = scratch_.supports[i].next) {
+            const Support& s = scratch_.supports[i];
+            for (int k = 0; k < s.count; ++k) scratch_.x.push_back(s.x[k]);
+        }
+        scratch_.shares.assign(scratch_.x.size(), 0);
+        if (load > 0) share(scratch_.x, load, scratch_.moment[row] / load, scratch_.shares);
+        std::size_t point = 0;
+        for (int i = scratch_.first[row]; i != kNone; i = scratch_.supports[i].next) {
+            const Support& s = scratch_.supports[i];
+            for (int k = 0; k < s.count; ++k, ++point) {
+                const float part = scratch_.shares[point];
+                *s.impulse[k] = s.steepness * part;
+                scratch_.load[s.lower] += part;
+                scratch_.moment[s.lower] += s.x_below[k] * part;
+            }
+            if (has_weight(s.lower) && --scratch_.above[s.lower] == 0) scratch_.ready.push_back(s.lower);
+        }
+    }
+
+    const Motions& motions_;
+    StaticsScratch& scratch_;
+    Vec2 up_;
+};
 
 }  // namespace
 
-void estimate_statics(Stores& stores, Vec2 gravity_m_s2, const StepTime& time, StaticsScratch& scratch) {
-    const BodyStore& bodies = stores.bodies;
-    const BodyRows& awake = bodies.rows(RowSet::Awake);
+void estimate_statics(ContactLanes& lanes, Vec2 gravity_m_s2, const StepTime& time, StepScratch& scratch) {
     const float gravity = length(gravity_m_s2);
-    const Vec2 up = gravity > 0 ? (-1 / gravity) * gravity_m_s2 : Vec2{};
-    scratch.above.assign(awake.size(), 0);
-    for (const int contact : stores.contacts.active) {
-        ContactRecord& c = stores.contacts.slots[contact];
-        c.points[0].static_impulse = c.points[1].static_impulse = 0;
-        const Bearing bearing = bearing_of(c, up);
-        if (bears_on(bodies, bearing.lower) && bears_on(bodies, bearing.upper)) {
-            ++scratch.above[bodies.slots[bearing.lower].row];
-        }
-    }
     if (gravity == 0) return;
-
-    scratch.load.assign(awake.size(), 0);
-    scratch.moment.assign(awake.size(), 0);
-    scratch.ready.clear();
-    for (int row = 0; row < awake.size(); ++row) {
-        if (scratch.above[row] == 0) scratch.ready.push_back(row);
+    Estimate estimate(scratch.motions, scratch.statics, (-1 / gravity) * gravity_m_s2);
+    for (int i = kFirstColored; i < lanes.end_bucket(); ++i) {
+        LaneBucket& bucket = lanes.bucket(i);
+        for (int block = 0; block < bucket.block_count(); ++block) estimate.add(bucket.blocks[block]);
     }
-    for (std::size_t next = 0; next < scratch.ready.size(); ++next) {
-        const int row = scratch.ready[next];
-        const BodyRecord& record = bodies.slots[awake.body[row]];
-        if (record.inverse_mass == 0) continue;
-        find_supports(stores, awake.body[row], up, scratch.supports);
-        if (scratch.supports.empty()) continue;
-
-        const float load =
-            scratch.load[row] + record.mass.mass_kg * gravity * record.gravity_scale * time.h_s;
-        scratch.shares.assign(scratch.supports.size(), 0);
-        if (load > 0) share(scratch.supports, load, scratch.moment[row] / load, scratch.shares);
-        for (std::size_t i = 0; i < scratch.supports.size(); ++i) {
-            const Support& s = scratch.supports[i];
-            stores.contacts.slots[s.contact].points[s.point].static_impulse = s.steepness * scratch.shares[i];
-            if (!bears_on(bodies, s.supporter)) continue;
-            const int below = bodies.slots[s.supporter].row;
-            scratch.load[below] += scratch.shares[i];
-            scratch.moment[below] += s.x_below * scratch.shares[i];
-            // Once per contact, with its first point.
-            if (s.point == 0 && --scratch.above[below] == 0) scratch.ready.push_back(below);
-        }
-    }
+    for (const int i : scratch.scalar_contacts) estimate.add(scratch.contacts[i]);
+    estimate.run(scratch.drives, gravity * time.h_s);
 }
 
 }  // namespace cairn::physics

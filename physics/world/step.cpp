@@ -24,26 +24,26 @@ void step_world(WorldState& world, float dt_s) {
     start_events(world.events);
     cover_fast_ways(stores, def.gravity_m_s2, dt_s, scratch.fast);
     find_new_pairs(stores);
-    update_contacts(stores, world.events, scratch.parted, def.gravity_m_s2, dt_s);
-
-    prepare_motions(stores.bodies, def.gravity_m_s2, scratch);
-    estimate_statics(stores, def.gravity_m_s2, time, scratch.statics);
-    prepare_contacts(stores, time, rules, scratch);
+    prepare_motions(stores.bodies, def.gravity_m_s2, dt_s, scratch);
+    update_contacts(world, time, rules);
+    choose_movers(stores, scratch);
     prepare_joints(stores, time, scratch);
+    estimate_statics(stores.contacts.lanes, def.gravity_m_s2, time, scratch);
 
     for (int substep = 0; substep < time.substeps; ++substep) {
         integrate_velocities(scratch.motions, scratch.drives, time.h_s, substep == 0);
-        warm_start(scratch, substep == 0);
-        solve(scratch, rules, time.h_s, Pass::Biased);
+        warm_start(stores.contacts.lanes, scratch, time, substep == 0);
+        solve(stores.contacts.lanes, scratch, rules, time.h_s, Pass::Biased);
         integrate_positions(scratch.motions, time.h_s);
-        solve(scratch, rules, time.h_s, Pass::Relax);
+        solve(stores.contacts.lanes, scratch, rules, time.h_s, Pass::Relax);
     }
     fly_freely(scratch.motions, scratch.drives, time.dt_s);
-    collect_outcomes(scratch);
+    collect_outcomes(stores.contacts, scratch);
     apply_restitution(scratch.contacts, scratch.motions, scratch.drives, rules);
 
     report_contacts(stores, scratch, def.hit_speed_m_s, world.events);
     store_contact_impulses(stores.contacts, scratch);
+    settle_contacts(stores, world.events, scratch);
     store_joint_impulses(stores.joints, time, scratch);
     finalize_bodies(stores, scratch, time.dt_s, def.enable_sleep, world.events.quarantined);
     hold_fast_bodies(stores, scratch.fast);

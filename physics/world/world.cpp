@@ -4,6 +4,7 @@
 #include <cairn/physics/world.h>
 
 #include "collide/convex.h"
+#include "world/contact_events.h"
 #include "world/bodies.h"
 #include "world/joints.h"
 #include "world/queries.h"
@@ -208,7 +209,7 @@ Counts World::counts() const {
     counts.joints = stores.joints.slots.size();
     counts.contacts = stores.contacts.slots.size();
     for (int i = 0; i < stores.contacts.slots.end_index(); ++i) {
-        if (stores.contacts.slots.alive(i) && stores.contacts.slots[i].touching) ++counts.touching;
+        if (stores.contacts.slots.alive(i) && is_touching(stores.contacts, i)) ++counts.touching;
     }
     return counts;
 }

@@ -9,7 +9,6 @@
 #include "base/motion.h"
 #include "broad/broad_phase.h"
 #include "islands/islands.h"
-#include "resolve/contact_blocks.h"
 #include "resolve/contact_constraint.h"
 #include "resolve/joints/distance.h"
 #include "resolve/joints/revolute.h"
@@ -29,6 +28,7 @@ struct Stores {
     ContactStore contacts;
     JointStore joints;
     BroadPhase broad;
+    std::vector<int> boxes_moved;  // bodies of which a box was made anew since contacts were updated last
 };
 
 struct Events {
@@ -51,22 +51,26 @@ inline void start_events(Events& events) {
     events.ends.swap(events.pending_ends);
 }
 
-/// A contact point that bears a body from below.
+/// A contact that bears a body from below.
 struct Support {
-    int contact;
-    int point;
-    int supporter;    // body
-    float x;          // along the horizontal, from the centre of the body that is borne
-    float x_below;    // the same, from the centre of the supporter
+    int next;         // of the same body
+    int lower;        // row of the supporter
     float steepness;  // cosine between the normal and the upward direction
+    int count;        // points
+    std::array<float, 2> x;        // scaled arms of the points about the centre of the body that is borne
+    std::array<float, 2> x_below;  // the same for the supporter
+    std::array<float*, 2> impulse;  // where the estimates go
 };
 
+/// Columns are by row of the motions.
 struct StaticsScratch {
-    std::vector<int> above;         // bearing contacts from above that are not visited yet, per awake row
-    std::vector<float> load;        // per awake row
-    std::vector<float> moment;      // per awake row
-    std::vector<int> ready;         // rows, in the order of the visits
-    std::vector<Support> supports;  // of one body
+    std::vector<Support> supports;
+    std::vector<int> first;     // support
+    std::vector<int> above;     // bearing contacts from above that are not visited yet
+    std::vector<float> load;    // N s
+    std::vector<float> moment;  // of the load, in scaled arms
+    std::vector<int> ready;     // rows, in the order of the visits
+    std::vector<float> x;       // of the supporting points of one body
     std::vector<float> shares;
 };
 
@@ -74,14 +78,14 @@ struct StaticsScratch {
 struct StepScratch {
     Motions motions;  // row i + 1 is awake row i
     std::vector<Drive> drives;
-    ContactBlocks blocks;
     std::vector<ContactConstraint>
         contacts;  // in plain form: solved as scalars, or wanted for restitution or events
-    std::vector<ContactLane> reports;  // where each of them is packed; nowhere when solved as a scalar
     std::vector<int> scalar_contacts;  // those of them
     std::vector<RevoluteConstraint> revolutes;
     std::vector<DistanceConstraint> distances;
-    std::vector<int> parted;   // contacts whose boxes no longer overlap
+    std::vector<int> met;      // contacts that were near and have points now
+    std::vector<int> parted;   // contacts that have none any more
+    std::vector<int> gone;     // contacts whose boxes no longer overlap
     std::vector<int> resting;  // bodies of an island that goes to sleep
     Islands islands;
     StaticsScratch statics;

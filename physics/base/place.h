@@ -1,0 +1,26 @@
+// Where a body is, as collision reads it: one half of a cache line per body, in the body's slot.
+#pragma once
+
+#include <cstdint>
+
+#include <cairn/physics/math.h>
+
+namespace cairn::physics {
+
+/// What collision must know of a body besides where it is. They are set anew in each step.
+namespace place_flag {
+inline constexpr std::uint32_t kFast = 1;         ///< could pass through others in this step
+inline constexpr std::uint32_t kTurnsFar = 2;     ///< or turns although nothing can turn it: no SIMD lane for it
+inline constexpr std::uint32_t kBoxesMoved = 4;   ///< a box of the broad phase was made anew
+}  // namespace place_flag
+
+struct alignas(32) Place {
+    Position center;  // of mass, m
+    Rotation rotation;
+    std::int32_t row = 0;  // among the motions of a step; that of the world itself unless the body is awake
+    std::uint32_t flags = 0;
+};
+
+static_assert(sizeof(Place) == 32);
+
+}  // namespace cairn::physics

@@ -1,0 +1,24 @@
+// From manifolds to constraints: arms, masses, and the impulses of the last step by feature.
+#pragma once
+
+#include "base/motion.h"
+#include "collide/box_lanes.h"
+#include "resolve/contact_block.h"
+
+namespace cairn::physics {
+
+/// Of both points of a manifold.
+using FeatureLanes = std::array<Lanes<std::int32_t>, 2>;
+
+struct PreparedLanes {
+    unsigned apart = 0;   // bits: lanes without points
+    unsigned swings = 0;  // lanes whose points would go far astray if a body turned by a quarter radian
+};
+
+/// The rows `a` and `b` of the block, its friction and its impulses are given; the rest is made. `features`
+/// are those of the last step, and become those of the manifold.
+PreparedLanes prepare_block(const PoseLanes& poses, const ManifoldLanes& manifold,
+                            const VelocityRow* velocity, const PoseRow* pose, FeatureLanes& features,
+                            ContactBlock& block);
+
+}  // namespace cairn::physics

@@ -1,0 +1,139 @@
+// Moves of contacts between lists.
+#include "world/contact_lists.h"
+
+#include <bit>
+
+namespace cairn::physics {
+namespace {
+
+bool can_be_moved(const BodyRecord& body) {
+    return body.inverse_mass > 0;
+}
+
+PairGeometry geometry_of(const Stores& stores, const ContactRecord& c) {
+    const bool boxes = stores.shapes[c.shape_a].convex.is_box && stores.shapes[c.shape_b].convex.is_box;
+    return boxes ? PairGeometry::Boxes : PairGeometry::General;
+}
+
+PairLane make_lane(const Stores& stores, int contact) {
+    const ContactRecord& c = stores.contacts.slots[contact];
+    const Convex& a = stores.shapes[c.shape_a].convex;
+    const Convex& b = stores.shapes[c.shape_b].convex;
+    PairLane lane;
+    lane.contact = contact;
+    lane.body_a = c.body_a;
+    lane.body_b = c.body_b;
+    lane.shape_a = c.shape_a;
+    lane.shape_b = c.shape_b;
+    lane.offset_a = -stores.bodies.slots[c.body_a].mass.center_m;
+    lane.offset_b = -stores.bodies.slots[c.body_b].mass.center_m;
+    if (geometry_of(stores, c) == PairGeometry::Boxes) {
+        lane.half_a = a.half_size;
+        lane.half_b = b.half_size;
+        lane.offset_a += a.centroid;
+        lane.offset_b += b.centroid;
+    }
+    lane.reports = c.restitution > 0 || c.reports_touch || c.reports_hit;
+    lane.remembers = c.has_points;
+    return lane;
+}
+
+// Moves the bits of the two bodies; immovable ones have no part in colours.
+void mark_color(Stores& stores, const ContactRecord& c, int bucket, bool on) {
+    const std::uint32_t bit = 1u << color_of(bucket);
+    const auto mark = [&](int body) {
+        std::uint32_t& colors = stores.contacts.colors[body];
+        colors = on ? colors | bit : colors & ~bit;
+    };
+    mark(c.body_b);
+    if (kind_of(bucket) == BlockKind::TwoBodies) mark(c.body_a);
+}
+
+int choose_bucket(const Stores& stores, const ContactRecord& c) {
+    const BodyRecord& a = stores.bodies.slots[c.body_a];
+    const BodyRecord& b = stores.bodies.slots[c.body_b];
+    if (!can_be_moved(b)) return kLooseBucket;
+    BlockKind kind = BlockKind::TwoBodies;
+    if (a.type == BodyType::Static) kind = BlockKind::OneBody;
+    if (a.type == BodyType::Kinematic) kind = BlockKind::Carried;
+    if (kind == BlockKind::TwoBodies && !can_be_moved(a)) return kLooseBucket;
+    std::uint32_t used = stores.contacts.colors[c.body_b];
+    if (kind == BlockKind::TwoBodies) used |= stores.contacts.colors[c.body_a];
+    const int color = std::countr_one(used);
+    if (color >= kColors) return kLooseBucket;
+    return colored_bucket(color, kind, geometry_of(stores, c));
+}
+
+void take_out(Stores& stores, int contact) {
+    ContactStore& contacts = stores.contacts;
+    ContactRecord& c = contacts.slots[contact];
+    if (c.bucket == kLooseBucket) {
+        const int last = contacts.loose.back();
+        contacts.loose[c.lane] = last;
+        contacts.slots[last].lane = c.lane;
+        contacts.loose.pop_back();
+    } else {
+        if (is_colored(c.bucket)) mark_color(stores, c, c.bucket, false);
+        const int moved = contacts.lanes.remove(c.bucket, c.lane);
+        if (moved != kNone) contacts.slots[moved].lane = c.lane;
+    }
+    c.bucket = kNone;
+}
+
+}  // namespace
+
+ContactMemory memory_of(const ContactStore& contacts, int contact) {
+    const ContactRecord& c = contacts.slots[contact];
+    if (c.bucket == kNone || c.bucket == kLooseBucket || !is_colored(c.bucket)) return c.memory;
+    return contacts.lanes.memory(c.bucket, c.lane);
+}
+
+void list_contact(Stores& stores, int contact) {
+    ContactRecord& c = stores.contacts.slots[contact];
+    if (c.bucket != kNone) return;
+    if (!stores.bodies.is_awake(c.body_a) && !stores.bodies.is_awake(c.body_b)) return;
+    c.bucket = near_bucket(geometry_of(stores, c));
+    c.lane = stores.contacts.lanes.add(c.bucket, make_lane(stores, contact));
+}
+
+void unlist_contact(Stores& stores, int contact) {
+    ContactRecord& c = stores.contacts.slots[contact];
+    if (c.bucket == kNone) return;
+    c.memory = memory_of(stores.contacts, contact);
+    take_out(stores, contact);
+}
+
+void forget_points(Stores& stores, int contact) {
+    ContactRecord& c = stores.contacts.slots[contact];
+    c.has_points = false;
+    if (c.bucket != kNone) take_out(stores, contact);
+    c.memory = {};
+    list_contact(stores, contact);
+}
+
+void color_contact(Stores& stores, int contact) {
+    ContactStore& contacts = stores.contacts;
+    ContactRecord& c = contacts.slots[contact];
+    take_out(stores, contact);
+    c.has_points = true;
+    const std::size_t bodies = static_cast<std::size_t>(stores.bodies.slots.end_index());
+    if (contacts.colors.size() < bodies) contacts.colors.resize(bodies, 0);
+    c.bucket = choose_bucket(stores, c);
+    if (c.bucket == kLooseBucket) {
+        c.lane = static_cast<int>(contacts.loose.size());
+        contacts.loose.push_back(contact);
+        return;
+    }
+    mark_color(stores, c, c.bucket, true);
+    c.lane = contacts.lanes.add(c.bucket, make_lane(stores, contact));
+    contacts.lanes.set_memory(c.bucket, c.lane, c.memory);
+    contacts.lanes.set_friction(c.bucket, c.lane, c.friction);
+}
+
+void relist_contact(Stores& stores, int contact) {
+    if (stores.contacts.slots[contact].bucket == kNone) return;
+    unlist_contact(stores, contact);
+    list_contact(stores, contact);
+}
+
+}  // namespace cairn::physics

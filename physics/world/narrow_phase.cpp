@@ -1,0 +1,108 @@
+// Poses are gathered from the places; boxes go through SIMD, all else through the general routines.
+#include "world/narrow_phase.h"
+
+#include <bit>
+
+#include <cairn/physics/tuning.h>
+
+namespace cairn::physics {
+namespace {
+
+constexpr float kFarApart_m = 1e9f;
+
+void collide_lane(const Stores& stores, const PairBlock& pairs, const PoseLanes& poses, int lane,
+                  ManifoldLanes& out) {
+    const Rotation q_a{poses.cos_a[lane], poses.sin_a[lane]};
+    const Rotation q_b{poses.cos_b[lane], poses.sin_b[lane]};
+    const Vec2 center_a = stores.bodies.slots[pairs.body_a[lane]].mass.center_m;
+    const Vec2 center_b = stores.bodies.slots[pairs.body_b[lane]].mass.center_m;
+    const Rotation turn = inverse(q_a) * q_b;
+    const Vec2 between = inverse_rotate(q_a, {poses.dx[lane], poses.dy[lane]});
+    const RelativePose b_in_a{center_a + between - rotate(turn, center_b), turn};
+    const Manifold m = collide(stores.shapes[pairs.shape_a[lane]].convex,
+                               stores.shapes[pairs.shape_b[lane]].convex, b_in_a,
+                               tuning::kSpeculativeDistance_m);
+    const Vec2 normal = rotate(q_a, m.normal);
+    out.normal_x[lane] = normal.x;
+    out.normal_y[lane] = normal.y;
+    out.gap[lane] = 0;
+    for (int i = 0; i < 2; ++i) {
+        ManifoldPointLanes& to = out.points[i];
+        to.id[lane] = i < m.count ? m.points[i].id : kNoFeature;
+        if (i >= m.count) continue;
+        const Vec2 r_a = rotate(q_a, m.points[i].point - center_a);
+        to.x[lane] = r_a.x;
+        to.y[lane] = r_a.y;
+        to.separation[lane] = m.points[i].separation;
+    }
+}
+
+}  // namespace
+
+void load_places(const BodyStore& bodies, const PairBlock& pairs, unsigned lanes, BlockPlaces& out) {
+    out.fast = out.turn_far = out.boxes_moved = 0;
+    for (int lane = 0; lane < kLanes; ++lane) {
+        if ((lanes >> lane & 1) == 0) {
+            out.poses.dx[lane] = kFarApart_m;
+            out.poses.dy[lane] = out.poses.sin_a[lane] = out.poses.sin_b[lane] = 0;
+            out.poses.cos_a[lane] = out.poses.cos_b[lane] = 1;
+            out.row_a[lane] = out.row_b[lane] = kWorldRow;
+            continue;
+        }
+        const Place& a = bodies.places[pairs.body_a[lane]];
+        const Place& b = bodies.places[pairs.body_b[lane]];
+        const Vec2 between = b.center - a.center;
+        out.poses.dx[lane] = between.x;
+        out.poses.dy[lane] = between.y;
+        out.poses.cos_a[lane] = a.rotation.c;
+        out.poses.sin_a[lane] = a.rotation.s;
+        out.poses.cos_b[lane] = b.rotation.c;
+        out.poses.sin_b[lane] = b.rotation.s;
+        out.row_a[lane] = a.row;
+        out.row_b[lane] = b.row;
+        const std::uint32_t flags = a.flags | b.flags;
+        if (flags == 0) continue;
+        const unsigned bit = 1u << lane;
+        if (flags & place_flag::kFast) out.fast |= bit;
+        if (flags & place_flag::kTurnsFar) out.turn_far |= bit;
+        if (flags & place_flag::kBoxesMoved) out.boxes_moved |= bit;
+    }
+}
+
+void collide_block(const Stores& stores, const PairBlock& pairs, PairGeometry geometry, unsigned lanes,
+                   const PoseLanes& poses, ManifoldLanes& out) {
+    unsigned general = ~0u;
+    if (geometry == PairGeometry::Boxes) {
+        general = collide_box_lanes(poses, pairs.boxes, tuning::kSpeculativeDistance_m, out);
+    } else {
+        for (ManifoldPointLanes& point : out.points) point.id.fill(kNoFeature);
+    }
+    for (general &= lanes; general != 0; general &= general - 1) {
+        collide_lane(stores, pairs, poses, std::countr_zero(general), out);
+    }
+}
+
+ContactInput make_input(const Stores& stores, const PairBlock& pairs, const BlockPlaces& places,
+                        const ManifoldLanes& manifold, int lane) {
+    const ContactRecord& record = stores.contacts.slots[pairs.contact[lane]];
+    ContactInput input{};
+    input.a = places.row_a[lane];
+    input.b = places.row_b[lane];
+    input.contact = pairs.contact[lane];
+    input.normal = {manifold.normal_x[lane], manifold.normal_y[lane]};
+    const Vec2 between{places.poses.dx[lane], places.poses.dy[lane]};
+    for (int i = 0; i < 2; ++i) {
+        const ManifoldPointLanes& from = manifold.points[i];
+        if (from.id[lane] == kNoFeature) break;
+        const Vec2 r_a{from.x[lane], from.y[lane]};
+        input.points[i] = {r_a, r_a - between, from.separation[lane], from.id[lane], 0};
+        input.count = i + 1;
+    }
+    input.friction = record.friction;
+    input.restitution = record.restitution;
+    input.radius_a = stores.shapes[record.shape_a].convex.radius();
+    input.radius_b = stores.shapes[record.shape_b].convex.radius();
+    return input;
+}
+
+}  // namespace cairn::physics
