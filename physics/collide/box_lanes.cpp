@@ -138,10 +138,10 @@ HWY_INLINE unsigned collide_part(const PoseLanes& poses, const BoxLanes& boxes, 
     const Vec q = select(flipped, q_b, q_a);
     const Vec center = select(flipped, center_b, center_a);
     const Vec world_normal = rotate(q, normal);
-    const Vec point0 = add(center, rotate(q, add(scale(at0, tangent),
-                                                 scale(hn::Add(depth, hn::Mul(set(0.5f), gap0)), normal))));
-    const Vec point1 = add(center, rotate(q, add(scale(at1, tangent),
-                                                 scale(hn::Add(depth, hn::Mul(set(0.5f), gap1)), normal))));
+    const Vec point0 = add(
+        center, rotate(q, add(scale(at0, tangent), scale(hn::Add(depth, hn::Mul(set(0.5f), gap0)), normal))));
+    const Vec point1 = add(
+        center, rotate(q, add(scale(at1, tangent), scale(hn::Add(depth, hn::Mul(set(0.5f), gap1)), normal))));
     const VI which = hn::IfThenElseZero(hn::RebindMask(DI(), flipped), set_int(1));
     const VI id = hn::Or(hn::Or(hn::ShiftLeft<12>(which), hn::ShiftLeft<8>(side_number(along_x, side))),
                          hn::ShiftLeft<4>(side_number(face_x, face_side)));

@@ -56,9 +56,9 @@ struct ContactPointConstraint {
 struct ContactConstraint {
     int a = 0;  // rows
     int b = 0;
-    int contact = 0;  // where the impulses go back to
+    int contact = 0;      // where the impulses go back to
     bool in_lane = true;  // solved there; this form serves restitution and events
-    Vec2 normal;      // unit, from a to b
+    Vec2 normal;          // unit, from a to b
     float friction = 0;
     float restitution = 0;
     Softness softness;

@@ -308,8 +308,7 @@ void relax_all(std::span<ContactBlock> blocks, float* velocity, const float* pos
 }
 
 template <BlockKind kKind>
-void warm_start_all(std::span<ContactBlock> blocks, float* velocity, float step_ratio,
-                    float friction_ratio) {
+void warm_start_all(std::span<ContactBlock> blocks, float* velocity, float step_ratio, float friction_ratio) {
     for (ContactBlock& block : blocks) {
         for (int lane = 0; lane < kLanes; lane += kStep)
             warm_start_lanes<kKind>(block, lane, velocity, set(step_ratio), set(friction_ratio));

@@ -54,11 +54,30 @@ void write_pair(PairBlock& to, int lane, const PairLane& from) {
     put_bit(to.remembers, from.remembers);
 }
 
-// What lasts longer than a step.
-void copy_kept(ContactBlock& to, int to_lane, const ContactBlock& from, int from_lane) {
-    for (int i = 0; i < 2; ++i) to.points[i].impulse[to_lane] = from.points[i].impulse[from_lane];
-    to.friction[to_lane] = from.friction[from_lane];
-    to.friction_impulse[to_lane] = from.friction_impulse[from_lane];
+void copy_lane(ContactBlock& to, int to_lane, const ContactBlock& from, int from_lane) {
+    const auto copy = [&](auto& t, const auto& f) { t[to_lane] = f[from_lane]; };
+    copy(to.a, from.a);
+    copy(to.b, from.b);
+    copy(to.normal_x, from.normal_x);
+    copy(to.normal_y, from.normal_y);
+    for (int i = 0; i < 2; ++i) {
+        ContactBlockPoint& t = to.points[i];
+        const ContactBlockPoint& f = from.points[i];
+        copy(t.arm_a, f.arm_a);
+        copy(t.arm_b, f.arm_b);
+        copy(t.mass, f.mass);
+        copy(t.start_separation, f.start_separation);
+        copy(t.separation, f.separation);
+        copy(t.static_impulse, f.static_impulse);
+        copy(t.impulse, f.impulse);
+        copy(to.total_impulse[i], from.total_impulse[i]);
+    }
+    copy(to.tangent_arm_a, from.tangent_arm_a);
+    copy(to.tangent_arm_b, from.tangent_arm_b);
+    copy(to.tangent_mass, from.tangent_mass);
+    copy(to.friction, from.friction);
+    copy(to.friction_impulse, from.friction_impulse);
+    to.reports = to.reports || from.reports;
 }
 
 void clear_lane(ContactBlock& block, int lane) {
@@ -101,7 +120,7 @@ int ContactLanes::remove(int bucket, int lane) {
     PairBlock& from = in.pairs[last / kLanes];
     copy_pair(to, lane % kLanes, from, last % kLanes);
     if (is_colored(bucket)) {
-        copy_kept(in.blocks[lane / kLanes], lane % kLanes, in.blocks[last / kLanes], last % kLanes);
+        copy_lane(in.blocks[lane / kLanes], lane % kLanes, in.blocks[last / kLanes], last % kLanes);
         clear_lane(in.blocks[last / kLanes], last % kLanes);
     }
     write_pair(from, last % kLanes, PairLane{});

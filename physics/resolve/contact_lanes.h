@@ -29,8 +29,9 @@ struct alignas(32) PairBlock {
     Lanes<std::int32_t> shape_b;
     BoxLanes boxes;  // of general shapes only the offsets are used: of the body's origin
     FeatureLanes features;
-    std::uint8_t reports = 0;     // bits: restitution or events want the plain form of the contact too
-    std::uint8_t remembers = 0;   // bits: the contact had points in the last step, though it is not in a colour
+    std::uint8_t reports = 0;  // bits: restitution or events want the plain form of the contact too
+    std::uint8_t remembers =
+        0;  // bits: the contact had points in the last step, though it is not in a colour
 };
 
 /// One lane of a PairBlock, to be put in.

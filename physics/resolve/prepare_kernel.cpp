@@ -1,5 +1,5 @@
-// Preparation of blocks. Glossary: r arm from a centre of mass to a point, n normal, t tangent, k = sqrt(1/I),
-// K inverse effective mass:
+// Preparation of blocks. Glossary: r arm from a centre of mass to a point, n normal, t tangent, k =
+// sqrt(1/I), K inverse effective mass:
 //     arm = k (r x n),    K = 1/mA + 1/mB + arm_a^2 + arm_b^2
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "resolve/prepare_kernel.cpp"
@@ -92,17 +92,16 @@ HWY_INLINE PreparedLanes prepare_part(const PoseLanes& poses, const ManifoldLane
         const V arm_a = hn::Mul(bodies.k_a, lever_a);
         const V arm_b = hn::Mul(bodies.k_b, lever_b);
         const V s = hn::IfThenElse(is_used, load(from.separation, lane), set(1));
-        const V jv = hn::Add(along_normal, hn::Sub(hn::Mul(arm_b, bodies.velocity_b.z),
-                                                   hn::Mul(arm_a, bodies.velocity_a.z)));
+        const V jv = hn::Add(
+            along_normal, hn::Sub(hn::Mul(arm_b, bodies.velocity_b.z), hn::Mul(arm_a, bodies.velocity_a.z)));
         const Remembered last = recall(id, old0, old1, impulse0, impulse1);
-        const M rests = hn::And(hn::Le(s, set(0.1f * tuning::kLinearSlop_m)),
-                                hn::Lt(hn::Abs(jv), set(kRestSpeed_m_s)));
-        const V first_guess = hn::IfThenElse(last.any, last.impulse,
-                                             hn::IfThenElseZero(rests, set(kUnknownImpulse)));
+        const M rests =
+            hn::And(hn::Le(s, set(0.1f * tuning::kLinearSlop_m)), hn::Lt(hn::Abs(jv), set(kRestSpeed_m_s)));
+        const V first_guess =
+            hn::IfThenElse(last.any, last.impulse, hn::IfThenElseZero(rests, set(kUnknownImpulse)));
         store(arm_a, to.arm_a, lane);
         store(arm_b, to.arm_b, lane);
-        store(hn::IfThenElseZero(is_used,
-                                 effective_mass(bodies, response(bodies.velocity_a, arm_a), arm_b)),
+        store(hn::IfThenElseZero(is_used, effective_mass(bodies, response(bodies.velocity_a, arm_a), arm_b)),
               to.mass, lane);
         store(s, to.start_separation, lane);
         store(s, to.separation, lane);
@@ -112,8 +111,8 @@ HWY_INLINE PreparedLanes prepare_part(const PoseLanes& poses, const ManifoldLane
         store(id, features[i], lane);
         used = hn::Or(used, is_used);
         carried = hn::Or(carried, hn::And(is_used, last.any));
-        swings = hn::Or(swings, hn::Gt(hn::Max(hn::Abs(lever_a), hn::Abs(lever_b)),
-                                       set(tuning::kLinearSlop_m)));
+        swings =
+            hn::Or(swings, hn::Gt(hn::Max(hn::Abs(lever_a), hn::Abs(lever_b)), set(tuning::kLinearSlop_m)));
     }
 
     // Midway between the points, or at the only one.
@@ -126,8 +125,8 @@ HWY_INLINE PreparedLanes prepare_part(const PoseLanes& poses, const ManifoldLane
     const V tx = ny;
     const V ty = hn::Neg(nx);
     const V arm_a = hn::IfThenElseZero(used, hn::Mul(bodies.k_a, cross(mx, my, tx, ty)));
-    const V arm_b = hn::IfThenElseZero(
-        used, hn::Mul(bodies.k_b, cross(hn::Sub(mx, dx), hn::Sub(my, dy), tx, ty)));
+    const V arm_b =
+        hn::IfThenElseZero(used, hn::Mul(bodies.k_b, cross(hn::Sub(mx, dx), hn::Sub(my, dy), tx, ty)));
     store(arm_a, block.tangent_arm_a, lane);
     store(arm_b, block.tangent_arm_b, lane);
     store(hn::IfThenElseZero(used, effective_mass(bodies, response(bodies.velocity_a, arm_a), arm_b)),

@@ -20,8 +20,7 @@ Row row_of(WorldState& world, BodyId id) {
     const int body = world.stores.bodies.slots.find(id);
     CAIRN_ASSERT(body != kNone, "a Body view was used after its body was destroyed");
     BodyRecord& record = world.stores.bodies.slots[body];
-    return {record, world.stores.bodies.rows(record.set), world.stores.bodies.places[body],
-            record.row, body};
+    return {record, world.stores.bodies.rows(record.set), world.stores.bodies.places[body], record.row, body};
 }
 
 // The row of a body about to move by outside cause: awake, with its rest time restarted.

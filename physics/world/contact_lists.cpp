@@ -105,7 +105,6 @@ void unlist_contact(Stores& stores, int contact) {
 
 void forget_points(Stores& stores, int contact) {
     ContactRecord& c = stores.contacts.slots[contact];
-    c.has_points = false;
     if (c.bucket != kNone) take_out(stores, contact);
     c.memory = {};
     list_contact(stores, contact);

@@ -11,7 +11,7 @@ void list_contact(Stores& stores, int contact);
 /// Takes the contact out of its list. It remembers its impulses.
 void unlist_contact(Stores& stores, int contact);
 
-/// The same for a contact that has no points any more: it forgets them.
+/// The contact has no points any more: it forgets their impulses, and goes back to the near ones.
 void forget_points(Stores& stores, int contact);
 
 /// Takes a near contact that has points into a colour, or among the loose ones where no lane can hold it: a

@@ -1,7 +1,7 @@
 // Contacts: pairs of shapes whose fat boxes overlap.
 // Invariant: a pair has at most one contact; body b can be moved by the contact, body a is the one that
-// cannot if there is such; a contact is listed, in a bucket of lanes or among the loose ones, exactly when one
-// of its bodies is awake; it is in the edge lists of both bodies.
+// cannot if there is such; a contact is listed, in a bucket of lanes or among the loose ones, exactly when
+// one of its bodies is awake; it is in the edge lists of both bodies.
 #pragma once
 
 #include <cstdint>
@@ -25,8 +25,8 @@ struct ContactRecord {
     int body_a = kNone;
     int body_b = kNone;
     Edges edges;
-    int bucket = kNone;  // kNone: not listed
-    int lane = 0;        // in the bucket, or among the loose contacts
+    int bucket = kNone;    // kNone: not listed
+    int lane = 0;          // in the bucket, or among the loose contacts
     ContactMemory memory;  // kept in the lane instead while the contact is in a colour
     float friction = 0;
     float restitution = 0;

@@ -96,7 +96,11 @@ class Update {
             }
         }
         update_loose();
-        for (const int body : stores_.boxes_moved) stores_.bodies.places[body].flags &= ~place_flag::kBoxesMoved;
+        for (const int contact : scratch_.parted) forget_points(stores_, contact);
+        scratch_.parted.clear();
+        remove_gone(stores_, world_.events, scratch_);
+        for (const int body : stores_.boxes_moved)
+            stores_.bodies.places[body].flags &= ~place_flag::kBoxesMoved;
         stores_.boxes_moved.clear();
     }
 
@@ -142,7 +146,8 @@ class Update {
             wake_touched(stores_, c);
             extend_motions(stores_.bodies, world_.def.gravity_m_s2, time_.dt_s, scratch_);
             // Between a platform at rest and what sleeps on it, nothing happens.
-            if (stores_.bodies.is_awake(c.body_b) || (stores_.bodies.is_awake(c.body_a) && is_dynamic(c.body_a)))
+            if (stores_.bodies.is_awake(c.body_b) ||
+                (stores_.bodies.is_awake(c.body_a) && is_dynamic(c.body_a)))
                 scratch_.met.push_back(contact);
             return;
         }
@@ -203,11 +208,12 @@ class Update {
         }
     }
 
-    // The contact has no points any more. It does nothing in this step, and leaves its list after it.
+    // The contact has no points any more. It leaves its list after this pass.
     void part(int contact, int lane) {
         scratch_.parted.push_back(contact);
         if ((places_.fast >> lane & 1) != 0 && predict(contact, lane)) return;
         report_parting(stores_, stores_.contacts.slots[contact], world_.events.ends);
+        stores_.contacts.slots[contact].has_points = false;
     }
 
     // The plain form, beside the lane.
@@ -309,12 +315,6 @@ void find_new_pairs(Stores& stores) {
 
 void update_contacts(WorldState& world, const StepTime& time, const ContactRules& rules) {
     Update(world, time, rules).run();
-}
-
-void settle_contacts(Stores& stores, Events& events, StepScratch& scratch) {
-    for (const int contact : scratch.parted) forget_points(stores, contact);
-    scratch.parted.clear();
-    remove_gone(stores, events, scratch);
 }
 
 void destroy_contact(Stores& stores, Events& events, int contact) {

@@ -12,9 +12,6 @@ void find_new_pairs(Stores& stores);
 /// form; sleeping bodies that are touched wake, and take part in this step.
 void update_contacts(WorldState& world, const StepTime& time, const ContactRules& rules);
 
-/// Stage: contacts that lost their points leave their lanes, and those whose boxes parted are removed.
-void settle_contacts(Stores& stores, Events& events, StepScratch& scratch);
-
 /// Friction and restitution of the pair, from the materials of its two shapes.
 void mix_materials(const Stores& stores, ContactRecord& contact);
 

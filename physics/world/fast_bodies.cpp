@@ -128,10 +128,10 @@ void hold_fast_bodies(Stores& stores, std::span<const int> fast) {
 
 bool predict_contact(const Stores& stores, const ContactRecord& contact, const AxisGap& apart,
                      Vec2 gravity_m_s2, float dt_s, ContactInput& input) {
-    const Sweep a = make_sweep(stores, contact.shape_a, stores.bodies.places[contact.body_a].center,
-                               gravity_m_s2, dt_s);
-    const Sweep b = make_sweep(stores, contact.shape_b, stores.bodies.places[contact.body_a].center,
-                               gravity_m_s2, dt_s);
+    const Sweep a =
+        make_sweep(stores, contact.shape_a, stores.bodies.places[contact.body_a].center, gravity_m_s2, dt_s);
+    const Sweep b =
+        make_sweep(stores, contact.shape_b, stores.bodies.places[contact.body_a].center, gravity_m_s2, dt_s);
     if (apart.gap_m > 0) {
         const float turning = std::fabs(a.spin) * stores.bodies.slots[contact.body_a].extent_m +
                               std::fabs(b.spin) * stores.bodies.slots[contact.body_b].extent_m;

@@ -19,9 +19,9 @@ void collide_lane(const Stores& stores, const PairBlock& pairs, const PoseLanes&
     const Rotation turn = inverse(q_a) * q_b;
     const Vec2 between = inverse_rotate(q_a, {poses.dx[lane], poses.dy[lane]});
     const RelativePose b_in_a{center_a + between - rotate(turn, center_b), turn};
-    const Manifold m = collide(stores.shapes[pairs.shape_a[lane]].convex,
-                               stores.shapes[pairs.shape_b[lane]].convex, b_in_a,
-                               tuning::kSpeculativeDistance_m);
+    const Manifold m =
+        collide(stores.shapes[pairs.shape_a[lane]].convex, stores.shapes[pairs.shape_b[lane]].convex, b_in_a,
+                tuning::kSpeculativeDistance_m);
     const Vec2 normal = rotate(q_a, m.normal);
     out.normal_x[lane] = normal.x;
     out.normal_y[lane] = normal.y;
@@ -75,6 +75,7 @@ void collide_block(const Stores& stores, const PairBlock& pairs, PairGeometry ge
     if (geometry == PairGeometry::Boxes) {
         general = collide_box_lanes(poses, pairs.boxes, tuning::kSpeculativeDistance_m, out);
     } else {
+        out = {};
         for (ManifoldPointLanes& point : out.points) point.id.fill(kNoFeature);
     }
     for (general &= lanes; general != 0; general &= general - 1) {

@@ -20,7 +20,8 @@ inline void warm_start(ContactLanes& lanes, StepScratch& scratch, const StepTime
     lanes.warm_start(scratch.motions, time.step_ratio, time.impulse_ratio);
 }
 
-inline void solve(ContactLanes& lanes, StepScratch& scratch, const ContactRules& rules, float h_s, Pass pass) {
+inline void solve(ContactLanes& lanes, StepScratch& scratch, const ContactRules& rules, float h_s,
+                  Pass pass) {
     for (RevoluteConstraint& c : scratch.revolutes) solve_revolute(c, scratch.motions, h_s, pass);
     for (DistanceConstraint& c : scratch.distances) solve_distance(c, scratch.motions, h_s, pass);
     for (const int i : scratch.scalar_contacts) {

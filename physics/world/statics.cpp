@@ -60,24 +60,25 @@ class Estimate {
 
     void add(ContactBlock& block) {
         for (int lane = 0; lane < kLanes; ++lane) {
-            const float along = block.normal_x[lane] * up_.x + block.normal_y[lane] * up_.y;
+            const Vec2 normal{block.normal_x[lane], block.normal_y[lane]};
+            const float along = dot(normal, up_);
             if (std::fabs(along) <= kBearing) continue;
-            add(block, lane, along);
+            add(block, lane, along, dot(normal, right_perp(up_)));
         }
     }
 
     void add(ContactConstraint& c) {
         const float along = dot(c.normal, up_);
         if (std::fabs(along) <= kBearing) return;
-        const auto arms = [&](int row, bool b) {
+        const auto places = [&](int row, bool b) {
             const float k = row == kWorldRow ? 0 : motions_.pose[row].k;
             std::array<float, 2> x{};
             for (int i = 0; i < c.count; ++i) {
-                x[i] = k * cross(b ? c.points[i].r_b : c.points[i].r_a, c.normal);
+                x[i] = k * dot(b ? c.points[i].r_b : c.points[i].r_a, right_perp(up_));
             }
             return x;
         };
-        add_support(along, c.a, c.b, arms(c.a, false), arms(c.b, true), c.count,
+        add_support(along, c.a, c.b, places(c.a, false), places(c.b, true), c.count,
                     {&c.points[0].static_impulse, &c.points[1].static_impulse});
     }
 
@@ -94,25 +95,32 @@ class Estimate {
     }
 
   private:
-    void add(ContactBlock& block, int lane, float along) {
-        const std::array<float, 2> arms_a{block.points[0].arm_a[lane], block.points[1].arm_a[lane]};
-        const std::array<float, 2> arms_b{block.points[0].arm_b[lane], block.points[1].arm_b[lane]};
+    // A vertical load acts about a point at its horizontal distance x, which follows from its arms about the
+    // normal and the tangent of the contact:  x = (n . up) (r x n) - (n . right) (r x t)
+    void add(ContactBlock& block, int lane, float along, float across) {
+        const auto places = [&](float arm0, float arm1, float tangent_arm) {
+            return std::array<float, 2>{along * arm0 - across * tangent_arm,
+                                        along * arm1 - across * tangent_arm};
+        };
+        const std::array<float, 2> x_a =
+            places(block.points[0].arm_a[lane], block.points[1].arm_a[lane], block.tangent_arm_a[lane]);
+        const std::array<float, 2> x_b =
+            places(block.points[0].arm_b[lane], block.points[1].arm_b[lane], block.tangent_arm_b[lane]);
         const int count = block.points[1].mass[lane] > 0 ? 2 : block.points[0].mass[lane] > 0 ? 1 : 0;
-        add_support(along, block.a[lane], block.b[lane], arms_a, arms_b, count,
+        add_support(along, block.a[lane], block.b[lane], x_a, x_b, count,
                     {&block.points[0].static_impulse[lane], &block.points[1].static_impulse[lane]});
     }
 
     [[nodiscard]] bool has_weight(int row) const { return motions_.velocity[row].inverse_mass > 0; }
 
-    // `along`: of the normal, which points from a to b, with the upward direction. Arms about the normal are
-    // those about that direction, or its opposite.
-    void add_support(float along, int a, int b, std::array<float, 2> arms_a, std::array<float, 2> arms_b,
-                     int count, std::array<float*, 2> impulse) {
+    // `along`: of the normal, which points from a to b, with the upward direction.
+    void add_support(float along, int a, int b, std::array<float, 2> x_a, std::array<float, 2> x_b, int count,
+                     std::array<float*, 2> impulse) {
         const int upper = along > 0 ? b : a;
         const int lower = along > 0 ? a : b;
         if (count == 0 || !has_weight(upper)) return;
         scratch_.supports.push_back({scratch_.first[upper], lower, std::fabs(along), count,
-                                     along > 0 ? arms_b : arms_a, along > 0 ? arms_a : arms_b, impulse});
+                                     along > 0 ? x_b : x_a, along > 0 ? x_a : x_b, impulse});
         scratch_.first[upper] = static_cast<int>(scratch_.supports.size()) - 1;
         if (has_weight(lower)) ++scratch_.above[lower];
     }

@@ -43,7 +43,6 @@ void step_world(WorldState& world, float dt_s) {
 
     report_contacts(stores, scratch, def.hit_speed_m_s, world.events);
     store_contact_impulses(stores.contacts, scratch);
-    settle_contacts(stores, world.events, scratch);
     store_joint_impulses(stores.joints, time, scratch);
     finalize_bodies(stores, scratch, time.dt_s, def.enable_sleep, world.events.quarantined);
     hold_fast_bodies(stores, scratch.fast);

@@ -4,8 +4,8 @@
 #include <cairn/physics/world.h>
 
 #include "collide/convex.h"
-#include "world/contact_events.h"
 #include "world/bodies.h"
+#include "world/contact_events.h"
 #include "world/joints.h"
 #include "world/queries.h"
 #include "world/sleep.h"

@@ -53,12 +53,12 @@ inline void start_events(Events& events) {
 
 /// A contact that bears a body from below.
 struct Support {
-    int next;         // of the same body
-    int lower;        // row of the supporter
-    float steepness;  // cosine between the normal and the upward direction
-    int count;        // points
-    std::array<float, 2> x;        // scaled arms of the points about the centre of the body that is borne
-    std::array<float, 2> x_below;  // the same for the supporter
+    int next;                // of the same body
+    int lower;               // row of the supporter
+    float steepness;         // cosine between the normal and the upward direction
+    int count;               // points
+    std::array<float, 2> x;  // of the points along the horizontal, from the centre of the body borne, scaled
+    std::array<float, 2> x_below;   // the same for the supporter
     std::array<float*, 2> impulse;  // where the estimates go
 };
 

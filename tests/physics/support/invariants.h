@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "world/contact_lists.h"
 #include "world/filtering.h"
 #include "world/world_state.h"
 
@@ -25,10 +26,12 @@ inline void check_rows(const Stores& stores) {
             REQUIRE(bodies.slots[body].set == set);
             REQUIRE(bodies.slots[body].row == row);
             REQUIRE((bodies.slots[body].type == BodyType::Static) == (set == RowSet::Static));
-            REQUIRE(is_finite(in.center[row]));
+            const Place& place = bodies.places[body];
+            REQUIRE(place.row == (set == RowSet::Awake ? row + 1 : kWorldRow));
+            REQUIRE(is_finite(place.center));
             REQUIRE(is_finite(in.velocity[row]));
             REQUIRE(std::isfinite(in.spin[row]));
-            const Rotation q = in.rotation[row];
+            const Rotation q = place.rotation;
             REQUIRE(q.c * q.c + q.s * q.s == Approx(1).epsilon(1e-5));
             if (set == RowSet::Asleep) REQUIRE((in.velocity[row] == Vec2{} && in.spin[row] == 0));
         }
@@ -59,9 +62,10 @@ inline void check_shapes(const Stores& stores) {
     REQUIRE(stores.broad.tree(Layer::Moving).is_valid());
 }
 
-/// Of contacts or joints: each is in the lists of its two bodies once, and active when one of them is awake.
-template <class Store, class Head>
-void check_links(const Stores& stores, const Store& store, Head&& head) {
+/// Of contacts or joints: each is in the lists of its two bodies once, and listed when one of them is awake.
+/// `is_listed(record)` says so, and checks that the list knows the record too.
+template <class Store, class Head, class IsListed>
+void check_links(const Stores& stores, const Store& store, int listed, Head&& head, IsListed&& is_listed) {
     std::multiset<std::pair<int, int>> in_lists;  // record, body
     for (int body = 0; body < stores.bodies.slots.end_index(); ++body) {
         if (!stores.bodies.slots.alive(body)) continue;
@@ -71,18 +75,18 @@ void check_links(const Stores& stores, const Store& store, Head&& head) {
             in_lists.emplace(record, body);
         });
     }
-    int active = 0;
+    int found = 0;
     for (int record = 0; record < store.slots.end_index(); ++record) {
         if (!store.slots.alive(record)) continue;
         const auto& r = store.slots[record];
         REQUIRE(in_lists.count({record, r.body_a}) == 1);
         REQUIRE(in_lists.count({record, r.body_b}) == 1);
         const bool should_be = stores.bodies.is_awake(r.body_a) || stores.bodies.is_awake(r.body_b);
-        REQUIRE((r.active_index != kNone) == should_be);
-        if (r.active_index != kNone) REQUIRE(store.active[r.active_index] == record);
-        active += r.active_index != kNone ? 1 : 0;
+        const bool is_there = is_listed(record);
+        REQUIRE(is_there == should_be);
+        found += is_there ? 1 : 0;
     }
-    REQUIRE(store.active.size() == active);
+    REQUIRE(listed == found);
     REQUIRE(in_lists.size() == 2 * static_cast<std::size_t>(store.slots.size()));
 }
 
@@ -91,21 +95,63 @@ inline void check_contacts(const Stores& stores) {
     for (int contact = 0; contact < stores.contacts.slots.end_index(); ++contact) {
         if (!stores.contacts.slots.alive(contact)) continue;
         const ContactRecord& c = stores.contacts.slots[contact];
-        REQUIRE(c.shape_a < c.shape_b);
         REQUIRE(stores.shapes.alive(c.shape_a));
         REQUIRE(stores.shapes.alive(c.shape_b));
         REQUIRE(stores.shapes[c.shape_a].body == c.body_a);
         REQUIRE(stores.shapes[c.shape_b].body == c.body_b);
         REQUIRE(may_collide(stores, c.shape_a, c.shape_b));
-        REQUIRE(pairs.emplace(c.shape_a, c.shape_b).second);
+        REQUIRE(pairs.emplace(std::minmax(c.shape_a, c.shape_b)).second);
+        REQUIRE(stores.bodies.slots[c.body_b].type == BodyType::Dynamic);
         REQUIRE(stores.contacts.pairs.contains(c.shape_a, c.shape_b));
-        REQUIRE(c.count <= 2);
-        REQUIRE(std::isfinite(c.friction_impulse));
-        for (int i = 0; i < c.count; ++i) {
-            REQUIRE(std::isfinite(c.points[i].separation));
-            REQUIRE(c.points[i].normal_impulse >= 0);
-            REQUIRE(std::isfinite(c.points[i].normal_impulse));
+        const ContactMemory memory = memory_of(stores.contacts, contact);
+        REQUIRE(std::isfinite(memory.friction_impulse));
+        for (const float impulse : memory.impulse) {
+            REQUIRE(std::isfinite(impulse));
+            REQUIRE(impulse >= 0);
         }
+    }
+}
+
+/// Whether the contact is in a list, after a look that its lane is its own.
+inline bool contact_is_listed(const ContactStore& contacts, int contact) {
+    const ContactRecord& c = contacts.slots[contact];
+    if (c.bucket == kNone) return false;
+    if (c.bucket == kLooseBucket) {
+        REQUIRE(contacts.loose[c.lane] == contact);
+        return true;
+    }
+    const LaneBucket& bucket = contacts.lanes.bucket(c.bucket);
+    REQUIRE(c.lane < bucket.lanes);
+    const PairBlock& pairs = bucket.pairs[c.lane / kLanes];
+    REQUIRE(pairs.contact[c.lane % kLanes] == contact);
+    REQUIRE(pairs.body_a[c.lane % kLanes] == c.body_a);
+    REQUIRE(pairs.body_b[c.lane % kLanes] == c.body_b);
+    return true;
+}
+
+inline int count_listed(const ContactStore& contacts) {
+    int count = static_cast<int>(contacts.loose.size());
+    for (int i = 0; i < contacts.lanes.end_bucket(); ++i) count += contacts.lanes.bucket(i).lanes;
+    return count;
+}
+
+/// No moving body stands in two lanes of a colour, and the bits of each body are those of its lanes.
+inline void check_colors(const Stores& stores) {
+    std::vector<std::uint32_t> colors(static_cast<std::size_t>(stores.bodies.slots.end_index()), 0);
+    const auto take = [&](int body, int color) {
+        REQUIRE((colors[body] >> color & 1) == 0);
+        colors[body] |= 1u << color;
+    };
+    for (int i = kFirstColored; i < stores.contacts.lanes.end_bucket(); ++i) {
+        const LaneBucket& bucket = stores.contacts.lanes.bucket(i);
+        for (int lane = 0; lane < bucket.lanes; ++lane) {
+            const PairBlock& pairs = bucket.pairs[lane / kLanes];
+            take(pairs.body_b[lane % kLanes], color_of(i));
+            if (kind_of(i) == BlockKind::TwoBodies) take(pairs.body_a[lane % kLanes], color_of(i));
+        }
+    }
+    for (std::size_t body = 0; body < stores.contacts.colors.size() && body < colors.size(); ++body) {
+        REQUIRE(stores.contacts.colors[body] == colors[body]);
     }
 }
 
@@ -141,9 +187,20 @@ inline void check_nothing_missed(const Stores& stores) {
 inline void check_world(const WorldState& world) {
     check_rows(world.stores);
     check_shapes(world.stores);
-    check_links(world.stores, world.stores.contacts,
-                [](const BodyRecord& body) { return body.first_contact; });
-    check_links(world.stores, world.stores.joints, [](const BodyRecord& body) { return body.first_joint; });
+    const Stores& stores = world.stores;
+    check_links(
+        stores, stores.contacts, count_listed(stores.contacts),
+        [](const BodyRecord& body) { return body.first_contact; },
+        [&](int contact) { return contact_is_listed(stores.contacts, contact); });
+    check_links(
+        stores, stores.joints, stores.joints.active.size(),
+        [](const BodyRecord& body) { return body.first_joint; },
+        [&](int joint) {
+            const int index = stores.joints.slots[joint].active_index;
+            if (index != kNone) REQUIRE(stores.joints.active[index] == joint);
+            return index != kNone;
+        });
+    check_colors(stores);
     check_contacts(world.stores);
     check_sleepers(world.stores);
 }
