@@ -1,6 +1,7 @@
 // The table of contents of a step: every stage in its order, and no logic. physics/README.md is the tour.
 #include "world/step.h"
 
+#include "base/stage_clock.h"
 #include "integrator/integrate.h"
 #include "world/contact_events.h"
 #include "world/contacts.h"
@@ -21,16 +22,21 @@ void step_world(WorldState& world, float dt_s) {
     const ContactRules rules =
         make_contact_rules(time.h_s, def.max_push_out_speed_m_s, def.restitution_speed_m_s);
 
+    StageClock clock(world.profiling ? &world.profile : nullptr);
+    clock.enter(Stage::Pairs);
     start_events(world.events);
     cover_fast_ways(stores, def.gravity_m_s2, dt_s, scratch.fast);
     find_new_pairs(stores);
+    clock.enter(Stage::Contacts);
     update_contacts(stores, world.events, scratch.parted, def.gravity_m_s2, dt_s);
 
+    clock.enter(Stage::Prepare);
     prepare_motions(stores.bodies, def.gravity_m_s2, scratch);
     estimate_statics(stores, def.gravity_m_s2, time, scratch.statics);
     prepare_contacts(stores, time, rules, scratch);
     prepare_joints(stores, time, scratch);
 
+    clock.enter(Stage::Solve);
     for (int substep = 0; substep < time.substeps; ++substep) {
         integrate_velocities(scratch.motions, scratch.drives, time.h_s, substep == 0);
         warm_start(scratch, substep == 0);
@@ -38,6 +44,7 @@ void step_world(WorldState& world, float dt_s) {
         integrate_positions(scratch.motions, time.h_s);
         solve(scratch, rules, time.h_s, Pass::Relax);
     }
+    clock.enter(Stage::Store);
     fly_freely(scratch.motions, scratch.drives, time.dt_s);
     collect_outcomes(scratch);
     apply_restitution(scratch.contacts, scratch.motions, scratch.drives, rules);
@@ -45,8 +52,11 @@ void step_world(WorldState& world, float dt_s) {
     report_contacts(stores, scratch, def.hit_speed_m_s, world.events);
     store_contact_impulses(stores.contacts, scratch);
     store_joint_impulses(stores.joints, time, scratch);
+    clock.enter(Stage::Finalize);
     finalize_bodies(stores, scratch, time.dt_s, def.enable_sleep, world.events.quarantined);
+    clock.enter(Stage::Continuous);
     hold_fast_bodies(stores, scratch.fast);
+    clock.enter(Stage::Sleep);
     sleep_islands(stores, scratch);
     world.previous_h_s = time.h_s;
     ++world.step_count;

@@ -6,6 +6,7 @@
 #include "collide/convex.h"
 #include "world/bodies.h"
 #include "world/joints.h"
+#include "world/measures.h"
 #include "world/queries.h"
 #include "world/sleep.h"
 #include "world/step.h"
@@ -200,17 +201,19 @@ Result<void> World::set_gravity(Vec2 gravity_m_s2) {
 }
 
 Counts World::counts() const {
-    const Stores& stores = state_->stores;
-    Counts counts;
-    counts.bodies = stores.bodies.slots.size();
-    counts.awake_bodies = stores.bodies.rows(RowSet::Awake).size();
-    counts.shapes = stores.shapes.size();
-    counts.joints = stores.joints.slots.size();
-    counts.contacts = stores.contacts.slots.size();
-    for (int i = 0; i < stores.contacts.slots.end_index(); ++i) {
-        if (stores.contacts.slots.alive(i) && stores.contacts.slots[i].touching) ++counts.touching;
-    }
-    return counts;
+    return count_objects(state_->stores);
+}
+int World::awake_body_count() const {
+    return state_->stores.bodies.rows(RowSet::Awake).size();
+}
+float World::max_penetration_m() const {
+    return physics::max_penetration_m(state_->stores);
+}
+void World::set_profiling(bool enabled) {
+    state_->profiling = enabled;
+}
+const Profile& World::profile() const {
+    return state_->profile;
 }
 
 std::uint64_t World::step_count() const {

@@ -96,6 +96,8 @@ struct WorldState {
     Events events;
     StepScratch scratch;
     std::uint64_t step_count = 0;
+    Profile profile;  // of the last step
+    bool profiling = false;
     float previous_h_s = 0;  // of a substep of the last step
 };
 

@@ -11,6 +11,7 @@
 #include <cairn/physics/events.h>
 #include <cairn/physics/ids.h>
 #include <cairn/physics/joint.h>
+#include <cairn/physics/profile.h>
 #include <cairn/physics/query.h>
 #include <cairn/physics/result.h>
 #include <cairn/physics/shape.h>
@@ -115,7 +116,16 @@ class World {
     [[nodiscard]] Vec2 gravity() const;
     Result<void> set_gravity(Vec2 gravity_m_s2);  ///< wakes every body
     [[nodiscard]] Counts counts() const;
+    /// As `counts().awake_bodies`, but without walking over all contacts.
+    [[nodiscard]] int awake_body_count() const;
+    /// How deep two touching shapes overlap at most, as they stand now, m. For tests and tools: it collides
+    /// every touching pair anew.
+    [[nodiscard]] float max_penetration_m() const;
     [[nodiscard]] std::uint64_t step_count() const;
+    /// Whether steps measure their stages; off at first. Costs a look at the clock per stage.
+    void set_profiling(bool enabled);
+    /// Of the last step that was measured.
+    [[nodiscard]] const Profile& profile() const;
     /// 64 bits over poses, velocities, sleep and remembered impulses: worlds with the same history and inputs
     /// have the same hash on every compiler, build type and processor.
     [[nodiscard]] std::uint64_t state_hash() const;
