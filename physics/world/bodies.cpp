@@ -61,7 +61,9 @@ void update_mass(Stores& stores, int body) {
     for_each_shape(stores, body, [&](int shape) {
         const Convex& convex = stores.shapes[shape].convex;
         record.extent_m = std::max(record.extent_m, farthest_distance(convex, record.mass.center_m));
-        record.inner_radius_m = std::min(record.inner_radius_m, inner_radius(convex));
+        // A line has no inside, but its contacts hold from the speculative distance on.
+        const float solid = convex.is_line() ? tuning::kSpeculativeDistance_m : inner_radius(convex);
+        record.inner_radius_m = std::min(record.inner_radius_m, solid);
     });
 
     BodyRows& rows = stores.bodies.rows_of(body);

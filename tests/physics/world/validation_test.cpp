@@ -131,6 +131,14 @@ TEST_CASE("bad shape definitions are refused") {
          [](Scene& s) {
              return message_of(s.world.create_shape(s.box, Circle{{}, 0}));
          }},
+        {"segment.b_m", "(nan, 0)",
+         [](Scene& s) {
+             return message_of(s.world.create_shape(s.box, Segment{{0, 0}, {kNaN, 0}}));
+         }},
+        {"from segment.a_m to segment.b_m", "0.004",
+         [](Scene& s) {
+             return message_of(s.world.create_shape(s.box, Segment{{0, 0}, {0.004f, 0}}));
+         }},
         {"polygon.points_m", "2 distinct points",
          [](Scene& s) {
              const std::array<Vec2, 2> points{Vec2{0, 0}, Vec2{1, 0}};

@@ -26,6 +26,14 @@ struct Capsule {
     float radius_m = 0.25f;
 };
 
+/// A line without thickness or mass, from a_m to b_m, apart by more than 5 mm. Solid from both sides; meets
+/// every shape but other segments. A dynamic body of segments alone has no mass: nothing pushes it, and it
+/// keeps its velocity until it gets a shape that has mass.
+struct Segment {
+    Vec2 a_m{-0.5f, 0};
+    Vec2 b_m{0.5f, 0};
+};
+
 /// A rectangle, turned by angle_rad about its centre; corners rounded outward by radius_m >= 0.
 struct Box {
     float half_width_m = 0.5f;
@@ -42,9 +50,9 @@ struct Polygon {
     float radius_m = 0;
 };
 
-using Geometry = std::variant<Circle, Capsule, Box, Polygon>;
+using Geometry = std::variant<Circle, Capsule, Box, Polygon, Segment>;
 
-enum class ShapeKind : std::uint8_t { Circle, Capsule, Polygon };
+enum class ShapeKind : std::uint8_t { Circle, Capsule, Polygon, Segment };
 
 /// How a surface rubs and bounces. Two materials mix as sqrt(f_a f_b) and max(e_a, e_b).
 struct Material {
@@ -70,8 +78,8 @@ struct ShapeDef {
     std::uint64_t user_data = 0;
 };
 
-/// A shape as the world keeps it: the hull of `count` points (1: circle, 2: capsule, else polygon,
-/// anticlockwise), rounded by radius_m, in the body's frame.
+/// A shape as the world keeps it: the hull of `count` points (1: circle, 2: capsule or segment, else
+/// polygon, anticlockwise), rounded by radius_m, in the body's frame.
 struct Outline {
     ShapeKind kind = ShapeKind::Circle;
     std::uint8_t count = 0;
