@@ -87,6 +87,7 @@ void ContactBlocks::start(int rows) {
 }
 
 int ContactBlocks::choose_bucket(const ContactInput& c, const Motions& motions, float dt_s) {
+    if (c.rolling_m != 0 || c.surface_speed_m_s != 0) return kScalar;
     std::uint32_t used = 0;
     for (const int row : {c.a, c.b}) {
         if (row == kWorldRow) continue;

@@ -171,19 +171,12 @@ void refilter_shape(WorldState& world, int shape) {
                   [&](int contact, int) {
                       const ContactRecord& c = stores.contacts.slots[contact];
                       if (c.shape_a != shape && c.shape_b != shape) return;
-                      if (!may_collide(stores, c.shape_a, c.shape_b))
+                      // The host is asked again only about pairs that are new.
+                      if (stores.rules.filter.may_collide || !may_collide(stores, c.shape_a, c.shape_b))
                           destroy_contact(stores, world.events, contact);
                   });
     stores.broad.touch(stores.shapes[shape].layer, stores.shapes[shape].proxy);
     wake_body(stores, stores.shapes[shape].body);
-}
-
-void remix_contacts(Stores& stores, int shape) {
-    for_each_edge(stores.contacts.slots, stores.bodies.slots[stores.shapes[shape].body].first_contact,
-                  [&](int contact, int) {
-                      ContactRecord& c = stores.contacts.slots[contact];
-                      if (c.shape_a == shape || c.shape_b == shape) mix_materials(stores, c);
-                  });
 }
 
 void teleport(Stores& stores, int body, Position origin_m, double angle_rad) {

@@ -43,6 +43,7 @@ struct ContactRecord {
     bool touching = false;
     bool reports_touch = false;
     bool reports_hit = false;
+    std::uint8_t special = 0;  // bits of world/special_contacts.h
 };
 
 struct ContactStore {

@@ -1,8 +1,6 @@
 // Contact creation, update and removal.
 #include "world/contacts.h"
 
-#include <algorithm>
-
 #include <cairn/physics/tuning.h>
 
 #include "collide/manifold.h"
@@ -10,6 +8,7 @@
 #include "world/fast_bodies.h"
 #include "world/filtering.h"
 #include "world/sleep.h"
+#include "world/special_contacts.h"
 
 namespace cairn::physics {
 namespace {
@@ -27,6 +26,7 @@ void create_contact(Stores& stores, int shape_a, int shape_b) {
     mix_materials(stores, c);
     c.reports_touch = a.def.contact_events || b.def.contact_events;
     c.reports_hit = a.def.hit_events || b.def.hit_events;
+    special::set(c, special::kRefused, !host_allows(stores, shape_a, shape_b));
 
     ContactStore& contacts = stores.contacts;
     const int contact = contacts.slots.insert(c);
@@ -100,13 +100,6 @@ void wake_touched(Stores& stores, const ContactRecord& c) {
 
 }  // namespace
 
-void mix_materials(const Stores& stores, ContactRecord& contact) {
-    const Material& a = stores.shapes[contact.shape_a].def.material;
-    const Material& b = stores.shapes[contact.shape_b].def.material;
-    contact.friction = std::sqrt(a.friction * b.friction);
-    contact.restitution = std::max(a.restitution, b.restitution);
-}
-
 void find_new_pairs(Stores& stores) {
     for (const auto& [a, b] : stores.broad.find_new_pairs()) {
         if (!may_collide(stores, a, b)) continue;
@@ -126,6 +119,7 @@ void update_contacts(Stores& stores, Events& events, std::vector<int>& parted, V
             parted.push_back(contact);
             continue;
         }
+        if (special::has(c, special::kRefused)) continue;
         compute_manifold(stores, c);
         if (c.count == 0) predict_contact(stores, c, gravity_m_s2, dt_s);
         if (c.count == 0) {

@@ -12,9 +12,6 @@ void find_new_pairs(Stores& stores);
 /// touched wake, and their contacts are updated in the same pass.
 void update_contacts(Stores& stores, Events& events, std::vector<int>& parted, Vec2 gravity_m_s2, float dt_s);
 
-/// Friction and restitution of the pair, from the materials of its two shapes.
-void mix_materials(const Stores& stores, ContactRecord& contact);
-
 /// Between steps: the two bodies wake if the contact held them; its end is told with the next step.
 void destroy_contact(Stores& stores, Events& events, int contact);
 

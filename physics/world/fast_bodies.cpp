@@ -8,6 +8,7 @@
 #include "collide/ray_cast.h"
 #include "world/filtering.h"
 #include "world/finalize.h"
+#include "world/special_contacts.h"
 
 namespace cairn::physics {
 namespace {
@@ -84,7 +85,7 @@ float free_share_of_way(const Stores& stores, int body) {
         const float long_way = length(way);
         if (long_way == 0) continue;
         const auto visit = [&](int other) {
-            if (!may_collide(stores, s, other)) return 1.0f;
+            if (!may_collide(stores, s, other) || lets_pass(stores, s, other)) return 1.0f;
             const auto hit = cast_relative_way(stores, other, from, way);
             if (hit) share = std::min(share, std::max(hit->fraction - inner_radius(convex) / long_way, 0.0f));
             return 1.0f;

@@ -34,4 +34,11 @@ inline bool may_collide(const Stores& stores, int shape_a, int shape_b) {
     return allowed;
 }
 
+/// The host's word on a new pair; see PairFilter.
+inline bool host_allows(const Stores& stores, int shape_a, int shape_b) {
+    const PairFilter& filter = stores.rules.filter;
+    return !filter.may_collide ||
+           filter.may_collide(filter.context, stores.shapes.id(shape_a), stores.shapes.id(shape_b));
+}
+
 }  // namespace cairn::physics

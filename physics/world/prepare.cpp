@@ -6,6 +6,7 @@
 #include <cairn/physics/tuning.h>
 
 #include "world/contact_events.h"
+#include "world/special_contacts.h"
 
 namespace cairn::physics {
 namespace {
@@ -117,6 +118,11 @@ ContactInput unpack(const Stores& stores, const ContactRecord& record, int conta
     input.friction_impulse = time.impulse_ratio * record.friction_impulse;
     input.radius_a = record.radius_a;
     input.radius_b = record.radius_b;
+    if (special::has(record, special::kSurface)) {
+        const SurfaceEffects effects = surface_effects(stores, record);
+        input.rolling_m = effects.rolling_m;
+        input.surface_speed_m_s = effects.speed_m_s;
+    }
     input.reports = record.reports_touch || record.reports_hit || record.restitution > 0;
     return input;
 }

@@ -35,7 +35,7 @@ Material Shape::material() const {
 Result<void> Shape::set_material(Material material) {
     if (auto fault = validate(material)) return *fault;
     record_of(*world_, id_).def.material = material;
-    remix_contacts(world_->stores, slot_of(*world_, id_));
+    remix_contacts_of_shape(world_->stores, slot_of(*world_, id_));
     return {};
 }
 

@@ -21,6 +21,7 @@ void add_body(StateHash& hash, const BodyStore& bodies, int body) {
 
 void add_contact(StateHash& hash, const ContactRecord& c) {
     hash.add(static_cast<std::uint64_t>(c.shape_a) << 32 | static_cast<std::uint32_t>(c.shape_b));
+    if (c.special != 0) hash.add(std::uint64_t{c.special});
     for (int i = 0; i < c.count; ++i) {
         hash.add(std::uint64_t{c.points[i].id});
         hash.add(c.points[i].normal_impulse, c.friction_impulse);

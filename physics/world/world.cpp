@@ -188,6 +188,23 @@ Result<std::optional<ShapeId>> World::shape_at(Position point_m, QueryFilter fil
     return physics::shape_at(state_->stores, point_m, filter);
 }
 
+void World::set_pair_filter(PairFilter filter) {
+    state_->stores.rules.filter = filter;
+}
+
+Result<void> World::set_material_rule(int kind_a, int kind_b, const MaterialRule& rule) {
+    if (auto fault = check::first_of({validate_material_kinds(kind_a, kind_b), validate(rule)}))
+        return *fault;
+    state_->stores.rules.mixing.set(kind_a, kind_b, rule);
+    remix_contacts_of_kinds(state_->stores, kind_a, kind_b);
+    return {};
+}
+
+Result<MaterialRule> World::material_rule(int kind_a, int kind_b) const {
+    if (auto fault = validate_material_kinds(kind_a, kind_b)) return *fault;
+    return state_->stores.rules.mixing.rule(kind_a, kind_b);
+}
+
 Vec2 World::gravity() const {
     return state_->def.gravity_m_s2;
 }

@@ -16,9 +16,16 @@
 #include "world/body_store.h"
 #include "world/contact_store.h"
 #include "world/joint_store.h"
+#include "world/material_mixing.h"
 #include "world/shape_store.h"
 
 namespace cairn::physics {
+
+/// What the host said about pairs of shapes in general.
+struct PairRules {
+    PairFilter filter;
+    MixingTable mixing;
+};
 
 /// The objects of a world and how they hang together.
 struct Stores {
@@ -29,6 +36,7 @@ struct Stores {
     ContactStore contacts;
     JointStore joints;
     BroadPhase broad;
+    PairRules rules;
 };
 
 struct Events {

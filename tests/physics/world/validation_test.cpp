@@ -127,6 +127,12 @@ TEST_CASE("bad shape definitions are refused") {
         bad_def("material.restitution", "1.5", ShapeDef{.material = {.restitution = 1.5f}}),
         bad_def("material.restitution", "-0.5", ShapeDef{.material = {.restitution = -0.5f}}),
         bad_def("material.restitution", "nan", ShapeDef{.material = {.restitution = kNaN}}),
+        bad_def("material.rolling_resistance", "-1", ShapeDef{.material = {.rolling_resistance = -1}}),
+        bad_def("material.rolling_resistance", "inf",
+                ShapeDef{.material = {.rolling_resistance = kInfinity}}),
+        bad_def("material.surface_speed_m_s", "nan", ShapeDef{.material = {.surface_speed_m_s = kNaN}}),
+        bad_def("material.kind", "-1", ShapeDef{.material = {.kind = -1}}),
+        bad_def("material.kind", "64", ShapeDef{.material = {.kind = 64}}),
         {"circle.radius_m", "0",
          [](Scene& s) {
              return message_of(s.world.create_shape(s.box, Circle{{}, 0}));

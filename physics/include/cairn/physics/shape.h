@@ -54,10 +54,22 @@ using Geometry = std::variant<Circle, Capsule, Box, Polygon, Segment>;
 
 enum class ShapeKind : std::uint8_t { Circle, Capsule, Polygon, Segment };
 
-/// How a surface rubs and bounces. Two materials mix as sqrt(f_a f_b) and max(e_a, e_b).
+inline constexpr int kMaterialKinds = 64;
+
+/// How a surface rubs, bounces, rolls and runs. Two materials mix as sqrt(f_a f_b) and max(e_a, e_b), unless
+/// World::set_material_rule says otherwise for their kinds; of two rolling resistances the larger counts,
+/// surface speeds add up.
 struct Material {
     float friction = 0.6f;  ///< Coulomb coefficient, >= 0
     float restitution = 0;  ///< share of the approach speed given back, 0..1
+    /// Coefficient, >= 0: a torque of up to this times the normal force times the radius by which the shape
+    /// is rounded (the larger of the two) resists rolling. A disc that rolls on level ground slows down by
+    /// 2/3 of this times g.
+    float rolling_resistance = 0;
+    /// The surface runs clockwise round the shape, as a conveyor belt does: positive carries to the right
+    /// what lies on top. Friction does the carrying.
+    float surface_speed_m_s = 0;
+    int kind = 0;  ///< what World::set_material_rule knows it by, 0..kMaterialKinds - 1
 };
 
 /// Who collides with whom. A pair collides when each one's categories meet the other's mask. Two shapes of

@@ -14,6 +14,7 @@
 #include <cairn/physics/profile.h>
 #include <cairn/physics/query.h>
 #include <cairn/physics/result.h>
+#include <cairn/physics/rules.h>
 #include <cairn/physics/shape.h>
 
 namespace cairn::physics {
@@ -33,7 +34,7 @@ struct Counts {
     int awake_bodies = 0;  ///< dynamic and kinematic
     int shapes = 0;
     int joints = 0;
-    int contacts = 0;  ///< pairs of shapes that are near each other
+    int contacts = 0;  ///< pairs of shapes that are near each other, those refused by the host too
     int touching = 0;  ///< of those, the pairs that touch
 };
 
@@ -45,7 +46,7 @@ class Shape {
     [[nodiscard]] const Outline& outline() const;
     [[nodiscard]] float density() const;
     [[nodiscard]] Material material() const;
-    Result<void> set_material(Material material);  ///< from the next step on
+    Result<void> set_material(Material material);  ///< from the next step on; wakes what touches it
     [[nodiscard]] Filter filter() const;
     void set_filter(Filter filter);  ///< ends touching that the new filter forbids
     [[nodiscard]] std::uint64_t user_data() const;
@@ -112,6 +113,15 @@ class World {
                                            QueryFilter filter = {}) const;
     /// A shape that contains the point; of several, always the same one.
     Result<std::optional<ShapeId>> shape_at(Position point_m, QueryFilter filter = {}) const;
+
+    /// The host's word on which pairs collide, besides their filters. Pairs that are near each other already
+    /// keep the answer they have.
+    void set_pair_filter(PairFilter filter);
+
+    /// How materials of two kinds mix, in either order, from the next step on. Wakes what it makes a
+    /// difference to.
+    Result<void> set_material_rule(int kind_a, int kind_b, const MaterialRule& rule);
+    [[nodiscard]] Result<MaterialRule> material_rule(int kind_a, int kind_b) const;
 
     [[nodiscard]] Vec2 gravity() const;
     Result<void> set_gravity(Vec2 gravity_m_s2);  ///< wakes every body
