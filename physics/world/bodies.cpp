@@ -129,11 +129,17 @@ void destroy_body(WorldState& world, int body) {
         stores.broad.remove(stores.shapes[shape].layer, stores.shapes[shape].proxy);
         stores.shapes.erase(shape);
     });
+    while (stores.bodies.slots[body].first_sensor != kNone) {
+        destroy_sensor(world, stores.bodies.slots[body].first_sensor);
+    }
+    stores.sensors.outdated = true;
     stores.bodies.remove_row(body);
     stores.bodies.slots.erase(body);
 }
 
 int create_shape(Stores& stores, int body, const Convex& convex, const ShapeDef& def) {
+    if (def.sensor) return create_sensor(stores, body, convex, def);
+    stores.sensors.outdated = true;
     BodyRecord& owner = stores.bodies.slots[body];
     const Aabb box = bounds(convex, stores.bodies.transform(body));
     ShapeRecord record;
@@ -156,6 +162,8 @@ int create_shape(Stores& stores, int body, const Convex& convex, const ShapeDef&
 
 void destroy_shape(WorldState& world, int shape) {
     Stores& stores = world.stores;
+    if (stores.shapes[shape].def.sensor) return destroy_sensor(world, shape);
+    stores.sensors.outdated = true;
     const int body = stores.shapes[shape].body;
     wake_body(stores, body);
     destroy_contacts_of(world, shape);
@@ -167,6 +175,8 @@ void destroy_shape(WorldState& world, int shape) {
 
 void refilter_shape(WorldState& world, int shape) {
     Stores& stores = world.stores;
+    stores.sensors.outdated = true;
+    if (stores.shapes[shape].def.sensor) return;
     for_each_edge(stores.contacts.slots, stores.bodies.slots[stores.shapes[shape].body].first_contact,
                   [&](int contact, int) {
                       const ContactRecord& c = stores.contacts.slots[contact];
@@ -189,6 +199,7 @@ void teleport(Stores& stores, int body, Position origin_m, double angle_rad) {
     rows.center[record.row] = transform_point(xf, record.mass.center_m);
     rows.moved[record.row] = {};
     update_boxes(stores, body);
+    stores.sensors.outdated = true;
     if (record.type != BodyType::Static) return;
     // A static body never wakes anything by touching it, so what sleeps at its new place is woken here.
     for_each_shape(stores, body, [&](int shape) {

@@ -19,6 +19,8 @@ std::string_view name(Stage stage) {
             return "finalize";
         case Stage::Continuous:
             return "continuous";
+        case Stage::Sensors:
+            return "sensors";
         case Stage::Sleep:
             return "sleep";
     }

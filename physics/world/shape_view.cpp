@@ -48,6 +48,17 @@ void Shape::set_filter(Filter filter) {
     refilter_shape(*world_, slot_of(*world_, id_));
 }
 
+bool Shape::is_sensor() const {
+    return record_of(*world_, id_).def.sensor;
+}
+bool Shape::is_seen_by_sensors() const {
+    return record_of(*world_, id_).def.seen_by_sensors;
+}
+void Shape::set_seen_by_sensors(bool seen) {
+    record_of(*world_, id_).def.seen_by_sensors = seen;
+    world_->stores.sensors.outdated = true;
+}
+
 std::uint64_t Shape::user_data() const {
     return record_of(*world_, id_).def.user_data;
 }

@@ -8,6 +8,7 @@
 #include "world/fast_bodies.h"
 #include "world/finalize.h"
 #include "world/prepare.h"
+#include "world/sensors.h"
 #include "world/sleep.h"
 #include "world/solve.h"
 #include "world/statics.h"
@@ -56,6 +57,8 @@ void step_world(WorldState& world, float dt_s) {
     finalize_bodies(stores, scratch, time.dt_s, def.enable_sleep, world.events.quarantined);
     clock.enter(Stage::Continuous);
     hold_fast_bodies(stores, scratch.fast);
+    clock.enter(Stage::Sensors);
+    update_sensors(stores, world.events);
     clock.enter(Stage::Sleep);
     sleep_islands(stores, scratch);
     world.previous_h_s = time.h_s;

@@ -170,6 +170,21 @@ std::span<const ContactEnd> World::contact_ends() const {
 std::span<const ContactHit> World::contact_hits() const {
     return state_->events.hits;
 }
+std::span<const SensorBegin> World::sensor_begins() const {
+    return state_->events.sensor_begins;
+}
+std::span<const SensorEnd> World::sensor_ends() const {
+    return state_->events.sensor_ends;
+}
+
+Result<std::vector<ShapeId>> World::sensor_overlaps(ShapeId sensor) const {
+    const Result<int> shape = find(state_->stores.shapes, sensor, "shape");
+    if (!shape) return shape.error();
+    const int place = state_->stores.shapes[*shape].sensor;
+    if (place == kNone) return Error{"the shape is no sensor, but must be one (ShapeDef::sensor)"};
+    return state_->stores.sensors.all[place].inside;
+}
+
 std::span<const BodyId> World::quarantined() const {
     return state_->events.quarantined;
 }

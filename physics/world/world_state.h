@@ -17,6 +17,7 @@
 #include "world/contact_store.h"
 #include "world/joint_store.h"
 #include "world/material_mixing.h"
+#include "world/sensors.h"
 #include "world/shape_store.h"
 
 namespace cairn::physics {
@@ -37,15 +38,19 @@ struct Stores {
     JointStore joints;
     BroadPhase broad;
     PairRules rules;
+    SensorStore sensors;
 };
 
 struct Events {
     std::vector<ContactBegin> begins;
     std::vector<ContactEnd> ends;
     std::vector<ContactHit> hits;
+    std::vector<SensorBegin> sensor_begins;
+    std::vector<SensorEnd> sensor_ends;
     std::vector<BodyId> quarantined;
     /// Ends caused between steps, by destroying things; they are told with the next step.
     std::vector<ContactEnd> pending_ends;
+    std::vector<SensorEnd> pending_sensor_ends;
 };
 
 std::uint64_t hash_state(const WorldState& world);
@@ -57,6 +62,9 @@ inline void start_events(Events& events) {
     events.quarantined.clear();
     events.ends.clear();
     events.ends.swap(events.pending_ends);
+    events.sensor_begins.clear();
+    events.sensor_ends.clear();
+    events.sensor_ends.swap(events.pending_sensor_ends);
 }
 
 /// A contact point that bears a body from below.

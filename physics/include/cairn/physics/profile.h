@@ -18,13 +18,15 @@ enum class Stage : std::uint8_t {
     Store,       ///< restitution, events, and the impulses that the next step starts from
     Finalize,    ///< bodies take their new places
     Continuous,  ///< fast bodies are held back
+    Sensors,     ///< what overlaps sensors
     Sleep,       ///< islands at rest fall asleep
 };
 
-inline constexpr std::array kStages{Stage::Pairs, Stage::Contacts, Stage::Prepare,    Stage::Solve,
-                                    Stage::Store, Stage::Finalize, Stage::Continuous, Stage::Sleep};
+inline constexpr std::array kStages{Stage::Pairs,      Stage::Contacts, Stage::Prepare,
+                                    Stage::Solve,      Stage::Store,    Stage::Finalize,
+                                    Stage::Continuous, Stage::Sensors,  Stage::Sleep};
 
-/// "pairs", "contacts", "prepare", "solve", "store", "finalize", "continuous" or "sleep".
+/// "pairs", "contacts", "prepare", "solve", "store", "finalize", "continuous", "sensors" or "sleep".
 std::string_view name(Stage stage);
 
 /// Milliseconds of one step, stage by stage.

@@ -87,6 +87,12 @@ struct ShapeDef {
     Filter filter{};
     bool contact_events = false;  ///< report begin and end of touching; either shape of a pair is enough
     bool hit_events = false;  ///< report impacts faster than WorldDef::hit_speed_m_s; either shape is enough
+    /// A sensor collides with nothing and has no mass; it notes which shapes overlap it at the end of each
+    /// step: of static, kinematic, dynamic and sleeping bodies alike, without waking them. It does not see
+    /// other sensors, shapes of its own body, what the filters forbid, nor, on a static body, other static
+    /// shapes. Rays and other queries do not see sensors.
+    bool sensor = false;
+    bool seen_by_sensors = true;
     std::uint64_t user_data = 0;
 };
 

@@ -49,6 +49,9 @@ class Shape {
     Result<void> set_material(Material material);  ///< from the next step on; wakes what touches it
     [[nodiscard]] Filter filter() const;
     void set_filter(Filter filter);  ///< ends touching that the new filter forbids
+    [[nodiscard]] bool is_sensor() const;
+    [[nodiscard]] bool is_seen_by_sensors() const;
+    void set_seen_by_sensors(bool seen);  ///< sensors notice with the next step
     [[nodiscard]] std::uint64_t user_data() const;
     void set_user_data(std::uint64_t data);
 
@@ -103,6 +106,14 @@ class World {
     [[nodiscard]] std::span<const ContactBegin> contact_begins() const;
     [[nodiscard]] std::span<const ContactEnd> contact_ends() const;
     [[nodiscard]] std::span<const ContactHit> contact_hits() const;
+
+    /// What came to overlap sensors, and what ceased to, from the end of one step to the end of the next:
+    /// what passes a sensor within a single step is not seen. Ordered and valid as the events of contacts.
+    [[nodiscard]] std::span<const SensorBegin> sensor_begins() const;
+    [[nodiscard]] std::span<const SensorEnd> sensor_ends() const;
+    /// The shapes that overlapped a sensor at the end of the last step; those destroyed since are among them
+    /// still.
+    Result<std::vector<ShapeId>> sensor_overlaps(ShapeId sensor) const;
 
     /// Bodies whose motion became infinite or NaN in the last step. They were put back to where the step
     /// found them, and stopped. Empty unless forces or impulses beyond all measure act.
