@@ -7,7 +7,6 @@
 #include "world/bodies.h"
 #include "world/joints.h"
 #include "world/measures.h"
-#include "world/queries.h"
 #include "world/sleep.h"
 #include "world/step.h"
 #include "world/validation.h"
@@ -187,20 +186,6 @@ Result<std::vector<ShapeId>> World::sensor_overlaps(ShapeId sensor) const {
 
 std::span<const BodyId> World::quarantined() const {
     return state_->events.quarantined;
-}
-
-Result<std::optional<RayHit>> World::cast_ray(Position origin_m, Vec2 translation_m,
-                                              QueryFilter filter) const {
-    if (auto fault = check::first_of(
-            {check::finite("ray.origin_m", origin_m), check::finite("ray.translation_m", translation_m)})) {
-        return *fault;
-    }
-    return cast_ray_closest(state_->stores, origin_m, translation_m, filter);
-}
-
-Result<std::optional<ShapeId>> World::shape_at(Position point_m, QueryFilter filter) const {
-    if (auto fault = check::finite("point_m", point_m)) return *fault;
-    return physics::shape_at(state_->stores, point_m, filter);
 }
 
 void World::set_pair_filter(PairFilter filter) {

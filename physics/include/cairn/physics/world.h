@@ -63,9 +63,10 @@ class Shape {
     ShapeId id_;
 };
 
-/// A world of rigid bodies. Movable, not copyable. One thread at a time may use it; different worlds are
-/// independent. Every function that takes a handle or a number from outside gives an error for a null, stale
-/// or foreign handle and for a bad number, naming it, and then changes nothing.
+/// A world of rigid bodies. Movable, not copyable. One thread at a time may change it, and none may read it
+/// meanwhile; different worlds are independent. Every function that takes a handle or a number from outside
+/// gives an error for a null, stale or foreign handle and for a bad number, naming it, and then changes
+/// nothing.
 class World {
   public:
     /// Ends the program for a bad definition, as `create(def).value()` does.
@@ -119,11 +120,41 @@ class World {
     /// found them, and stopped. Empty unless forces or impulses beyond all measure act.
     [[nodiscard]] std::span<const BodyId> quarantined() const;
 
-    /// The first shape met from origin_m to origin_m + translation_m.
+    // Queries. Between steps any number of threads may ask at once, as long as none changes the world. Each
+    // gives an error for NaN and infinity, for places beyond 1e12 m and lengths beyond 1e9 m, and for
+    // geometry that `create_shape` would refuse. Lists are ordered by fraction or distance, then by slot of
+    // the shape.
+
+    /// The first shape met from origin_m to origin_m + translation_m. A ray without length meets nothing.
     Result<std::optional<RayHit>> cast_ray(Position origin_m, Vec2 translation_m,
                                            QueryFilter filter = {}) const;
+    /// All shapes met; each once, where the ray enters it.
+    Result<std::vector<RayHit>> cast_ray_all(Position origin_m, Vec2 translation_m,
+                                             QueryFilter filter = {}) const;
+    /// The first shape met by one that moves, without turning, from `start` on. What it overlaps at the start
+    /// is met at fraction 0. Exact for rounded shapes too.
+    Result<std::optional<ShapeHit>> cast_shape(const Geometry& geometry, const Transform& start,
+                                               Vec2 translation_m, QueryFilter filter = {}) const;
+    /// All shapes met; each once, where it is first touched.
+    Result<std::vector<ShapeHit>> cast_shape_all(const Geometry& geometry, const Transform& start,
+                                                 Vec2 translation_m, QueryFilter filter = {}) const;
     /// A shape that contains the point; of several, always the same one.
     Result<std::optional<ShapeId>> shape_at(Position point_m, QueryFilter filter = {}) const;
+    /// The shapes that the geometry touches or overlaps at the pose.
+    Result<std::vector<ShapeId>> shapes_overlapping(const Geometry& geometry, const Transform& pose,
+                                                    QueryFilter filter = {}) const;
+    /// The shapes that touch or overlap the box: the shapes, not their bounds. lower_m <= upper_m.
+    Result<std::vector<ShapeId>> shapes_in_box(Position lower_m, Position upper_m,
+                                               QueryFilter filter = {}) const;
+    /// The nearest surface within radius_m; inside shapes, of the deepest one.
+    Result<std::optional<SurfacePoint>> closest_point(Position point_m, float radius_m,
+                                                      QueryFilter filter = {}) const;
+    /// The nearest point of each shape within radius_m.
+    Result<std::vector<SurfacePoint>> closest_points(Position point_m, float radius_m,
+                                                     QueryFilter filter = {}) const;
+    /// What limits the geometry at the pose: a line for each shape within reach_m, ordered by slot.
+    Result<std::vector<CollisionPlane>> collision_planes(const Geometry& geometry, const Transform& pose,
+                                                         float reach_m, QueryFilter filter = {}) const;
 
     /// The host's word on which pairs collide, besides their filters. Pairs that are near each other already
     /// keep the answer they have.
