@@ -52,19 +52,34 @@ Result<Convex> convert(const Circle& circle) {
     return shape;
 }
 
+check::Fault apart(const char* field, Vec2 a, Vec2 b) {
+    const double distance = static_cast<double>(length(b - a));
+    return check::require(distance > static_cast<double>(tuning::kLinearSlop_m), field, distance,
+                          "greater than 0.005 m (for one point take a circle)");
+}
+
 Result<Convex> convert(const Capsule& capsule) {
-    const double apart = static_cast<double>(length(capsule.b_m - capsule.a_m));
-    if (auto fault =
-            check::first_of({size("capsule.radius_m", static_cast<double>(capsule.radius_m)),
-                             place("capsule.a_m", capsule.a_m), place("capsule.b_m", capsule.b_m),
-                             check::require(apart > static_cast<double>(tuning::kLinearSlop_m),
-                                            "the distance from capsule.a_m to capsule.b_m", apart,
-                                            "greater than 0.005 m (for one point take a circle)")})) {
+    if (auto fault = check::first_of(
+            {size("capsule.radius_m", static_cast<double>(capsule.radius_m)),
+             place("capsule.a_m", capsule.a_m), place("capsule.b_m", capsule.b_m),
+             apart("the distance from capsule.a_m to capsule.b_m", capsule.a_m, capsule.b_m)})) {
         return *fault;
     }
     Convex shape;
     shape.outline.kind = ShapeKind::Capsule;
     set_points(shape, std::array{capsule.a_m, capsule.b_m}, capsule.radius_m);
+    return shape;
+}
+
+Result<Convex> convert(const Segment& segment) {
+    if (auto fault = check::first_of(
+            {place("segment.a_m", segment.a_m), place("segment.b_m", segment.b_m),
+             apart("the distance from segment.a_m to segment.b_m", segment.a_m, segment.b_m)})) {
+        return *fault;
+    }
+    Convex shape;
+    shape.outline.kind = ShapeKind::Segment;
+    set_points(shape, std::array{segment.a_m, segment.b_m}, 0);
     return shape;
 }
 

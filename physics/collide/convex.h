@@ -1,6 +1,6 @@
-// The one form in which all shapes collide: the convex hull of 1 (circle), 2 (capsule) or 3 to 8 points
-// (polygon), rounded by a radius. Invariant: points run anticlockwise; normals[i] is the outward unit normal
-// of the edge from point i to point i + 1. A capsule has two edges, there and back.
+// The one form in which all shapes collide: the convex hull of 1 (circle), 2 (capsule, segment) or 3 to 8
+// points (polygon), rounded by a radius. Invariant: points run anticlockwise; normals[i] is the outward unit
+// normal of the edge from point i to point i + 1. Capsules and segments have two edges, there and back.
 #pragma once
 
 #include <array>
@@ -24,6 +24,7 @@ struct Convex {
     [[nodiscard]] int next(int i) const { return i + 1 < outline.count ? i + 1 : 0; }
     [[nodiscard]] const Vec2& point(int i) const { return outline.points_m[i]; }
     [[nodiscard]] float radius() const { return outline.radius_m; }
+    [[nodiscard]] bool is_line() const { return outline.kind == ShapeKind::Segment; }
 };
 
 /// Checks the description and brings it into this form. Errors name the field, the value and the rule.

@@ -167,7 +167,9 @@ Manifold collide_hulls(const Convex& shape_a, const Convex& shape_b, const Relat
     constexpr float kAboutEqual_m = 0.1f * tuning::kLinearSlop_m;
     const bool prefer_b = axis_b.separation > axis_a.separation + kAboutEqual_m;
     const Candidate preferred = prefer_b ? Candidate(b, a, axis_b, true) : Candidate(a, b, axis_a, false);
-    const bool apart = std::max(axis_a.separation, axis_b.separation) > kAboutEqual_m;
+    // Cores without an inside may lie apart on one line, which none of their normals can tell.
+    const bool in_line = a.count == 2 && b.count == 2 && preferred.clipped.beside;
+    const bool apart = in_line || std::max(axis_a.separation, axis_b.separation) > kAboutEqual_m;
     if (!apart || preferred.is_nearest()) return preferred.manifold(reach_m);
 
     const bool other_is_about_equal = std::fabs(axis_a.separation - axis_b.separation) <= kAboutEqual_m;

@@ -18,6 +18,7 @@ RelativePose inverse(const RelativePose& pose) {
 }  // namespace
 
 Manifold collide(const Convex& a, const Convex& b, const RelativePose& b_in_a, float reach_m) {
+    if (a.is_line() && b.is_line()) return {};
     const bool circle_a = a.outline.kind == ShapeKind::Circle;
     const bool circle_b = b.outline.kind == ShapeKind::Circle;
     if (circle_a && circle_b) return collide_circles(a, b, b_in_a, reach_m);

@@ -31,16 +31,17 @@ struct RelativePose {
 };
 
 /// Points whose separation is at most `reach_m`. Shapes may be of any kinds; one file for each pair of kinds.
+/// Lines do not meet each other.
 Manifold collide(const Convex& a, const Convex& b, const RelativePose& b_in_a, float reach_m);
 
 Manifold collide_circles(const Convex& a, const Convex& b, const RelativePose& b_in_a, float reach_m);
-/// A is a capsule or polygon, B a circle.
+/// A is a capsule, segment or polygon, B a circle.
 Manifold collide_hull_and_circle(const Convex& a, const Convex& b, const RelativePose& b_in_a, float reach_m);
 /// Both are boxes, which need no search for axes. Nothing when only the general routine can tell where they
 /// meet.
 std::optional<Manifold> collide_boxes(const Convex& a, const Convex& b, const RelativePose& b_in_a,
                                       float reach_m);
-/// Both are capsules or polygons.
+/// Both are capsules, segments or polygons, and not both segments.
 Manifold collide_hulls(const Convex& a, const Convex& b, const RelativePose& b_in_a, float reach_m);
 
 }  // namespace cairn::physics

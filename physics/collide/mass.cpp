@@ -55,6 +55,7 @@ MassSum mass_of(const Convex& shape, double density) {
         const double mass = density * deterministic::acos(-1) * radius * radius;
         return part(mass, to_double(shape.point(0)), mass * radius * radius / 2);
     }
+    if (shape.is_line()) return sum;
     for (int i = 0; i < n; ++i) {
         const Point a = to_double(shape.point(i));
         const Point b = to_double(shape.point(shape.next(i)));

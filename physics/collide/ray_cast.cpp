@@ -40,14 +40,21 @@ void cast_at_disc(std::optional<LocalRayHit>& best, Vec2 center, float radius, V
 
 std::optional<LocalRayHit> cast_ray(const Convex& shape, Vec2 origin, Vec2 translation) {
     if (contains_point(shape, origin)) return {};
+    const auto count = static_cast<std::size_t>(shape.count());
+    return cast_ray_at_outline(std::span(shape.outline.points_m).first(count),
+                               std::span(shape.normals).first(count), shape.radius(), origin, translation);
+}
+
+std::optional<LocalRayHit> cast_ray_at_outline(std::span<const Vec2> points, std::span<const Vec2> normals,
+                                               float radius, Vec2 origin, Vec2 translation) {
     std::optional<LocalRayHit> best;
-    for (int i = 0; i < shape.count(); ++i) {
-        if (shape.count() >= 2) {
-            const Vec2 out = shape.radius() * shape.normals[i];
-            cast_at_edge(best, shape.point(i) + out, shape.point(shape.next(i)) + out, shape.normals[i],
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (points.size() >= 2) {
+            const Vec2 out = radius * normals[i];
+            cast_at_edge(best, points[i] + out, points[i + 1 < points.size() ? i + 1 : 0] + out, normals[i],
                          origin, translation);
         }
-        if (shape.radius() > 0) cast_at_disc(best, shape.point(i), shape.radius(), origin, translation);
+        if (radius > 0) cast_at_disc(best, points[i], radius, origin, translation);
     }
     return best;
 }

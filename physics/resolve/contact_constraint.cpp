@@ -137,12 +137,28 @@ std::array<float, 2> relaxed_targets(ContactConstraint& c, const Motion& a, cons
     return targets;
 }
 
+float total_normal(const ContactConstraint& c) {
+    float sum = 0;
+    for (int i = 0; i < c.count; ++i) sum += c.points[i].normal_impulse;
+    return sum;
+}
+
+// Coulomb's law for turning: |lambda| <= rolling_m lambda_n against wB - wA.
+void solve_rolling(ContactConstraint& c, Motion& a, Motion& b) {
+    if (c.rolling_m == 0) return;
+    const float limit = c.rolling_m * total_normal(c);
+    const float impulse = std::clamp(c.rolling_impulse - c.rolling_mass * (b.w - a.w), -limit, limit);
+    const float change = impulse - c.rolling_impulse;
+    c.rolling_impulse = impulse;
+    a.w -= a.inverse_inertia * change;
+    b.w += b.inverse_inertia * change;
+}
+
 void solve_friction(ContactConstraint& c, Motion& a, Motion& b) {
     const Vec2 tangent = right_perp(c.normal);
-    const float jv = dot(relative_velocity(a, b, c.friction_r_a, c.friction_r_b), tangent);
-    float limit = 0;
-    for (int i = 0; i < c.count; ++i) limit += c.points[i].normal_impulse;
-    limit *= c.friction;
+    const float jv =
+        dot(relative_velocity(a, b, c.friction_r_a, c.friction_r_b), tangent) - c.surface_speed_m_s;
+    const float limit = c.friction * total_normal(c);
     const float impulse = std::clamp(c.friction_impulse - c.tangent_mass * jv, -limit, limit);
     const float change = impulse - c.friction_impulse;
     c.friction_impulse = impulse;
@@ -181,6 +197,8 @@ ContactConstraint make_contact(const ContactInput& input, const Motions& motions
     c.friction = input.friction;
     c.restitution = input.restitution;
     c.friction_impulse = input.friction_impulse;
+    c.surface_speed_m_s = input.surface_speed_m_s;
+    c.rolling_m = input.rolling_m;
     c.count = input.count;
     for (int i = 0; i < c.count; ++i) {
         c.points[i].r_a = input.points[i].r_a;
@@ -203,6 +221,8 @@ ContactConstraint make_contact(const ContactInput& input, const Motions& motions
         c.friction_r_b = 0.5f * (c.friction_r_b + c.points[1].r_b);
     }
     c.tangent_mass = effective_mass(a, b, c.friction_r_a, c.friction_r_b, right_perp(c.normal));
+    const float turning = a.inverse_inertia + b.inverse_inertia;
+    c.rolling_mass = turning > 0 ? 1 / turning : 0;
     for (int i = 0; i < c.count; ++i) {
         ContactPointConstraint& p = c.points[i];
         p.normal_mass = effective_mass(a, b, p.r_a, p.r_b, c.normal);
@@ -232,6 +252,7 @@ void solve_contact(ContactConstraint& c, Motions& motions, const ContactRules& r
     if (pass == Pass::Relax) {
         const std::array<float, 2> targets = relaxed_targets(c, a, b, h_s);
         reach_targets(c, a, b, targets);
+        solve_rolling(c, a, b);
         solve_friction(c, a, b);
         // Again, since friction turns the bodies and what comes last is satisfied best.
         reach_targets(c, a, b, targets);
@@ -239,6 +260,7 @@ void solve_contact(ContactConstraint& c, Motions& motions, const ContactRules& r
     } else {
         // Normals first, so that friction is limited by their fresh impulses.
         for (int i = 0; i < c.count; ++i) solve_biased(c, c.points[i], a, b, rules, h_s);
+        solve_rolling(c, a, b);
         solve_friction(c, a, b);
     }
     motions.set(c.a, a);

@@ -33,6 +33,8 @@ struct ContactInput {
     float friction_impulse;
     float radius_a;  // by which the shapes are rounded
     float radius_b;
+    float rolling_m = 0;          // torque that resists rolling, per normal force
+    float surface_speed_m_s = 0;  // of b past a along the tangent, which friction brings about
 };
 
 /// m/s. A new contact that closes slower than this is one of things put down, not of an impact.
@@ -70,6 +72,11 @@ struct ContactConstraint {
     Vec2 friction_r_b;
     float tangent_mass = 0;
     float friction_impulse = 0;
+    float surface_speed_m_s = 0;
+    // One row against rolling, which starts from 0 in each step.
+    float rolling_m = 0;
+    float rolling_mass = 0;
+    float rolling_impulse = 0;
 };
 
 /// A contact is soft about its static estimate, but about no more than this times what it bore last, so that

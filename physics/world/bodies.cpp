@@ -62,7 +62,9 @@ void update_mass(Stores& stores, int body) {
     for_each_shape(stores, body, [&](int shape) {
         const Convex& convex = stores.shapes[shape].convex;
         record.extent_m = std::max(record.extent_m, farthest_distance(convex, record.mass.center_m));
-        record.inner_radius_m = std::min(record.inner_radius_m, inner_radius(convex));
+        // A line has no inside, but its contacts hold from the speculative distance on.
+        const float solid = convex.is_line() ? tuning::kSpeculativeDistance_m : inner_radius(convex);
+        record.inner_radius_m = std::min(record.inner_radius_m, solid);
     });
 
     BodyRows& rows = stores.bodies.rows_of(body);
@@ -131,11 +133,17 @@ void destroy_body(WorldState& world, int body) {
         stores.broad.remove(stores.shapes[shape].layer, stores.shapes[shape].proxy);
         stores.shapes.erase(shape);
     });
+    while (stores.bodies.slots[body].first_sensor != kNone) {
+        destroy_sensor(world, stores.bodies.slots[body].first_sensor);
+    }
+    stores.sensors.outdated = true;
     stores.bodies.remove_row(body);
     stores.bodies.slots.erase(body);
 }
 
 int create_shape(Stores& stores, int body, const Convex& convex, const ShapeDef& def) {
+    if (def.sensor) return create_sensor(stores, body, convex, def);
+    stores.sensors.outdated = true;
     BodyRecord& owner = stores.bodies.slots[body];
     const Aabb box = bounds(convex, stores.bodies.transform(body));
     ShapeRecord record;
@@ -158,6 +166,8 @@ int create_shape(Stores& stores, int body, const Convex& convex, const ShapeDef&
 
 void destroy_shape(WorldState& world, int shape) {
     Stores& stores = world.stores;
+    if (stores.shapes[shape].def.sensor) return destroy_sensor(world, shape);
+    stores.sensors.outdated = true;
     const int body = stores.shapes[shape].body;
     wake_body(stores, body);
     destroy_contacts_of(world, shape);
@@ -169,25 +179,18 @@ void destroy_shape(WorldState& world, int shape) {
 
 void refilter_shape(WorldState& world, int shape) {
     Stores& stores = world.stores;
+    stores.sensors.outdated = true;
+    if (stores.shapes[shape].def.sensor) return;
     for_each_edge(stores.contacts.slots, stores.bodies.slots[stores.shapes[shape].body].first_contact,
                   [&](int contact, int) {
                       const ContactRecord& c = stores.contacts.slots[contact];
                       if (c.shape_a != shape && c.shape_b != shape) return;
-                      if (!may_collide(stores, c.shape_a, c.shape_b))
+                      // The host is asked again only about pairs that are new.
+                      if (stores.rules.filter.may_collide || !may_collide(stores, c.shape_a, c.shape_b))
                           destroy_contact(stores, world.events, contact);
                   });
     stores.broad.touch(stores.shapes[shape].layer, stores.shapes[shape].proxy);
     wake_body(stores, stores.shapes[shape].body);
-}
-
-void remix_contacts(Stores& stores, int shape) {
-    for_each_edge(stores.contacts.slots, stores.bodies.slots[stores.shapes[shape].body].first_contact,
-                  [&](int contact, int) {
-                      ContactRecord& c = stores.contacts.slots[contact];
-                      if (c.shape_a != shape && c.shape_b != shape) return;
-                      mix_materials(stores, c);
-                      relist_contact(stores, contact);
-                  });
 }
 
 void teleport(Stores& stores, int body, Position origin_m, double angle_rad) {
@@ -201,6 +204,7 @@ void teleport(Stores& stores, int body, Position origin_m, double angle_rad) {
     place.center = transform_point(xf, record.mass.center_m);
     rows.moved[record.row] = {};
     update_boxes(stores, body);
+    stores.sensors.outdated = true;
     if (record.type != BodyType::Static) return;
     // A static body never wakes anything by touching it, so what sleeps at its new place is woken here.
     for_each_shape(stores, body, [&](int shape) {

@@ -13,8 +13,6 @@ void destroy_shape(WorldState& world, int shape);
 
 /// Ends the shape's contacts that its filter no longer allows, and looks for those that it now does.
 void refilter_shape(WorldState& world, int shape);
-/// Friction and restitution of the shape's contacts, from the materials as they are now.
-void remix_contacts(Stores& stores, int shape);
 
 void teleport(Stores& stores, int body, Position origin_m, double angle_rad);
 

@@ -33,6 +33,7 @@ struct BodyRecord {
     float gravity_scale = 1;
     int first_shape = kNone;
     int last_shape = kNone;
+    int first_sensor = kNone;
     int first_contact = kNone;  // keys of edge lists
     int first_joint = kNone;
     int next_sleeper = kNone;  // ring of the bodies that fell asleep together

@@ -212,8 +212,11 @@ void Body::set_allow_sleep(bool allow) {
 std::vector<ShapeId> Body::shapes() const {
     const Stores& stores = world_->stores;
     std::vector<ShapeId> result;
-    for (int s = row_of(*world_, id_).record.first_shape; s != kNone; s = stores.shapes[s].next_of_body) {
-        result.push_back(stores.shapes.id(s));
+    const BodyRecord& record = row_of(*world_, id_).record;
+    for (const int first : {record.first_shape, record.first_sensor}) {
+        for (int s = first; s != kNone; s = stores.shapes[s].next_of_body) {
+            result.push_back(stores.shapes.id(s));
+        }
     }
     return result;
 }

@@ -64,6 +64,12 @@ int choose_bucket(const Stores& stores, const ContactRecord& c) {
     return colored_bucket(color, kind, geometry_of(stores, c));
 }
 
+void add_loose(ContactStore& contacts, int contact) {
+    contacts.slots[contact].bucket = kLooseBucket;
+    contacts.slots[contact].lane = static_cast<int>(contacts.loose.size());
+    contacts.loose.push_back(contact);
+}
+
 void take_out(Stores& stores, int contact) {
     ContactStore& contacts = stores.contacts;
     ContactRecord& c = contacts.slots[contact];
@@ -92,6 +98,7 @@ void list_contact(Stores& stores, int contact) {
     ContactRecord& c = stores.contacts.slots[contact];
     if (c.bucket != kNone) return;
     if (!stores.bodies.is_awake(c.body_a) && !stores.bodies.is_awake(c.body_b)) return;
+    if (c.special != 0) return add_loose(stores.contacts, contact);
     c.bucket = near_bucket(geometry_of(stores, c));
     c.lane = stores.contacts.lanes.add(c.bucket, make_lane(stores, contact));
 }
@@ -118,11 +125,7 @@ void color_contact(Stores& stores, int contact) {
     const std::size_t bodies = static_cast<std::size_t>(stores.bodies.slots.end_index());
     if (contacts.colors.size() < bodies) contacts.colors.resize(bodies, 0);
     c.bucket = choose_bucket(stores, c);
-    if (c.bucket == kLooseBucket) {
-        c.lane = static_cast<int>(contacts.loose.size());
-        contacts.loose.push_back(contact);
-        return;
-    }
+    if (c.bucket == kLooseBucket) return add_loose(contacts, contact);
     mark_color(stores, c, c.bucket, true);
     c.lane = contacts.lanes.add(c.bucket, make_lane(stores, contact));
     contacts.lanes.set_memory(c.bucket, c.lane, c.memory);

@@ -34,6 +34,7 @@ struct ContactRecord {
     bool touching = false;  // kept up for contacts that report touching
     bool reports_touch = false;
     bool reports_hit = false;
+    std::uint8_t special = 0;  // bits of world/special_contacts.h
 };
 
 struct ContactStore {

@@ -12,6 +12,7 @@
 #include "world/filtering.h"
 #include "world/narrow_phase.h"
 #include "world/sleep.h"
+#include "world/special_contacts.h"
 
 namespace cairn::physics {
 namespace {
@@ -33,6 +34,7 @@ void create_contact(Stores& stores, int shape_a, int shape_b) {
     mix_materials(stores, c);
     c.reports_touch = a.def.contact_events || b.def.contact_events;
     c.reports_hit = a.def.hit_events || b.def.hit_events;
+    special::set(c, special::kRefused, !host_allows(stores, shape_a, shape_b));
 
     ContactStore& contacts = stores.contacts;
     const int contact = contacts.slots.insert(c);
@@ -86,16 +88,16 @@ class Update {
     void run() {
         scratch_.contacts.clear();
         scratch_.scalar_contacts.clear();
-        update_all_near();
+        update_uncolored();
         for (const int contact : scratch_.met) color_contact(stores_, contact);
         scratch_.met.clear();
+        update_uncolored();  // those that found no colour
         remove_gone(stores_, world_.events, scratch_);
         for (int bucket = kFirstColored; bucket < stores_.contacts.lanes.end_bucket(); ++bucket) {
             for (int block = 0; block < stores_.contacts.lanes.bucket(bucket).block_count(); ++block) {
                 update_block(bucket, block);
             }
         }
-        update_loose();
         for (const int contact : scratch_.parted) forget_points(stores_, contact);
         scratch_.parted.clear();
         remove_gone(stores_, world_.events, scratch_);
@@ -105,16 +107,17 @@ class Update {
     }
 
   private:
-    // Waking lists more pairs, of both kinds.
-    void update_all_near() {
-        std::array<int, 2> done{};
-        const auto more = [&](int geometry) {
-            return done[geometry] < stores_.contacts.lanes.bucket(kNearBucket + geometry).lanes;
+    // Near and loose contacts from where the last call left off: waking lists more.
+    void update_uncolored() {
+        const auto lanes = [&](PairGeometry geometry) {
+            return stores_.contacts.lanes.bucket(near_bucket(geometry)).lanes;
         };
-        while (more(0) || more(1)) {
-            for (const PairGeometry geometry : {PairGeometry::Boxes, PairGeometry::General}) {
-                int& first = done[static_cast<std::size_t>(geometry)];
-                first = update_near(geometry, first);
+        while (boxes_done_ < lanes(PairGeometry::Boxes) || general_done_ < lanes(PairGeometry::General) ||
+               loose_done_ < stores_.contacts.loose.size()) {
+            boxes_done_ = update_near(PairGeometry::Boxes, boxes_done_);
+            general_done_ = update_near(PairGeometry::General, general_done_);
+            while (loose_done_ < stores_.contacts.loose.size()) {
+                update_loose(stores_.contacts.loose[loose_done_++]);
             }
         }
     }
@@ -141,14 +144,7 @@ class Update {
         const int contact = pairs.contact[lane];
         if (is_gone(pairs, lane)) return;
         if (manifold_.points[0].id[lane] != kNoFeature) {
-            ContactRecord& c = stores_.contacts.slots[contact];
-            c.has_points = true;
-            wake_touched(stores_, c);
-            extend_motions(stores_.bodies, world_.def.gravity_m_s2, time_.dt_s, scratch_);
-            // Between a platform at rest and what sleeps on it, nothing happens.
-            if (stores_.bodies.is_awake(c.body_b) ||
-                (stores_.bodies.is_awake(c.body_a) && is_dynamic(c.body_a)))
-                scratch_.met.push_back(contact);
+            if (meets(stores_.contacts.slots[contact])) scratch_.met.push_back(contact);
             return;
         }
         if ((places_.fast >> lane & 1) != 0 && predict(contact, lane)) {
@@ -163,15 +159,23 @@ class Update {
         c.memory = {};
     }
 
+    // The contact has points: what sleeps wakes. False between a platform at rest and what sleeps on it,
+    // where nothing happens.
+    bool meets(ContactRecord& c) {
+        c.has_points = true;
+        wake_touched(stores_, c);
+        extend_motions(stores_.bodies, world_.def.gravity_m_s2, time_.dt_s, scratch_);
+        return stores_.bodies.is_awake(c.body_b) ||
+               (stores_.bodies.is_awake(c.body_a) && is_dynamic(c.body_a));
+    }
+
     // A pair that is apart but meets within the step is solved in plain form, wherever it is listed.
     bool predict(int contact, int lane) {
         ContactRecord& c = stores_.contacts.slots[contact];
         const AxisGap apart{{manifold_.normal_x[lane], manifold_.normal_y[lane]}, manifold_.gap[lane]};
         ContactInput input;
         if (!predict_contact(stores_, c, apart, world_.def.gravity_m_s2, time_.dt_s, input)) return false;
-        c.has_points = true;
-        wake_touched(stores_, c);
-        extend_motions(stores_.bodies, world_.def.gravity_m_s2, time_.dt_s, scratch_);
+        (void)meets(c);
         input.a = stores_.bodies.places[c.body_a].row;
         input.b = stores_.bodies.places[c.body_b].row;
         input.contact = contact;
@@ -230,24 +234,28 @@ class Update {
         scratch_.scalar_contacts.push_back(static_cast<int>(scratch_.contacts.size()) - 1);
     }
 
-    void update_loose() {
-        for (const int contact : stores_.contacts.loose) {
-            ContactRecord& c = stores_.contacts.slots[contact];
-            single_.contact[0] = contact;
-            single_.body_a[0] = c.body_a;
-            single_.body_b[0] = c.body_b;
-            single_.shape_a[0] = c.shape_a;
-            single_.shape_b[0] = c.shape_b;
-            load_places(stores_.bodies, single_, 1, places_);
-            collide_block(stores_, single_, PairGeometry::General, 1, places_.poses, manifold_);
-            if (is_gone(single_, 0)) continue;
-            if (manifold_.points[0].id[0] == kNoFeature) {
-                part(contact, 0);
-                continue;
-            }
-            const ContactInput input = make_input(stores_, single_, places_, manifold_, 0);
-            add_scalar(input, c.memory);
+    void update_loose(int contact) {
+        ContactRecord& c = stores_.contacts.slots[contact];
+        single_.contact[0] = contact;
+        single_.body_a[0] = c.body_a;
+        single_.body_b[0] = c.body_b;
+        single_.shape_a[0] = c.shape_a;
+        single_.shape_b[0] = c.shape_b;
+        load_places(stores_.bodies, single_, 1, places_);
+        collide_block(stores_, single_, PairGeometry::General, 1, places_.poses, manifold_);
+        if (is_gone(single_, 0) || special::has(c, special::kRefused)) return;
+        if (manifold_.points[0].id[0] == kNoFeature) {
+            if (c.has_points || (places_.fast & 1) != 0) part(contact, 0);
+            return;
         }
+        if (!meets(c)) return;
+        ContactInput input = make_input(stores_, single_, places_, manifold_, 0);
+        if (special::has(c, special::kSurface)) {
+            const SurfaceEffects effects = surface_effects(stores_, c);
+            input.rolling_m = effects.rolling_m;
+            input.surface_speed_m_s = effects.speed_m_s;
+        }
+        add_scalar(input, c.memory);
     }
 
     // With the impulses that the contact remembers by feature.
@@ -295,16 +303,12 @@ class Update {
     BlockPlaces places_;
     ManifoldLanes manifold_;
     PairBlock single_{};  // a loose contact, in the first lane
+    int boxes_done_ = 0;
+    int general_done_ = 0;
+    std::size_t loose_done_ = 0;
 };
 
 }  // namespace
-
-void mix_materials(const Stores& stores, ContactRecord& contact) {
-    const Material& a = stores.shapes[contact.shape_a].def.material;
-    const Material& b = stores.shapes[contact.shape_b].def.material;
-    contact.friction = std::sqrt(a.friction * b.friction);
-    contact.restitution = std::max(a.restitution, b.restitution);
-}
 
 void find_new_pairs(Stores& stores) {
     for (const auto& [a, b] : stores.broad.find_new_pairs()) {

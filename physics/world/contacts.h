@@ -12,9 +12,6 @@ void find_new_pairs(Stores& stores);
 /// form; sleeping bodies that are touched wake, and take part in this step.
 void update_contacts(WorldState& world, const StepTime& time, const ContactRules& rules);
 
-/// Friction and restitution of the pair, from the materials of its two shapes.
-void mix_materials(const Stores& stores, ContactRecord& contact);
-
 /// Between steps: the two bodies wake if the contact held them; its end is told with the next step.
 void destroy_contact(Stores& stores, Events& events, int contact);
 

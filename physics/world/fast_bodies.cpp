@@ -8,6 +8,7 @@
 #include "collide/ray_cast.h"
 #include "world/filtering.h"
 #include "world/finalize.h"
+#include "world/special_contacts.h"
 
 namespace cairn::physics {
 namespace {
@@ -52,6 +53,22 @@ Vec2 moved(const Sweep& sweep, Vec2 arm, float time_s) {
     return time_s * sweep.velocity + rotate(turned, arm) - arm;
 }
 
+// The way of a point during the last step against another shape, as seen from that shape: what moved along
+// with the point, or was pushed ahead of it, was not passed.
+std::optional<LocalRayHit> cast_relative_way(const Stores& stores, int shape, Position from, Vec2 way) {
+    const int body = stores.shapes[shape].body;
+    const BodyRecord& record = stores.bodies.slots[body];
+    const Transform now = stores.bodies.transform(body);
+    const Convex& convex = stores.shapes[shape].convex;
+    if (record.set != RowSet::Awake)
+        return cast_ray(convex, inverse_transform_point(now, from), inverse_rotate(now.q, way));
+    const BodyRows& awake = stores.bodies.rows(RowSet::Awake);
+    const Rotation q = awake.rotation_before[record.row];
+    const Position center = stores.bodies.places[body].center + -awake.moved[record.row];
+    const Vec2 start = inverse_transform_point({center + -rotate(q, record.mass.center_m), q}, from);
+    return cast_ray(convex, start, inverse_transform_point(now, from + way) - start);
+}
+
 // How much of its last way a body could go before the centre of one of its shapes met the surface of another
 // body's shape, less the thickness of its own; 1 when nothing was met.
 float free_share_of_way(const Stores& stores, int body) {
@@ -69,10 +86,8 @@ float free_share_of_way(const Stores& stores, int body) {
         const float long_way = length(way);
         if (long_way == 0) continue;
         const auto visit = [&](int other) {
-            if (!may_collide(stores, s, other)) return 1.0f;
-            const Transform xf = stores.bodies.transform(stores.shapes[other].body);
-            const auto hit = cast_ray(stores.shapes[other].convex, inverse_transform_point(xf, from),
-                                      inverse_rotate(xf.q, way));
+            if (!may_collide(stores, s, other) || lets_pass(stores, s, other)) return 1.0f;
+            const auto hit = cast_relative_way(stores, other, from, way);
             if (hit) share = std::min(share, std::max(hit->fraction - inner_radius(convex) / long_way, 0.0f));
             return 1.0f;
         };
@@ -113,7 +128,7 @@ void cover_fast_ways(Stores& stores, Vec2 gravity_m_s2, float dt_s, std::vector<
 
 void hold_fast_bodies(Stores& stores, std::span<const int> fast) {
     for (const int body : fast) {
-        if (!stores.bodies.is_awake(body)) continue;
+        if (!stores.bodies.is_awake(body) || stores.bodies.slots[body].type != BodyType::Dynamic) continue;
         const float share = free_share_of_way(stores, body);
         if (share == 1) continue;
         BodyRows& awake = stores.bodies.rows(RowSet::Awake);

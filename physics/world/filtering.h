@@ -16,12 +16,13 @@ inline bool filter_sees(const QueryFilter& query, const Filter& shape) {
     return (query.mask & shape.categories) != 0 && (query.categories & shape.mask) != 0;
 }
 
-/// Whether a contact between the two shapes may be: one body at least is dynamic, no joint forbids it,
-/// filters agree.
+/// Whether a contact between the two shapes may be: one body at least is dynamic, one shape at least is no
+/// line, no joint forbids it, filters agree.
 inline bool may_collide(const Stores& stores, int shape_a, int shape_b) {
     const int a = stores.shapes[shape_a].body;
     const int b = stores.shapes[shape_b].body;
     if (a == b) return false;
+    if (stores.shapes[shape_a].convex.is_line() && stores.shapes[shape_b].convex.is_line()) return false;
     const BodyRecord& body_a = stores.bodies.slots[a];
     const BodyRecord& body_b = stores.bodies.slots[b];
     if (body_a.type != BodyType::Dynamic && body_b.type != BodyType::Dynamic) return false;
@@ -31,6 +32,13 @@ inline bool may_collide(const Stores& stores, int shape_a, int shape_b) {
         if ((side == 0 ? j.body_b : j.body_a) == b && !j.collide_connected) allowed = false;
     });
     return allowed;
+}
+
+/// The host's word on a new pair; see PairFilter.
+inline bool host_allows(const Stores& stores, int shape_a, int shape_b) {
+    const PairFilter& filter = stores.rules.filter;
+    return !filter.may_collide ||
+           filter.may_collide(filter.context, stores.shapes.id(shape_a), stores.shapes.id(shape_b));
 }
 
 }  // namespace cairn::physics

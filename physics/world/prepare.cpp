@@ -6,6 +6,7 @@
 #include <cairn/physics/tuning.h>
 
 #include "world/contact_events.h"
+#include "world/special_contacts.h"
 
 namespace cairn::physics {
 namespace {

@@ -1,6 +1,6 @@
 // Shapes: geometry, attributes, and the box that stands for them in the broad phase.
 // Invariant: the fat box encloses the shape as of the last step; shapes of a body form a list in order of
-// creation.
+// creation, and its sensors another.
 #pragma once
 
 #include <cairn/physics/ids.h>
@@ -21,6 +21,7 @@ struct ShapeRecord {
     float margin_m = 0;
     Layer layer = Layer::Fixed;
     int proxy = kNone;
+    int sensor = kNone;  // place among the sensors; they have neither box nor proxy
 };
 
 using ShapeStore = SlotMap<ShapeRecord, ShapeId>;

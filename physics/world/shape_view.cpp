@@ -35,7 +35,7 @@ Material Shape::material() const {
 Result<void> Shape::set_material(Material material) {
     if (auto fault = validate(material)) return *fault;
     record_of(*world_, id_).def.material = material;
-    remix_contacts(world_->stores, slot_of(*world_, id_));
+    remix_contacts_of_shape(world_->stores, slot_of(*world_, id_));
     return {};
 }
 
@@ -46,6 +46,17 @@ Filter Shape::filter() const {
 void Shape::set_filter(Filter filter) {
     record_of(*world_, id_).def.filter = filter;
     refilter_shape(*world_, slot_of(*world_, id_));
+}
+
+bool Shape::is_sensor() const {
+    return record_of(*world_, id_).def.sensor;
+}
+bool Shape::is_seen_by_sensors() const {
+    return record_of(*world_, id_).def.seen_by_sensors;
+}
+void Shape::set_seen_by_sensors(bool seen) {
+    record_of(*world_, id_).def.seen_by_sensors = seen;
+    world_->stores.sensors.outdated = true;
 }
 
 std::uint64_t Shape::user_data() const {

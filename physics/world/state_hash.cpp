@@ -22,6 +22,7 @@ void add_body(StateHash& hash, const BodyStore& bodies, int body) {
 void add_contact(StateHash& hash, const ContactStore& contacts, int contact) {
     const ContactRecord& c = contacts.slots[contact];
     hash.add(static_cast<std::uint64_t>(c.shape_a) << 32 | static_cast<std::uint32_t>(c.shape_b));
+    if (c.special != 0) hash.add(std::uint64_t{c.special});
     const ContactMemory memory = memory_of(contacts, contact);
     for (int i = 0; i < 2; ++i) {
         if (memory.features[i] == kNoFeature) continue;

@@ -1,12 +1,14 @@
 // The table of contents of a step: every stage in its order, and no logic. physics/README.md is the tour.
 #include "world/step.h"
 
+#include "base/stage_clock.h"
 #include "integrator/integrate.h"
 #include "world/contact_events.h"
 #include "world/contacts.h"
 #include "world/fast_bodies.h"
 #include "world/finalize.h"
 #include "world/prepare.h"
+#include "world/sensors.h"
 #include "world/sleep.h"
 #include "world/solve.h"
 #include "world/statics.h"
@@ -21,15 +23,21 @@ void step_world(WorldState& world, float dt_s) {
     const ContactRules rules =
         make_contact_rules(time.h_s, def.max_push_out_speed_m_s, def.restitution_speed_m_s);
 
+    StageClock clock(world.profiling ? &world.profile : nullptr);
+    clock.enter(Stage::Pairs);
     start_events(world.events);
     cover_fast_ways(stores, def.gravity_m_s2, dt_s, scratch.fast);
     find_new_pairs(stores);
     prepare_motions(stores.bodies, def.gravity_m_s2, dt_s, scratch);
+    clock.enter(Stage::Contacts);
     update_contacts(world, time, rules);
+
+    clock.enter(Stage::Prepare);
     choose_movers(stores, scratch);
     prepare_joints(stores, time, scratch);
     estimate_statics(stores.contacts.lanes, def.gravity_m_s2, time, scratch);
 
+    clock.enter(Stage::Solve);
     for (int substep = 0; substep < time.substeps; ++substep) {
         integrate_velocities(scratch.motions, scratch.drives, time.h_s, substep == 0);
         warm_start(stores.contacts.lanes, scratch, time, substep == 0);
@@ -37,6 +45,7 @@ void step_world(WorldState& world, float dt_s) {
         integrate_positions(scratch.motions, time.h_s);
         solve(stores.contacts.lanes, scratch, rules, time.h_s, Pass::Relax);
     }
+    clock.enter(Stage::Store);
     fly_freely(scratch.motions, scratch.drives, time.dt_s);
     collect_outcomes(stores.contacts, scratch);
     apply_restitution(scratch.contacts, scratch.motions, scratch.drives, rules);
@@ -44,8 +53,13 @@ void step_world(WorldState& world, float dt_s) {
     report_contacts(stores, scratch, def.hit_speed_m_s, world.events);
     store_contact_impulses(stores.contacts, scratch);
     store_joint_impulses(stores.joints, time, scratch);
+    clock.enter(Stage::Finalize);
     finalize_bodies(stores, scratch, time.dt_s, def.enable_sleep, world.events.quarantined);
+    clock.enter(Stage::Continuous);
     hold_fast_bodies(stores, scratch.fast);
+    clock.enter(Stage::Sensors);
+    update_sensors(stores, world.events);
+    clock.enter(Stage::Sleep);
     sleep_islands(stores, scratch);
     world.previous_h_s = time.h_s;
     ++world.step_count;

@@ -7,7 +7,7 @@
 #include "world/bodies.h"
 #include "world/contact_events.h"
 #include "world/joints.h"
-#include "world/queries.h"
+#include "world/measures.h"
 #include "world/sleep.h"
 #include "world/step.h"
 #include "world/validation.h"
@@ -170,22 +170,40 @@ std::span<const ContactEnd> World::contact_ends() const {
 std::span<const ContactHit> World::contact_hits() const {
     return state_->events.hits;
 }
+std::span<const SensorBegin> World::sensor_begins() const {
+    return state_->events.sensor_begins;
+}
+std::span<const SensorEnd> World::sensor_ends() const {
+    return state_->events.sensor_ends;
+}
+
+Result<std::vector<ShapeId>> World::sensor_overlaps(ShapeId sensor) const {
+    const Result<int> shape = find(state_->stores.shapes, sensor, "shape");
+    if (!shape) return shape.error();
+    const int place = state_->stores.shapes[*shape].sensor;
+    if (place == kNone) return Error{"the shape is no sensor, but must be one (ShapeDef::sensor)"};
+    return state_->stores.sensors.all[place].inside;
+}
+
 std::span<const BodyId> World::quarantined() const {
     return state_->events.quarantined;
 }
 
-Result<std::optional<RayHit>> World::cast_ray(Position origin_m, Vec2 translation_m,
-                                              QueryFilter filter) const {
-    if (auto fault = check::first_of(
-            {check::finite("ray.origin_m", origin_m), check::finite("ray.translation_m", translation_m)})) {
-        return *fault;
-    }
-    return cast_ray_closest(state_->stores, origin_m, translation_m, filter);
+void World::set_pair_filter(PairFilter filter) {
+    state_->stores.rules.filter = filter;
 }
 
-Result<std::optional<ShapeId>> World::shape_at(Position point_m, QueryFilter filter) const {
-    if (auto fault = check::finite("point_m", point_m)) return *fault;
-    return physics::shape_at(state_->stores, point_m, filter);
+Result<void> World::set_material_rule(int kind_a, int kind_b, const MaterialRule& rule) {
+    if (auto fault = check::first_of({validate_material_kinds(kind_a, kind_b), validate(rule)}))
+        return *fault;
+    state_->stores.rules.mixing.set(kind_a, kind_b, rule);
+    remix_contacts_of_kinds(state_->stores, kind_a, kind_b);
+    return {};
+}
+
+Result<MaterialRule> World::material_rule(int kind_a, int kind_b) const {
+    if (auto fault = validate_material_kinds(kind_a, kind_b)) return *fault;
+    return state_->stores.rules.mixing.rule(kind_a, kind_b);
 }
 
 Vec2 World::gravity() const {
@@ -201,17 +219,19 @@ Result<void> World::set_gravity(Vec2 gravity_m_s2) {
 }
 
 Counts World::counts() const {
-    const Stores& stores = state_->stores;
-    Counts counts;
-    counts.bodies = stores.bodies.slots.size();
-    counts.awake_bodies = stores.bodies.rows(RowSet::Awake).size();
-    counts.shapes = stores.shapes.size();
-    counts.joints = stores.joints.slots.size();
-    counts.contacts = stores.contacts.slots.size();
-    for (int i = 0; i < stores.contacts.slots.end_index(); ++i) {
-        if (stores.contacts.slots.alive(i) && is_touching(stores.contacts, i)) ++counts.touching;
-    }
-    return counts;
+    return count_objects(state_->stores);
+}
+int World::awake_body_count() const {
+    return state_->stores.bodies.rows(RowSet::Awake).size();
+}
+float World::max_penetration_m() const {
+    return physics::max_penetration_m(state_->stores);
+}
+void World::set_profiling(bool enabled) {
+    state_->profiling = enabled;
+}
+const Profile& World::profile() const {
+    return state_->profile;
 }
 
 std::uint64_t World::step_count() const {

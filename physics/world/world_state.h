@@ -15,9 +15,17 @@
 #include "world/body_store.h"
 #include "world/contact_store.h"
 #include "world/joint_store.h"
+#include "world/material_mixing.h"
+#include "world/sensors.h"
 #include "world/shape_store.h"
 
 namespace cairn::physics {
+
+/// What the host said about pairs of shapes in general.
+struct PairRules {
+    PairFilter filter;
+    MixingTable mixing;
+};
 
 /// The objects of a world and how they hang together.
 struct Stores {
@@ -29,15 +37,20 @@ struct Stores {
     JointStore joints;
     BroadPhase broad;
     std::vector<int> boxes_moved;  // bodies of which a box was made anew since contacts were updated last
+    PairRules rules;
+    SensorStore sensors;
 };
 
 struct Events {
     std::vector<ContactBegin> begins;
     std::vector<ContactEnd> ends;
     std::vector<ContactHit> hits;
+    std::vector<SensorBegin> sensor_begins;
+    std::vector<SensorEnd> sensor_ends;
     std::vector<BodyId> quarantined;
     /// Ends caused between steps, by destroying things; they are told with the next step.
     std::vector<ContactEnd> pending_ends;
+    std::vector<SensorEnd> pending_sensor_ends;
 };
 
 std::uint64_t hash_state(const WorldState& world);
@@ -49,6 +62,9 @@ inline void start_events(Events& events) {
     events.quarantined.clear();
     events.ends.clear();
     events.ends.swap(events.pending_ends);
+    events.sensor_begins.clear();
+    events.sensor_ends.clear();
+    events.sensor_ends.swap(events.pending_sensor_ends);
 }
 
 /// A contact that bears a body from below.
@@ -100,6 +116,8 @@ struct WorldState {
     Events events;
     StepScratch scratch;
     std::uint64_t step_count = 0;
+    Profile profile;  // of the last step
+    bool profiling = false;
     float previous_h_s = 0;  // of a substep of the last step
 };
 

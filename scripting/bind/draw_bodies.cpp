@@ -96,6 +96,10 @@ void draw_plain(engine::Renderer& renderer, const physics::Outline& outline, Col
         renderer.draw_line(a, a + Vec2{outline.radius_m, 0}, rim, rim_color, engine::LineCap::Butt);
         return;
     }
+    if (outline.kind == physics::ShapeKind::Segment) {
+        renderer.draw_line(a, to_engine(outline.points_m[1]), 2 * rim, rim_color);
+        return;
+    }
     const std::vector<Vec2> corners = rounded_corners(outline);
     renderer.fill_convex_polygon(corners, color);
     renderer.outline_polygon(corners, rim, rim_color);
@@ -161,7 +165,7 @@ void draw_body(lua_State* L, Context& context, const BodyObject& object, physics
     for (const physics::ShapeId id : body.shapes()) {
         const auto shape = object.world->world->shape(id);
         if (!shape) continue;
-        if (!texture.is_null()) {
+        if (!texture.is_null() && shape->outline().kind != physics::ShapeKind::Segment) {
             draw_textured(renderer, shape->outline(), texture, has_color ? color : Color{});
         } else {
             draw_plain(renderer, shape->outline(), color, rim);

@@ -21,6 +21,8 @@ std::string_view kind(ShapeRef self) {
             return "capsule";
         case physics::ShapeKind::Polygon:
             return "polygon";
+        case physics::ShapeKind::Segment:
+            return "segment";
     }
     return "";
 }

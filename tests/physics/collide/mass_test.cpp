@@ -69,6 +69,14 @@ TEST_CASE("the mass of a disc is pi r^2, its inertia m r^2 / 2, moved by the par
     CHECK(sum.inertia == Approx(mass * 0.125 + mass * 13).epsilon(kFloat));
 }
 
+TEST_CASE("a segment has no mass") {
+    const MassSum sum = mass_of_geometry(Segment{{1, 2}, {3, -1}}, 5);
+    CHECK(sum.mass == 0);
+    CHECK(sum.moment_x == 0);
+    CHECK(sum.moment_y == 0);
+    CHECK(sum.inertia == 0);
+}
+
 TEST_CASE("the mass of a box is w h, its inertia m (w^2 + h^2) / 12, however it is turned") {
     for (const float angle : {0.0f, 0.3f, 1.5f, -2.0f}) {
         const MassSum sum = mass_of_geometry(Box{1, 0.25f, {2, 1}, angle}, 3);

@@ -41,6 +41,20 @@ Point outward(const RoundedHull& hull, Point p) {
 
 }  // namespace
 
+TEST_CASE("a ray meets a segment from both sides, and not past its ends") {
+    const Convex segment = make_convex(Segment{{-1, 1}, {1, 1}}).value();
+    const auto from_below = cast_ray(segment, {0.5f, 0}, {0, 4});
+    REQUIRE(from_below);
+    CHECK(from_below->fraction == 0.25f);
+    CHECK(from_below->normal == Vec2{0, -1});
+    const auto from_above = cast_ray(segment, {-0.5f, 2}, {0, -4});
+    REQUIRE(from_above);
+    CHECK(from_above->fraction == 0.25f);
+    CHECK(from_above->normal == Vec2{0, 1});
+    CHECK_FALSE(cast_ray(segment, {1.01f, 0}, {0, 4}));
+    CHECK_FALSE(cast_ray(segment, {-2, 1}, {4, 0}));  // along it there is nothing to meet
+}
+
 TEST_CASE("a ray meets a shape where marching along it does") {
     Random random(1);
     int hits = 0;

@@ -41,6 +41,7 @@ inline void check_rows(const Stores& stores) {
 
 inline void check_shapes(const Stores& stores) {
     int listed = 0;
+    int sensors = 0;
     for (int body = 0; body < stores.bodies.slots.end_index(); ++body) {
         if (!stores.bodies.slots.alive(body)) continue;
         const BodyRecord& record = stores.bodies.slots[body];
@@ -56,8 +57,17 @@ inline void check_shapes(const Stores& stores) {
             last = shape;
         }
         REQUIRE(record.last_shape == last);
+        for (int sensor = record.first_sensor; sensor != kNone; sensor = stores.shapes[sensor].next_of_body) {
+            REQUIRE(stores.shapes.alive(sensor));
+            const ShapeRecord& s = stores.shapes[sensor];
+            REQUIRE(s.body == body);
+            REQUIRE((s.def.sensor && s.proxy == kNone));
+            REQUIRE(stores.sensors.all.at(s.sensor).shape == sensor);
+            ++sensors;
+        }
     }
-    REQUIRE(listed == stores.shapes.size());
+    REQUIRE(listed + sensors == stores.shapes.size());
+    REQUIRE(sensors == static_cast<int>(stores.sensors.all.size()));
     REQUIRE(stores.broad.tree(Layer::Fixed).is_valid());
     REQUIRE(stores.broad.tree(Layer::Moving).is_valid());
 }
@@ -176,6 +186,7 @@ inline void check_nothing_missed(const Stores& stores) {
             if (!stores.shapes.alive(a) || !stores.shapes.alive(b)) continue;
             const ShapeRecord& shape_a = stores.shapes[a];
             const ShapeRecord& shape_b = stores.shapes[b];
+            if (shape_a.def.sensor || shape_b.def.sensor) continue;
             const Aabb box_a = bounds(shape_a.convex, stores.bodies.transform(shape_a.body));
             const Aabb box_b = bounds(shape_b.convex, stores.bodies.transform(shape_b.body));
             if (!overlap(box_a, box_b) || !may_collide(stores, a, b)) continue;

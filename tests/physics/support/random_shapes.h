@@ -8,8 +8,9 @@
 
 namespace cairn::physics::test {
 
-enum class Form { Circle, Capsule, Box, RoundedBox, Polygon, RoundedPolygon };
+enum class Form { Circle, Capsule, Segment, Box, RoundedBox, Polygon, RoundedPolygon };
 
+/// The forms that have an inside.
 inline constexpr std::array kForms{Form::Circle,     Form::Capsule, Form::Box,
                                    Form::RoundedBox, Form::Polygon, Form::RoundedPolygon};
 
@@ -31,6 +32,10 @@ inline Convex random_convex(Random& random, Form form) {
         case Form::Capsule: {
             const Vec2 a = random.vector(-1, 0);
             return make_convex(Capsule{a, a + random.vector(0.05, 1), random.real_f(0.05, 0.5)}).value();
+        }
+        case Form::Segment: {
+            const Vec2 a = random.vector(-1, 0);
+            return make_convex(Segment{a, a + random.vector(0.05, 1)}).value();
         }
         case Form::Box:
         case Form::RoundedBox: {

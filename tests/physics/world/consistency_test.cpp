@@ -71,7 +71,9 @@ class Operations {
         const Form form = kForms[static_cast<std::size_t>(random_.below(kForms.size()))];
         const Convex convex = random_convex(random_, form);
         create_shape(world_.stores, body, convex,
-                     {.filter = random_filter(), .contact_events = random_.chance(0.5)});
+                     {.filter = random_filter(),
+                      .contact_events = random_.chance(0.5),
+                      .sensor = random_.chance(0.1)});
     }
     Filter random_filter() {
         if (random_.chance(0.7)) return {};

@@ -21,6 +21,36 @@ TEST_CASE("a bullet of any speed stops at a thin wall") {
     }
 }
 
+TEST_CASE("a bullet of any form and speed stops at a wall without thickness") {
+    const std::array<Geometry, 3> forms{Circle{{}, 0.05f}, Capsule{{0, -0.1f}, {0, 0.1f}, 0.03f},
+                                        Box{0.05f, 0.05f}};
+    for (const float speed : {20.0f, 60.0f, 150.0f, 400.0f, 1000.0f}) {
+        for (const Geometry& form : forms) {
+            World world({.gravity_m_s2 = {}});
+            add(world, {.type = BodyType::Static, .position_m = {10, 0}}, Segment{{0.5f, -5}, {-0.5f, 5}});
+            const BodyId bullet =
+                add(world, {.linear_velocity_m_s = {speed, 0}, .angular_velocity_rad_s = 5}, form);
+            run_for(world, 0.5);
+            const Position p = world.body(bullet)->position();
+            INFO(speed << " m/s, at (" << p.x << ", " << p.y << ")");
+            CHECK(p.x < 10 - 0.1 * p.y);
+        }
+    }
+}
+
+TEST_CASE("a moving wall without thickness does not pass through what stands in its way") {
+    for (const float speed : {0.5f, 2.0f, 20.0f, 100.0f}) {
+        World world({.gravity_m_s2 = {}, .enable_sleep = false});
+        add(world, {.type = BodyType::Kinematic, .linear_velocity_m_s = {speed, 0}},
+            Segment{{0, -1}, {0, 1}});
+        const BodyId disc = add(world, {.position_m = {1, 0}}, Circle{{}, 0.1f});
+        run_for(world, 3.0 / static_cast<double>(speed));
+        INFO(speed << " m/s");
+        CHECK(world.body(disc)->position().x > 3);
+        CHECK(world.body(disc)->linear_velocity().x == Approx(speed).epsilon(1e-3));
+    }
+}
+
 TEST_CASE("a fast ball bounces off a thin wall with the law of restitution, and reports the hit") {
     World world({.gravity_m_s2 = {}});
     add(world, {.type = BodyType::Static, .position_m = {10, 0}}, Box{0.02f, 5});
@@ -58,6 +88,26 @@ TEST_CASE("a fast box wakes the stack that it hits") {
     run_for(world, 0.2);
     CHECK(world.body(box)->is_awake());
     CHECK(world.body(box)->linear_velocity().x > 0.5f);
+}
+
+TEST_CASE("a disc at 1000 m/s stays in a box of walls without thickness, however often it bounces") {
+    Random random(2);
+    for (int round = 0; round < 20; ++round) {
+        World world({.gravity_m_s2 = {}, .enable_sleep = false});
+        const ShapeDef elastic{.material = {.friction = 0, .restitution = 1}};
+        const BodyId walls = world.create_body({.type = BodyType::Static}).value();
+        const std::array<Vec2, 4> corners{Vec2{-5, -5}, Vec2{5, -5}, Vec2{5, 5}, Vec2{-5, 5}};
+        for (std::size_t i = 0; i < 4; ++i)
+            world.create_shape(walls, Segment{corners[i], corners[(i + 1) % 4]}, elastic).value();
+        const Rotation direction = Rotation::from_angle(random.real(-4, 4));
+        const BodyDef def{.position_m = {random.real(-4.5, 4.5), random.real(-4.5, 4.5)},
+                          .linear_velocity_m_s = rotate(direction, {1000, 0})};
+        const BodyId disc = add(world, def, Circle{{}, random.real_f(0.05, 0.15)}, elastic);
+        run_for(world, 1);
+        const Position p = world.body(disc)->position();
+        INFO("round " << round);
+        REQUIRE(std::max(std::fabs(p.x), std::fabs(p.y)) < 5);
+    }
 }
 
 TEST_CASE("a fast disc stays in a box of thin walls, however often it bounces") {

@@ -1,5 +1,8 @@
 // Which pairs collide: categories, masks, groups, joints, body types.
 #include <catch2/catch.hpp>
+#include <set>
+#include <utility>
+#include <vector>
 
 #include "physics/support/making.h"
 
@@ -117,6 +120,147 @@ TEST_CASE("with two joints between two bodies, one that forbids collision is eno
     world.destroy_joint(forbidding).value();
     step_times(world, 2);
     CHECK(world.counts().contacts == 1);
+}
+
+namespace {
+
+// A host that notes what it is asked and refuses pairs with one of the shapes that it was told.
+struct Host {
+    std::vector<std::pair<ShapeId, ShapeId>> asked{};
+    std::vector<ShapeId> refused{};
+
+    [[nodiscard]] PairFilter filter() { return {&answer, this}; }
+
+    static bool answer(void* context, ShapeId a, ShapeId b) {
+        Host& host = *static_cast<Host*>(context);
+        host.asked.emplace_back(a, b);
+        for (const ShapeId shape : host.refused) {
+            if (shape == a || shape == b) return false;
+        }
+        return true;
+    }
+};
+
+ShapeId shape_of(const World& world, BodyId body) {
+    return world.body(body)->shapes()[0];
+}
+
+}  // namespace
+
+TEST_CASE("the host is asked once for each pair that filters allow, while it stays together") {
+    Host host;
+    World world({.enable_sleep = false});
+    world.set_pair_filter(host.filter());
+    add_ground(world);
+    for (int i = 0; i < 20; ++i) add(world, {.position_m = {1.5 * i, 0.5}}, Box{0.5f, 0.5f});
+    add(world, {.position_m = {0, 2.5}}, Circle{}, {.filter = {.mask = 0}});
+    run_for(world, 1);
+    CHECK(host.asked.size() == 20);
+    const std::set<std::uint64_t> distinct = [&] {
+        std::set<std::uint64_t> boxes;
+        for (const auto& [a, b] : host.asked) boxes.insert(b.bits());
+        return boxes;
+    }();
+    CHECK(distinct.size() == 20);
+}
+
+TEST_CASE("a pair that the host refuses passes through, is not asked about again, and wakes nobody") {
+    Host host;
+    World world;
+    world.set_pair_filter(host.filter());
+    add_ground(world);
+    const BodyId sleeper = add(world, {.position_m = {0, 0.5}}, Box{0.5f, 0.5f}, {.contact_events = true});
+    run_for(world, 2);
+    REQUIRE_FALSE(world.body(sleeper)->is_awake());
+    const BodyId ghost =
+        add(world, {.position_m = {-3, 0.5}, .linear_velocity_m_s = {3, 0}, .gravity_scale = 0}, Circle{},
+            {.filter = {.categories = 2}});
+    host.refused = {shape_of(world, ghost)};
+    host.asked.clear();
+    run_for(world, 2);
+    CHECK(world.body(ghost)->position().x == Approx(3).margin(1e-3));
+    CHECK_FALSE(world.body(sleeper)->is_awake());
+    CHECK(host.asked.size() == 2);  // the ground and the sleeper
+    // A pair that parted and meets again is a new one.
+    world.body(ghost)->set_transform({-10, 20}, 0).value();
+    world.step(kStep_s).value();
+    world.body(ghost)->set_transform({0, 0.5}, 0).value();
+    world.step(kStep_s).value();
+    CHECK(host.asked.size() == 4);
+    CHECK(world.contact_begins().empty());
+}
+
+TEST_CASE("a pair that the host refuses is passed at any speed") {
+    for (const bool refused : {false, true}) {
+        Host host;
+        World world({.gravity_m_s2 = {}});
+        world.set_pair_filter(host.filter());
+        const BodyId wall = add(world, {.type = BodyType::Static}, Box{0.05f, 5});
+        if (refused) host.refused = {shape_of(world, wall)};
+        const BodyId ball =
+            add(world, {.position_m = {-5, 0}, .linear_velocity_m_s = {900, 0}}, Circle{{}, 0.1f});
+        run_for(world, 1);
+        CHECK((world.body(ball)->position().x > 800) == refused);
+    }
+}
+
+TEST_CASE("the host is asked again about a shape that is refiltered") {
+    Host host;
+    World world({.enable_sleep = false});
+    world.set_pair_filter(host.filter());
+    const BodyId ground = add_ground(world);
+    const BodyId ball = add(world, {.position_m = {0, 0.5}}, Circle{}, {.contact_events = true});
+    run_for(world, 0.5);
+    REQUIRE(world.counts().touching == 1);
+    host.refused = {shape_of(world, ground)};
+    run_for(world, 0.5);
+    CHECK(world.counts().touching == 1);  // the answer stands
+    CHECK(host.asked.size() == 1);
+    world.shape(shape_of(world, ball))->set_filter({});
+    world.step(kStep_s).value();
+    CHECK(host.asked.size() == 2);
+    CHECK(world.contact_ends().size() == 1);
+    run_for(world, 0.5);
+    CHECK(world.body(ball)->position().y < 0);
+    host.refused.clear();
+    world.body(ball)->set_transform({0, 0.5}, 0).value();
+    world.body(ball)->set_linear_velocity({}).value();
+    world.shape(shape_of(world, ground))->set_filter({});
+    run_for(world, 0.5);
+    CHECK(world.body(ball)->position().y == Approx(0.5).margin(0.005));
+}
+
+TEST_CASE("the host is asked in the same order in the same world, smaller shape first") {
+    Host first;
+    Host second;
+    for (Host* host : {&first, &second}) {
+        World world;
+        world.set_pair_filter(host->filter());
+        add_ground(world);
+        for (int i = 0; i < 60; ++i)
+            add(world, {.position_m = {0.3 * (i % 10), 0.6 + 0.5 * (i / 10)}}, Circle{{}, 0.2f});
+        run_for(world, 2);
+    }
+    REQUIRE(first.asked.size() == second.asked.size());
+    REQUIRE(first.asked.size() > 100);
+    for (std::size_t i = 0; i < first.asked.size(); ++i) {
+        CHECK(first.asked[i].first.index1 == second.asked[i].first.index1);
+        CHECK(first.asked[i].second.index1 == second.asked[i].second.index1);
+        CHECK(first.asked[i].first.index1 < first.asked[i].second.index1);
+    }
+}
+
+TEST_CASE("without a filter of the host every pair may collide again") {
+    Host host;
+    World world;
+    world.set_pair_filter(host.filter());
+    const BodyId ground = add_ground(world);
+    host.refused = {shape_of(world, ground)};
+    world.set_pair_filter({});
+    const BodyId ball = add(world, {.position_m = {0, 0.5}}, Circle{});
+    run_for(world, 1);
+    CHECK(host.asked.empty());
+    CHECK(world.body(ball)->position().y == Approx(0.5).margin(0.005));
 }
 
 }  // namespace cairn::physics

@@ -127,9 +127,23 @@ TEST_CASE("bad shape definitions are refused") {
         bad_def("material.restitution", "1.5", ShapeDef{.material = {.restitution = 1.5f}}),
         bad_def("material.restitution", "-0.5", ShapeDef{.material = {.restitution = -0.5f}}),
         bad_def("material.restitution", "nan", ShapeDef{.material = {.restitution = kNaN}}),
+        bad_def("material.rolling_resistance", "-1", ShapeDef{.material = {.rolling_resistance = -1}}),
+        bad_def("material.rolling_resistance", "inf",
+                ShapeDef{.material = {.rolling_resistance = kInfinity}}),
+        bad_def("material.surface_speed_m_s", "nan", ShapeDef{.material = {.surface_speed_m_s = kNaN}}),
+        bad_def("material.kind", "-1", ShapeDef{.material = {.kind = -1}}),
+        bad_def("material.kind", "64", ShapeDef{.material = {.kind = 64}}),
         {"circle.radius_m", "0",
          [](Scene& s) {
              return message_of(s.world.create_shape(s.box, Circle{{}, 0}));
+         }},
+        {"segment.b_m", "(nan, 0)",
+         [](Scene& s) {
+             return message_of(s.world.create_shape(s.box, Segment{{0, 0}, {kNaN, 0}}));
+         }},
+        {"from segment.a_m to segment.b_m", "0.004",
+         [](Scene& s) {
+             return message_of(s.world.create_shape(s.box, Segment{{0, 0}, {0.004f, 0}}));
          }},
         {"polygon.points_m", "2 distinct points",
          [](Scene& s) {
@@ -285,6 +299,60 @@ TEST_CASE("bad steps, gravity and queries are refused") {
          [](Scene& s) {
              return message_of(s.world.shape_at({0, kNaND}));
          }},
+        {"ray.origin_m", "1e12",
+         [](Scene& s) {
+             return message_of(s.world.cast_ray({1e300, 0}, {1, 0}));
+         }},
+        {"ray.translation_m", "1e9",
+         [](Scene& s) {
+             return message_of(s.world.cast_ray_all({0, 0}, {0, 1e30f}));
+         }},
+        {"shape_cast.start.p", "nan",
+         [](Scene& s) {
+             return message_of(s.world.cast_shape(Circle{}, {{kNaND, 0}, {}}, {1, 0}));
+         }},
+        {"shape_cast.start.q", "2",
+         [](Scene& s) {
+             return message_of(s.world.cast_shape(Circle{}, {{}, {2, 0}}, {1, 0}));
+         }},
+        {"shape_cast.start.q", "nan",
+         [](Scene& s) {
+             return message_of(s.world.cast_shape(Circle{}, {{}, {kNaN, 0}}, {1, 0}));
+         }},
+        {"shape_cast.translation_m", "inf",
+         [](Scene& s) {
+             return message_of(s.world.cast_shape_all(Circle{}, {}, {kInfinity, 0}));
+         }},
+        {"circle.radius_m", "-1",
+         [](Scene& s) {
+             return message_of(s.world.cast_shape(Circle{{}, -1}, {}, {1, 0}));
+         }},
+        {"box.half_width_m", "0",
+         [](Scene& s) {
+             return message_of(s.world.shapes_overlapping(Box{0, 1}, {}));
+         }},
+        {"pose.p", "inf",
+         [](Scene& s) {
+             return message_of(s.world.shapes_overlapping(Circle{}, {{kInfinityD, 0}, {}}));
+         }},
+        {"box.lower_m", "nan",
+         [](Scene& s) {
+             return message_of(s.world.shapes_in_box({kNaND, 0}, {1, 1}));
+         }},
+        {"box.lower_m.y", "at most upper_m.y",
+         [](Scene& s) {
+             return message_of(s.world.shapes_in_box({0, 2}, {1, 1}));
+         }},
+        {"point_m", "inf",
+         [](Scene& s) {
+             return message_of(s.world.closest_point({kInfinityD, 0}, 1));
+         }},
+        {"radius_m", "-1",
+         [](Scene& s) {
+             return message_of(s.world.closest_points({0, 0}, -1));
+         }},
+        {"reach_m", "nan", [](Scene& s) { return message_of(s.world.collision_planes(Circle{}, {}, kNaN)); }},
+        {"polygon", "", [](Scene& s) { return message_of(s.world.collision_planes(Polygon{}, {}, 1)); }},
     });
 }
 

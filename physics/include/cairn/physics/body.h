@@ -88,7 +88,7 @@ class Body {
     [[nodiscard]] bool allows_sleep() const;
     void set_allow_sleep(bool allow);
 
-    [[nodiscard]] std::vector<ShapeId> shapes() const;  ///< in order of creation
+    [[nodiscard]] std::vector<ShapeId> shapes() const;  ///< in order of creation, then sensors
     [[nodiscard]] std::vector<JointId> joints() const;
     [[nodiscard]] std::uint64_t user_data() const;
     void set_user_data(std::uint64_t data);

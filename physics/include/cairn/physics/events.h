@@ -37,4 +37,20 @@ struct ContactHit {
     float impulse_ns = 0;  ///< sum of the normal impulses of the contact over the step
 };
 
+/// A shape came to overlap a sensor.
+struct SensorBegin {
+    ShapeId sensor{};
+    ShapeId visitor{};
+    BodyId sensor_body{};
+    BodyId visitor_body{};
+};
+
+/// A shape ceased to overlap a sensor, one of the two was destroyed, or its filter hides it now.
+struct SensorEnd {
+    ShapeId sensor{};
+    ShapeId visitor{};
+    BodyId sensor_body{};
+    BodyId visitor_body{};
+};
+
 }  // namespace cairn::physics

@@ -29,10 +29,11 @@ class [[nodiscard]] Result {
     explicit operator bool() const { return value_.has_value(); }
     [[nodiscard]] T& value() & { return check(), *value_; }
     [[nodiscard]] const T& value() const& { return check(), *value_; }
-    T&& value() && { return check(), *std::move(value_); }
+    /// By value, so that `for (x : call().value())` walks over something that lives.
+    T value() && { return check(), *std::move(value_); }
     T& operator*() & { return value(); }
     const T& operator*() const& { return value(); }
-    T&& operator*() && { return std::move(*this).value(); }
+    T operator*() && { return std::move(*this).value(); }
     T* operator->() { return &value(); }
     const T* operator->() const { return &value(); }
     [[nodiscard]] const Error& error() const { return error_; }

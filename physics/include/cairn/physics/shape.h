@@ -26,6 +26,14 @@ struct Capsule {
     float radius_m = 0.25f;
 };
 
+/// A line without thickness or mass, from a_m to b_m, apart by more than 5 mm. Solid from both sides; meets
+/// every shape but other segments. A dynamic body of segments alone has no mass: nothing pushes it, and it
+/// keeps its velocity until it gets a shape that has mass.
+struct Segment {
+    Vec2 a_m{-0.5f, 0};
+    Vec2 b_m{0.5f, 0};
+};
+
 /// A rectangle, turned by angle_rad about its centre; corners rounded outward by radius_m >= 0.
 struct Box {
     float half_width_m = 0.5f;
@@ -42,14 +50,26 @@ struct Polygon {
     float radius_m = 0;
 };
 
-using Geometry = std::variant<Circle, Capsule, Box, Polygon>;
+using Geometry = std::variant<Circle, Capsule, Box, Polygon, Segment>;
 
-enum class ShapeKind : std::uint8_t { Circle, Capsule, Polygon };
+enum class ShapeKind : std::uint8_t { Circle, Capsule, Polygon, Segment };
 
-/// How a surface rubs and bounces. Two materials mix as sqrt(f_a f_b) and max(e_a, e_b).
+inline constexpr int kMaterialKinds = 64;
+
+/// How a surface rubs, bounces, rolls and runs. Two materials mix as sqrt(f_a f_b) and max(e_a, e_b), unless
+/// World::set_material_rule says otherwise for their kinds; of two rolling resistances the larger counts,
+/// surface speeds add up.
 struct Material {
     float friction = 0.6f;  ///< Coulomb coefficient, >= 0
     float restitution = 0;  ///< share of the approach speed given back, 0..1
+    /// Coefficient, >= 0: a torque of up to this times the normal force times the radius by which the shape
+    /// is rounded (the larger of the two) resists rolling. A disc that rolls on level ground slows down by
+    /// 2/3 of this times g.
+    float rolling_resistance = 0;
+    /// The surface runs clockwise round the shape, as a conveyor belt does: positive carries to the right
+    /// what lies on top. Friction does the carrying.
+    float surface_speed_m_s = 0;
+    int kind = 0;  ///< what World::set_material_rule knows it by, 0..kMaterialKinds - 1
 };
 
 /// Who collides with whom. A pair collides when each one's categories meet the other's mask. Two shapes of
@@ -67,11 +87,17 @@ struct ShapeDef {
     Filter filter{};
     bool contact_events = false;  ///< report begin and end of touching; either shape of a pair is enough
     bool hit_events = false;  ///< report impacts faster than WorldDef::hit_speed_m_s; either shape is enough
+    /// A sensor collides with nothing and has no mass; it notes which shapes overlap it at the end of each
+    /// step: of static, kinematic, dynamic and sleeping bodies alike, without waking them. It does not see
+    /// other sensors, shapes of its own body, what the filters forbid, nor, on a static body, other static
+    /// shapes. Rays and other queries do not see sensors.
+    bool sensor = false;
+    bool seen_by_sensors = true;
     std::uint64_t user_data = 0;
 };
 
-/// A shape as the world keeps it: the hull of `count` points (1: circle, 2: capsule, else polygon,
-/// anticlockwise), rounded by radius_m, in the body's frame.
+/// A shape as the world keeps it: the hull of `count` points (1: circle, 2: capsule or segment, else
+/// polygon, anticlockwise), rounded by radius_m, in the body's frame.
 struct Outline {
     ShapeKind kind = ShapeKind::Circle;
     std::uint8_t count = 0;

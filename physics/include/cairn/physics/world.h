@@ -11,8 +11,10 @@
 #include <cairn/physics/events.h>
 #include <cairn/physics/ids.h>
 #include <cairn/physics/joint.h>
+#include <cairn/physics/profile.h>
 #include <cairn/physics/query.h>
 #include <cairn/physics/result.h>
+#include <cairn/physics/rules.h>
 #include <cairn/physics/shape.h>
 
 namespace cairn::physics {
@@ -32,7 +34,7 @@ struct Counts {
     int awake_bodies = 0;  ///< dynamic and kinematic
     int shapes = 0;
     int joints = 0;
-    int contacts = 0;  ///< pairs of shapes that are near each other
+    int contacts = 0;  ///< pairs of shapes that are near each other, those refused by the host too
     int touching = 0;  ///< of those, the pairs that touch
 };
 
@@ -44,9 +46,12 @@ class Shape {
     [[nodiscard]] const Outline& outline() const;
     [[nodiscard]] float density() const;
     [[nodiscard]] Material material() const;
-    Result<void> set_material(Material material);  ///< from the next step on
+    Result<void> set_material(Material material);  ///< from the next step on; wakes what touches it
     [[nodiscard]] Filter filter() const;
     void set_filter(Filter filter);  ///< ends touching that the new filter forbids
+    [[nodiscard]] bool is_sensor() const;
+    [[nodiscard]] bool is_seen_by_sensors() const;
+    void set_seen_by_sensors(bool seen);  ///< sensors notice with the next step
     [[nodiscard]] std::uint64_t user_data() const;
     void set_user_data(std::uint64_t data);
 
@@ -58,9 +63,10 @@ class Shape {
     ShapeId id_;
 };
 
-/// A world of rigid bodies. Movable, not copyable. One thread at a time may use it; different worlds are
-/// independent. Every function that takes a handle or a number from outside gives an error for a null, stale
-/// or foreign handle and for a bad number, naming it, and then changes nothing.
+/// A world of rigid bodies. Movable, not copyable. One thread at a time may change it, and none may read it
+/// meanwhile; different worlds are independent. Every function that takes a handle or a number from outside
+/// gives an error for a null, stale or foreign handle and for a bad number, naming it, and then changes
+/// nothing.
 class World {
   public:
     /// Ends the program for a bad definition, as `create(def).value()` does.
@@ -102,20 +108,76 @@ class World {
     [[nodiscard]] std::span<const ContactEnd> contact_ends() const;
     [[nodiscard]] std::span<const ContactHit> contact_hits() const;
 
+    /// What came to overlap sensors, and what ceased to, from the end of one step to the end of the next:
+    /// what passes a sensor within a single step is not seen. Ordered and valid as the events of contacts.
+    [[nodiscard]] std::span<const SensorBegin> sensor_begins() const;
+    [[nodiscard]] std::span<const SensorEnd> sensor_ends() const;
+    /// The shapes that overlapped a sensor at the end of the last step; those destroyed since are among them
+    /// still.
+    Result<std::vector<ShapeId>> sensor_overlaps(ShapeId sensor) const;
+
     /// Bodies whose motion became infinite or NaN in the last step. They were put back to where the step
     /// found them, and stopped. Empty unless forces or impulses beyond all measure act.
     [[nodiscard]] std::span<const BodyId> quarantined() const;
 
-    /// The first shape met from origin_m to origin_m + translation_m.
+    // Queries. Between steps any number of threads may ask at once, as long as none changes the world. Each
+    // gives an error for NaN and infinity, for places beyond 1e12 m and lengths beyond 1e9 m, and for
+    // geometry that `create_shape` would refuse. Lists are ordered by fraction or distance, then by slot of
+    // the shape.
+
+    /// The first shape met from origin_m to origin_m + translation_m. A ray without length meets nothing.
     Result<std::optional<RayHit>> cast_ray(Position origin_m, Vec2 translation_m,
                                            QueryFilter filter = {}) const;
+    /// All shapes met; each once, where the ray enters it.
+    Result<std::vector<RayHit>> cast_ray_all(Position origin_m, Vec2 translation_m,
+                                             QueryFilter filter = {}) const;
+    /// The first shape met by one that moves, without turning, from `start` on. What it overlaps at the start
+    /// is met at fraction 0. Exact for rounded shapes too.
+    Result<std::optional<ShapeHit>> cast_shape(const Geometry& geometry, const Transform& start,
+                                               Vec2 translation_m, QueryFilter filter = {}) const;
+    /// All shapes met; each once, where it is first touched.
+    Result<std::vector<ShapeHit>> cast_shape_all(const Geometry& geometry, const Transform& start,
+                                                 Vec2 translation_m, QueryFilter filter = {}) const;
     /// A shape that contains the point; of several, always the same one.
     Result<std::optional<ShapeId>> shape_at(Position point_m, QueryFilter filter = {}) const;
+    /// The shapes that the geometry touches or overlaps at the pose.
+    Result<std::vector<ShapeId>> shapes_overlapping(const Geometry& geometry, const Transform& pose,
+                                                    QueryFilter filter = {}) const;
+    /// The shapes that touch or overlap the box: the shapes, not their bounds. lower_m <= upper_m.
+    Result<std::vector<ShapeId>> shapes_in_box(Position lower_m, Position upper_m,
+                                               QueryFilter filter = {}) const;
+    /// The nearest surface within radius_m; inside shapes, of the deepest one.
+    Result<std::optional<SurfacePoint>> closest_point(Position point_m, float radius_m,
+                                                      QueryFilter filter = {}) const;
+    /// The nearest point of each shape within radius_m.
+    Result<std::vector<SurfacePoint>> closest_points(Position point_m, float radius_m,
+                                                     QueryFilter filter = {}) const;
+    /// What limits the geometry at the pose: a line for each shape within reach_m, ordered by slot.
+    Result<std::vector<CollisionPlane>> collision_planes(const Geometry& geometry, const Transform& pose,
+                                                         float reach_m, QueryFilter filter = {}) const;
+
+    /// The host's word on which pairs collide, besides their filters. Pairs that are near each other already
+    /// keep the answer they have.
+    void set_pair_filter(PairFilter filter);
+
+    /// How materials of two kinds mix, in either order, from the next step on. Wakes what it makes a
+    /// difference to.
+    Result<void> set_material_rule(int kind_a, int kind_b, const MaterialRule& rule);
+    [[nodiscard]] Result<MaterialRule> material_rule(int kind_a, int kind_b) const;
 
     [[nodiscard]] Vec2 gravity() const;
     Result<void> set_gravity(Vec2 gravity_m_s2);  ///< wakes every body
     [[nodiscard]] Counts counts() const;
+    /// As `counts().awake_bodies`, but without walking over all contacts.
+    [[nodiscard]] int awake_body_count() const;
+    /// How deep two touching shapes overlap at most, as they stand now, m. For tests and tools: it collides
+    /// every touching pair anew.
+    [[nodiscard]] float max_penetration_m() const;
     [[nodiscard]] std::uint64_t step_count() const;
+    /// Whether steps measure their stages; off at first. Costs a look at the clock per stage.
+    void set_profiling(bool enabled);
+    /// Of the last step that was measured.
+    [[nodiscard]] const Profile& profile() const;
     /// 64 bits over poses, velocities, sleep and remembered impulses: worlds with the same history and inputs
     /// have the same hash on every compiler, build type and processor.
     [[nodiscard]] std::uint64_t state_hash() const;

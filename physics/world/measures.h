@@ -1,0 +1,12 @@
+// What can be asked about a world as a whole, for benchmarks, tests and tools; nothing here is part of a
+// step.
+#pragma once
+
+#include "world/world_state.h"
+
+namespace cairn::physics {
+
+Counts count_objects(const Stores& stores);
+float max_penetration_m(const Stores& stores);
+
+}  // namespace cairn::physics
