@@ -5,12 +5,6 @@
 #include "world/filtering.h"
 
 namespace cairn::physics {
-namespace {
-
-constexpr Layer kLayers[] = {Layer::Fixed, Layer::Moving};
-
-}  // namespace
-
 std::optional<RayHit> cast_ray_closest(const Stores& stores, Position origin_m, Vec2 translation_m,
                                        const QueryFilter& filter) {
     std::optional<RayHit> best;
