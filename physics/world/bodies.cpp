@@ -142,7 +142,8 @@ int create_shape(Stores& stores, int body, const Convex& convex, const ShapeDef&
     record.margin_m = tuning::kAabbReach_m;
     // Small shapes take small margins, or a heap of grains would be one heap of pairs.
     if (owner.type != BodyType::Static)
-        record.margin_m += std::min(tuning::kAabbMargin_m - tuning::kAabbReach_m, 0.25f * half_perimeter(box));
+        record.margin_m +=
+            std::min(tuning::kAabbMargin_m - tuning::kAabbReach_m, 0.25f * half_perimeter(box));
     record.fat_box = grown(box, record.margin_m);
 
     const int shape = stores.shapes.insert(record);
@@ -196,8 +197,8 @@ void teleport(Stores& stores, int body, Position origin_m, double angle_rad) {
     rows.moved[record.row] = {};
     update_boxes(stores, body);
     if (record.type != BodyType::Static) return;
-    // A static body never wakes anything by touching it, so what sleeps at its new place is woken here: afterwards,
-    // since waking changes the trees.
+    // A static body never wakes anything by touching it, so what sleeps at its new place is woken here:
+    // afterwards, since waking changes the trees.
     std::vector<int> met;
     for_each_shape(stores, body, [&](int shape) {
         for (const Layer layer : {Layer::Asleep, Layer::Awake}) {

@@ -110,7 +110,8 @@ bool has_contact(const Stores& stores, int shape_a, int shape_b) {
     const auto& slots = stores.contacts.slots;
     int of_a = stores.bodies.slots[stores.shapes[shape_a].body].first_contact;
     int of_b = stores.bodies.slots[stores.shapes[shape_b].body].first_contact;
-    // Both lists at once, until the shorter one ends: what rests on the ground has few contacts, the ground many.
+    // Both lists at once, until the shorter one ends: what rests on the ground has few contacts, the ground
+    // many.
     const auto is_it = [&](int key) {
         const ContactRecord& c = slots[edge_record(key)];
         return c.shape_a == std::min(shape_a, shape_b) && c.shape_b == std::max(shape_a, shape_b);

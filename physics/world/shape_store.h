@@ -1,6 +1,6 @@
 // Shapes: geometry, attributes, and the box that stands for them in the broad phase.
-// Invariant: the fat box encloses the shape as of the last step, with kAabbReach_m to spare; the broad phase knows it
-// by the number of the shape's slot; shapes of a body form a list in order of creation.
+// Invariant: the fat box encloses the shape as of the last step, with kAabbReach_m to spare; the broad phase
+// knows it by the number of the shape's slot; shapes of a body form a list in order of creation.
 #pragma once
 
 #include <cairn/physics/ids.h>
