@@ -94,6 +94,9 @@ void clear_lane(ContactBlock& block, int lane) {
     block.friction[lane] = block.friction_impulse[lane] = 0;
 }
 
+// Room that a bucket begins with, so that contacts that come and go in a settled scene allocate nothing.
+constexpr std::size_t kFirstBlocks = 8;
+
 }  // namespace
 
 int ContactLanes::add(int bucket, const PairLane& pair) {
@@ -101,6 +104,10 @@ int ContactLanes::add(int bucket, const PairLane& pair) {
     const int lane = in.lanes++;
     const int block = lane / kLanes;
     if (block == static_cast<int>(in.pairs.size())) {
+        if (in.pairs.capacity() == 0) {
+            in.pairs.reserve(kFirstBlocks);
+            in.blocks.reserve(is_colored(bucket) ? kFirstBlocks : 0);
+        }
         in.pairs.emplace_back();
         for (int i = 0; i < kLanes; ++i) write_pair(in.pairs.back(), i, PairLane{});
         if (is_colored(bucket)) {

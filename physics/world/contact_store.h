@@ -9,7 +9,6 @@
 
 #include <cairn/physics/ids.h>
 
-#include "base/pair_set.h"
 #include "base/slot_map.h"
 #include "resolve/contact_lanes.h"
 #include "world/edge_list.h"
@@ -44,7 +43,6 @@ struct ContactStore {
     ContactLanes lanes;
     std::vector<int> loose;
     std::vector<std::uint32_t> colors;  // by body slot: bits of those in which the body is moved
-    PairSet pairs;
 };
 
 }  // namespace cairn::physics

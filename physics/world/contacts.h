@@ -8,6 +8,9 @@ namespace cairn::physics {
 /// Stage: contacts for the pairs that the broad phase reports.
 void find_new_pairs(Stores& stores);
 
+/// Whether the two shapes have a contact. Costs as much as the shorter of their bodies' lists is long.
+[[nodiscard]] bool has_contact(const Stores& stores, int shape_a, int shape_b);
+
 /// Stage: manifolds of all listed contacts, and from them the constraints of this step, in lanes or in plain
 /// form; sleeping bodies that are touched wake, and take part in this step.
 void update_contacts(WorldState& world, const StepTime& time, const ContactRules& rules);

@@ -36,11 +36,8 @@ void halt(Motions& motions, int row) {
 void set_fat_box(Stores& stores, int shape, const Aabb& box) {
     ShapeRecord& record = stores.shapes[shape];
     record.fat_box = box;
-    stores.broad.move(record.layer, record.proxy, box);
-    std::uint32_t& flags = stores.bodies.places[record.body].flags;
-    if (flags & place_flag::kBoxesMoved) return;
-    flags |= place_flag::kBoxesMoved;
-    stores.boxes_moved.push_back(record.body);
+    stores.broad.move(shape, box);
+    note_moved_boxes(stores, record.body);
 }
 
 void update_boxes(Stores& stores, int body) {
@@ -49,7 +46,7 @@ void update_boxes(Stores& stores, int body) {
          shape = stores.shapes[shape].next_of_body) {
         ShapeRecord& record = stores.shapes[shape];
         const Aabb box = bounds(record.convex, xf);
-        if (contains(record.fat_box, box)) continue;
+        if (contains(record.fat_box, grown(box, tuning::kAabbReach_m))) continue;
         set_fat_box(stores, shape, grown(box, record.margin_m));
     }
 }

@@ -26,6 +26,18 @@ struct PairRules {
     PairFilter filter;
     MixingTable mixing;
 };
+/// Where the broad phase keeps the shapes of such a body.
+inline Layer layer_of(RowSet set) {
+    switch (set) {
+        case RowSet::Static:
+            return Layer::Static;
+        case RowSet::Asleep:
+            return Layer::Asleep;
+        case RowSet::Awake:
+            return Layer::Awake;
+    }
+    return Layer::Awake;
+}
 
 /// The objects of a world and how they hang together.
 struct Stores {
@@ -40,6 +52,14 @@ struct Stores {
     PairRules rules;
     SensorStore sensors;
 };
+
+/// The contacts of the body will be asked whether their boxes still overlap.
+inline void note_moved_boxes(Stores& stores, int body) {
+    std::uint32_t& flags = stores.bodies.places[body].flags;
+    if (flags & place_flag::kBoxesMoved) return;
+    flags |= place_flag::kBoxesMoved;
+    stores.boxes_moved.push_back(body);
+}
 
 struct Events {
     std::vector<ContactBegin> begins;
