@@ -11,6 +11,7 @@
 #include "world/filtering.h"
 #include "world/finalize.h"
 #include "world/joints.h"
+#include "world/one_way.h"
 #include "world/sleep.h"
 
 namespace cairn::physics {
@@ -146,6 +147,7 @@ int create_shape(Stores& stores, int body, const Convex& convex, const ShapeDef&
     record.body = body;
     record.convex = convex;
     record.def = def;
+    record.def.one_way_normal = unit_or_zero(def.one_way_normal);
     record.layer = owner.type == BodyType::Static ? Layer::Fixed : Layer::Moving;
     // Small shapes take small margins, or a heap of grains would be one heap of pairs.
     record.margin_m =

@@ -7,6 +7,7 @@
 #include "world/contact_events.h"
 #include "world/fast_bodies.h"
 #include "world/filtering.h"
+#include "world/one_way.h"
 #include "world/sleep.h"
 #include "world/special_contacts.h"
 
@@ -26,7 +27,7 @@ void create_contact(Stores& stores, int shape_a, int shape_b) {
     mix_materials(stores, c);
     c.reports_touch = a.def.contact_events || b.def.contact_events;
     c.reports_hit = a.def.hit_events || b.def.hit_events;
-    special::set(c, special::kRefused, !host_allows(stores, shape_a, shape_b));
+    mark_special(stores, c);
 
     ContactStore& contacts = stores.contacts;
     const int contact = contacts.slots.insert(c);
@@ -122,6 +123,7 @@ void update_contacts(Stores& stores, Events& events, std::vector<int>& parted, V
         if (special::has(c, special::kRefused)) continue;
         compute_manifold(stores, c);
         if (c.count == 0) predict_contact(stores, c, gravity_m_s2, dt_s);
+        if (special::has(c, special::kOneWay)) screen_one_way(stores, c);
         if (c.count == 0) {
             report_parting(stores, c, events.ends);
         } else {

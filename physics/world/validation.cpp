@@ -72,8 +72,9 @@ check::Fault validate_material_kinds(int kind_a, int kind_b) {
 }
 
 check::Fault validate(const ShapeDef& def) {
-    return check::first_of(
-        {check::not_negative("shape.density_kg_m2", d(def.density_kg_m2)), validate(def.material)});
+    return check::first_of({check::not_negative("shape.density_kg_m2", d(def.density_kg_m2)),
+                            validate(def.material),
+                            check::finite("shape.one_way_normal", def.one_way_normal)});
 }
 
 check::Fault validate(const RevoluteJointDef& def, const Stores& stores) {

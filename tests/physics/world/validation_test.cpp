@@ -133,6 +133,13 @@ TEST_CASE("bad shape definitions are refused") {
         bad_def("material.surface_speed_m_s", "nan", ShapeDef{.material = {.surface_speed_m_s = kNaN}}),
         bad_def("material.kind", "-1", ShapeDef{.material = {.kind = -1}}),
         bad_def("material.kind", "64", ShapeDef{.material = {.kind = 64}}),
+        bad_def("shape.one_way_normal", "(nan, 0)", ShapeDef{.one_way_normal = {kNaN, 0}}),
+        bad_def("shape.one_way_normal", "(0, inf)", ShapeDef{.one_way_normal = {0, kInfinity}}),
+        {"shape.one_way_normal", "(nan, 1)",
+         [](Scene& s) {
+             const ShapeId shape = s.world.body(s.box)->shapes()[0];
+             return message_of(s.world.shape(shape)->set_one_way_normal({kNaN, 1}));
+         }},
         {"circle.radius_m", "0",
          [](Scene& s) {
              return message_of(s.world.create_shape(s.box, Circle{{}, 0}));

@@ -48,7 +48,10 @@ class Shape {
     [[nodiscard]] Material material() const;
     Result<void> set_material(Material material);  ///< from the next step on; wakes what touches it
     [[nodiscard]] Filter filter() const;
-    void set_filter(Filter filter);  ///< ends touching that the new filter forbids
+    void set_filter(Filter filter);             ///< ends touching that the new filter forbids
+    [[nodiscard]] Vec2 one_way_normal() const;  ///< length 1, or (0, 0)
+    /// Of any length. What touches the shape is decided anew, and wakes.
+    Result<void> set_one_way_normal(Vec2 normal);
     [[nodiscard]] bool is_sensor() const;
     [[nodiscard]] bool is_seen_by_sensors() const;
     void set_seen_by_sensors(bool seen);  ///< sensors notice with the next step
