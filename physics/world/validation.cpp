@@ -26,6 +26,13 @@ check::Fault validate_joint_bodies(const char* kind, BodyId a, BodyId b, const S
     return {};
 }
 
+check::Fault validate_tasks(const TaskSystem* tasks) {
+    if (tasks == nullptr) return {};
+    if (!tasks->enqueue) return Error{"world.tasks.enqueue is null, but must be a function"};
+    if (!tasks->wait) return Error{"world.tasks.wait is null, but must be a function"};
+    return {};
+}
+
 }  // namespace
 
 check::Fault validate(const WorldDef& def) {
@@ -33,7 +40,9 @@ check::Fault validate(const WorldDef& def) {
                             check::within("world.substeps", def.substeps, 1, 64),
                             check::not_negative("world.hit_speed_m_s", d(def.hit_speed_m_s)),
                             check::not_negative("world.restitution_speed_m_s", d(def.restitution_speed_m_s)),
-                            check::positive("world.max_push_out_speed_m_s", d(def.max_push_out_speed_m_s))});
+                            check::positive("world.max_push_out_speed_m_s", d(def.max_push_out_speed_m_s)),
+                            check::within("world.threads", def.threads, 1, TaskPool::kMaxThreads),
+                            validate_tasks(def.tasks)});
 }
 
 check::Fault validate(const BodyDef& def) {

@@ -97,7 +97,14 @@ TEST_CASE("bad world definitions give an error that names the field and the valu
     CHECK_THAT(world_error({.max_push_out_speed_m_s = 0}), Contains("world.max_push_out_speed_m_s is 0"));
     CHECK_THAT(world_error({.max_push_out_speed_m_s = kInfinity}),
                Contains("world.max_push_out_speed_m_s is inf"));
+    CHECK_THAT(world_error({.threads = 0}), Contains("world.threads is 0") && Contains("from 1 to 64"));
+    CHECK_THAT(world_error({.threads = 65}), Contains("world.threads is 65"));
+    const TaskSystem no_enqueue{.wait = [](void*, void*) {}};
+    CHECK_THAT(world_error({.tasks = &no_enqueue}), Contains("world.tasks.enqueue is null"));
+    const TaskSystem no_wait{.enqueue = [](void*, TaskSystem::Task, void*, int) -> void* { return nullptr; }};
+    CHECK_THAT(world_error({.threads = 2, .tasks = &no_wait}), Contains("world.tasks.wait is null"));
     CHECK(World::create({}));
+    CHECK(World::create({.threads = 64}));
 }
 
 TEST_CASE("bad body definitions are refused") {
