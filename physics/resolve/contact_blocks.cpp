@@ -92,6 +92,7 @@ int ContactBlocks::choose_bucket(const ContactInput& c, const Motions& motions, 
     for (const int row : {c.a, c.b}) {
         if (row == kWorldRow) continue;
         if (motions.velocity[row].inverse_mass == 0 || motions.inverse_inertia[row] == 0) return kScalar;
+        if (motions.locked_axes(row) != 0) return kScalar;
         if (std::fabs(motions.spin(row)) * dt_s > kMaxTurn_rad) return kScalar;
         used |= colors_of_row_[row];
     }

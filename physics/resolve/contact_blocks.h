@@ -38,7 +38,8 @@ class ContactBlocks {
     void start(int rows);
 
     /// Packs a contact. Nowhere, when it must be solved as a scalar: its bodies turn far in the step, or move
-    /// without being moved, or have no colour left; or it has rolling resistance or a running surface.
+    /// without being moved, or have no colour left; or it has rolling resistance or a running surface, or a
+    /// locked axis.
     ContactLane add(const ContactInput& contact, const Motions& motions, float dt_s);
 
     void warm_start(Motions& motions) const;

@@ -56,7 +56,8 @@ void update_mass(Stores& stores, int body) {
     const Vec2 old_center = record.mass.center_m;
     record.mass = to_mass_data(sum);
     record.inverse_mass = record.mass.mass_kg > 0 ? 1 / record.mass.mass_kg : 0;
-    record.inverse_inertia = record.mass.inertia_kg_m2 > 0 ? 1 / record.mass.inertia_kg_m2 : 0;
+    const bool turns = record.mass.inertia_kg_m2 > 0 && !turning_is_locked(record);
+    record.inverse_inertia = turns ? 1 / record.mass.inertia_kg_m2 : 0;
     record.extent_m = 0;
     record.inner_radius_m = std::numeric_limits<float>::infinity();
     for_each_shape(stores, body, [&](int shape) {
@@ -69,8 +70,8 @@ void update_mass(Stores& stores, int body) {
 
     BodyRows& rows = stores.bodies.rows_of(body);
     rows.center[record.row] = transform_point(xf, record.mass.center_m);
-    rows.velocity[record.row] +=
-        cross(rows.spin[record.row], rotate(xf.q, record.mass.center_m - old_center));
+    rows.velocity[record.row] += without_locked(
+        cross(rows.spin[record.row], rotate(xf.q, record.mass.center_m - old_center)), locked_axes(record));
 }
 
 void destroy_contacts_of(WorldState& world, int shape) {
@@ -101,6 +102,8 @@ int create_body(Stores& stores, const BodyDef& def) {
     record.linear_damping_1_s = def.linear_damping_1_s;
     record.angular_damping_1_s = def.angular_damping_1_s;
     record.gravity_scale = def.gravity_scale;
+    record.locks = def.locks;
+    record.sleep_speed_m_s = def.sleep_speed_m_s;
     record.user_data = def.user_data;
     const int body = stores.bodies.slots.insert(record);
     stores.bodies.add_row(body, initial_set(def));
@@ -109,8 +112,8 @@ int create_body(Stores& stores, const BodyDef& def) {
     rows.center.back() = def.position_m;
     rows.rotation.back() = rows.rotation_before.back() = Rotation::from_angle(def.angle_rad);
     if (stores.bodies.is_awake(body)) {
-        rows.velocity.back() = def.linear_velocity_m_s;
-        rows.spin.back() = def.angular_velocity_rad_s;
+        rows.velocity.back() = without_locked(def.linear_velocity_m_s, locked_axes(record));
+        rows.spin.back() = turning_is_locked(record) ? 0 : def.angular_velocity_rad_s;
     } else if (def.type != BodyType::Static) {
         stores.bodies.slots[body].next_sleeper = body;
     }
@@ -189,6 +192,16 @@ void refilter_shape(WorldState& world, int shape) {
                   });
     stores.broad.touch(stores.shapes[shape].layer, stores.shapes[shape].proxy);
     wake_body(stores, stores.shapes[shape].body);
+}
+
+void set_locks(Stores& stores, int body, AxisLocks locks) {
+    wake_body(stores, body);
+    BodyRecord& record = stores.bodies.slots[body];
+    record.locks = locks;
+    BodyRows& rows = stores.bodies.rows_of(body);
+    rows.velocity[record.row] = without_locked(rows.velocity[record.row], locked_axes(record));
+    if (turning_is_locked(record)) rows.spin[record.row] = 0;
+    update_mass(stores, body);
 }
 
 void teleport(Stores& stores, int body, Position origin_m, double angle_rad) {

@@ -52,7 +52,8 @@ check::Fault validate(const BodyDef& def) {
                             check::finite("body.angular_velocity_rad_s", d(def.angular_velocity_rad_s)),
                             check::not_negative("body.linear_damping_1_s", d(def.linear_damping_1_s)),
                             check::not_negative("body.angular_damping_1_s", d(def.angular_damping_1_s)),
-                            check::finite("body.gravity_scale", d(def.gravity_scale))});
+                            check::finite("body.gravity_scale", d(def.gravity_scale)),
+                            check::not_negative("body.sleep_speed_m_s", d(def.sleep_speed_m_s))});
 }
 
 check::Fault validate(const Material& material) {

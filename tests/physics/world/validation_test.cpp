@@ -121,6 +121,8 @@ TEST_CASE("bad body definitions are refused") {
         bad_def("body.angular_damping_1_s", "-1", BodyDef{.angular_damping_1_s = -1}),
         bad_def("body.angular_damping_1_s", "nan", BodyDef{.angular_damping_1_s = kNaN}),
         bad_def("body.gravity_scale", "nan", BodyDef{.gravity_scale = kNaN}),
+        bad_def("body.sleep_speed_m_s", "-1", BodyDef{.sleep_speed_m_s = -1}),
+        bad_def("body.sleep_speed_m_s", "nan", BodyDef{.sleep_speed_m_s = kNaN}),
     });
 }
 
@@ -264,6 +266,8 @@ TEST_CASE("bad numbers for a body's setters are refused") {
         bad_call("body.linear_damping_1_s", "-1", [](Body b) { return b.set_linear_damping(-1); }),
         bad_call("body.angular_damping_1_s", "nan", [](Body b) { return b.set_angular_damping(kNaN); }),
         bad_call("body.gravity_scale", "inf", [](Body b) { return b.set_gravity_scale(kInfinity); }),
+        bad_call("body.sleep_speed_m_s", "-2", [](Body b) { return b.set_sleep_speed(-2); }),
+        bad_call("body.sleep_speed_m_s", "inf", [](Body b) { return b.set_sleep_speed(kInfinity); }),
     });
 }
 
