@@ -34,6 +34,10 @@ enum class Mover : std::uint8_t {
     Turning,   // the same, and scalar code needs its turn as a rotation
 };
 
+/// Axes along which a body does not move, as bits.
+inline constexpr std::uint8_t kLockedX = 1;
+inline constexpr std::uint8_t kLockedY = 2;
+
 /// One body in plain units, as scalar code works on it.
 struct Motion {
     Vec2 v;
@@ -42,7 +46,25 @@ struct Motion {
     Rotation dq;
     float inverse_mass = 0;
     float inverse_inertia = 0;
+    std::uint8_t locked = 0;
 };
+
+inline Vec2 without_locked(Vec2 v, std::uint8_t locked) {
+    if (locked & kLockedX) v.x = 0;
+    if (locked & kLockedY) v.y = 0;
+    return v;
+}
+
+/// What an impulse through the centre of mass adds to the velocity.
+inline Vec2 velocity_change(const Motion& body, Vec2 impulse) {
+    return without_locked(body.inverse_mass * impulse, body.locked);
+}
+
+/// The inverse mass that an impulse along the axis (of length 1) feels.
+inline float inverse_mass_along(const Motion& body, Vec2 axis) {
+    if (body.locked == 0) return body.inverse_mass;
+    return body.inverse_mass * length_squared(without_locked(axis, body.locked));
+}
 
 struct Motions {
     std::vector<VelocityRow> velocity;
@@ -52,6 +74,7 @@ struct Motions {
     std::vector<Rotation> turned;            // angle of the pose, kept for turning bodies
     std::vector<float> inverse_inertia;
     std::vector<Mover> mover;
+    std::vector<std::uint8_t> locked;  // axes of each row; empty while no body has any
 
     [[nodiscard]] int size() const { return static_cast<int>(velocity.size()); }
     [[nodiscard]] float spin(int i) const { return velocity[i].w * pose[i].k; }   // rad/s
@@ -59,9 +82,15 @@ struct Motions {
 
     void clear();
     void add(Vec2 v, float w, float inverse_mass, float inverse_inertia);
+    /// Of the row added last.
+    void lock(std::uint8_t axes);
+    [[nodiscard]] std::uint8_t locked_axes(int i) const {
+        return static_cast<std::size_t>(i) < locked.size() ? locked[i] : std::uint8_t{0};
+    }
 
     [[nodiscard]] Motion get(int i) const {
-        return {velocity[i].v, spin(i), pose[i].d, turned[i], velocity[i].inverse_mass, inverse_inertia[i]};
+        return {velocity[i].v,      spin(i),       pose[i].d, turned[i], velocity[i].inverse_mass,
+                inverse_inertia[i], locked_axes(i)};
     }
     /// Writes the velocity back.
     void set(int i, const Motion& m) {
@@ -85,6 +114,7 @@ inline void Motions::clear() {
     turned.clear();
     inverse_inertia.clear();
     mover.clear();
+    locked.clear();
 }
 
 inline void Motions::add(Vec2 v, float w, float inverse_mass, float inverse_inertia_of_body) {
@@ -97,6 +127,12 @@ inline void Motions::add(Vec2 v, float w, float inverse_mass, float inverse_iner
     turned.push_back({});
     inverse_inertia.push_back(inverse_inertia_of_body);
     mover.push_back(Mover::Flight);
+}
+
+inline void Motions::lock(std::uint8_t axes) {
+    if (axes == 0) return;
+    locked.resize(velocity.size(), 0);
+    locked.back() = axes;
 }
 
 /// What acts on a body besides constraints, constant over a step.

@@ -21,17 +21,17 @@ Vec2 relative_velocity(const Motion& a, const Motion& b, Vec2 r_a, Vec2 r_b) {
 }
 
 void apply(Motion& a, Motion& b, Vec2 r_a, Vec2 r_b, Vec2 impulse) {
-    a.v -= a.inverse_mass * impulse;
+    a.v -= velocity_change(a, impulse);
     a.w -= a.inverse_inertia * cross(r_a, impulse);
-    b.v += b.inverse_mass * impulse;
+    b.v += velocity_change(b, impulse);
     b.w += b.inverse_inertia * cross(r_b, impulse);
 }
 
 float effective_mass(const Motion& a, const Motion& b, Vec2 r_a, Vec2 r_b, Vec2 axis) {
     const float ra = cross(r_a, axis);
     const float rb = cross(r_b, axis);
-    const float k =
-        a.inverse_mass + b.inverse_mass + a.inverse_inertia * ra * ra + b.inverse_inertia * rb * rb;
+    const float k = inverse_mass_along(a, axis) + inverse_mass_along(b, axis) + a.inverse_inertia * ra * ra +
+                    b.inverse_inertia * rb * rb;
     return k > 0 ? 1 / k : 0;
 }
 
@@ -92,7 +92,7 @@ std::optional<Impulses> solve_both(const ContactConstraint& c, const Motion& a, 
     const ContactPointConstraint& q = c.points[1];
     const float k00 = 1 / p.normal_mass;
     const float k11 = 1 / q.normal_mass;
-    const float k01 = a.inverse_mass + b.inverse_mass +
+    const float k01 = inverse_mass_along(a, c.normal) + inverse_mass_along(b, c.normal) +
                       a.inverse_inertia * cross(p.r_a, c.normal) * cross(q.r_a, c.normal) +
                       b.inverse_inertia * cross(p.r_b, c.normal) * cross(q.r_b, c.normal);
     const float determinant = k00 * k11 - k01 * k01;

@@ -95,7 +95,7 @@ void clear_lane(ContactBlock& block, int lane) {
 }
 
 // Room that a bucket begins with, so that contacts that come and go in a settled scene allocate nothing.
-constexpr std::size_t kFirstBlocks = 8;
+constexpr std::size_t kFirstBlocks = 16;
 
 }  // namespace
 

@@ -13,6 +13,7 @@
 #include "world/filtering.h"
 #include "world/finalize.h"
 #include "world/joints.h"
+#include "world/one_way.h"
 #include "world/sleep.h"
 
 namespace cairn::physics {
@@ -57,7 +58,8 @@ void update_mass(Stores& stores, int body) {
     const Vec2 old_center = record.mass.center_m;
     record.mass = to_mass_data(sum);
     record.inverse_mass = record.mass.mass_kg > 0 ? 1 / record.mass.mass_kg : 0;
-    record.inverse_inertia = record.mass.inertia_kg_m2 > 0 ? 1 / record.mass.inertia_kg_m2 : 0;
+    const bool turns = record.mass.inertia_kg_m2 > 0 && !turning_is_locked(record);
+    record.inverse_inertia = turns ? 1 / record.mass.inertia_kg_m2 : 0;
     record.extent_m = 0;
     record.inner_radius_m = std::numeric_limits<float>::infinity();
     for_each_shape(stores, body, [&](int shape) {
@@ -70,8 +72,8 @@ void update_mass(Stores& stores, int body) {
 
     BodyRows& rows = stores.bodies.rows_of(body);
     stores.bodies.places[body].center = transform_point(xf, record.mass.center_m);
-    rows.velocity[record.row] +=
-        cross(rows.spin[record.row], rotate(xf.q, record.mass.center_m - old_center));
+    rows.velocity[record.row] += without_locked(
+        cross(rows.spin[record.row], rotate(xf.q, record.mass.center_m - old_center)), locked_axes(record));
     for_each_edge(stores.contacts.slots, record.first_contact,
                   [&](int contact, int) { relist_contact(stores, contact); });
 }
@@ -104,6 +106,8 @@ int create_body(Stores& stores, const BodyDef& def) {
     record.linear_damping_1_s = def.linear_damping_1_s;
     record.angular_damping_1_s = def.angular_damping_1_s;
     record.gravity_scale = def.gravity_scale;
+    record.locks = def.locks;
+    record.sleep_speed_m_s = def.sleep_speed_m_s;
     record.user_data = def.user_data;
     const int body = stores.bodies.slots.insert(record);
     stores.bodies.add_row(body, initial_set(def));
@@ -113,8 +117,8 @@ int create_body(Stores& stores, const BodyDef& def) {
     place.center = def.position_m;
     place.rotation = rows.rotation_before.back() = Rotation::from_angle(def.angle_rad);
     if (stores.bodies.is_awake(body)) {
-        rows.velocity.back() = def.linear_velocity_m_s;
-        rows.spin.back() = def.angular_velocity_rad_s;
+        rows.velocity.back() = without_locked(def.linear_velocity_m_s, locked_axes(record));
+        rows.spin.back() = turning_is_locked(record) ? 0 : def.angular_velocity_rad_s;
     } else if (def.type != BodyType::Static) {
         stores.bodies.slots[body].next_sleeper = body;
     }
@@ -152,6 +156,7 @@ int create_shape(Stores& stores, int body, const Convex& convex, const ShapeDef&
     record.convex = convex;
     record.def = def;
     record.margin_m = tuning::kAabbReach_m;
+    record.def.one_way_normal = unit_or_zero(def.one_way_normal);
     // Small shapes take small margins, or a heap of grains would be one heap of pairs.
     if (owner.type != BodyType::Static)
         record.margin_m +=
@@ -193,6 +198,16 @@ void refilter_shape(WorldState& world, int shape) {
                   });
     stores.broad.touch(shape);
     wake_body(stores, stores.shapes[shape].body);
+}
+
+void set_locks(Stores& stores, int body, AxisLocks locks) {
+    wake_body(stores, body);
+    BodyRecord& record = stores.bodies.slots[body];
+    record.locks = locks;
+    BodyRows& rows = stores.bodies.rows_of(body);
+    rows.velocity[record.row] = without_locked(rows.velocity[record.row], locked_axes(record));
+    if (turning_is_locked(record)) rows.spin[record.row] = 0;
+    update_mass(stores, body);
 }
 
 void teleport(Stores& stores, int body, Position origin_m, double angle_rad) {

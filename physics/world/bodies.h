@@ -14,6 +14,9 @@ void destroy_shape(WorldState& world, int shape);
 /// Ends the shape's contacts that its filter no longer allows, and looks for those that it now does.
 void refilter_shape(WorldState& world, int shape);
 
+/// What the body does along axes that become locked ends; it wakes.
+void set_locks(Stores& stores, int body, AxisLocks locks);
+
 void teleport(Stores& stores, int body, Position origin_m, double angle_rad);
 
 }  // namespace cairn::physics

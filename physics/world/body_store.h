@@ -31,6 +31,8 @@ struct BodyRecord {
     float linear_damping_1_s = 0;
     float angular_damping_1_s = 0;
     float gravity_scale = 1;
+    AxisLocks locks;
+    float sleep_speed_m_s = 0;
     int first_shape = kNone;
     int last_shape = kNone;
     int first_sensor = kNone;
@@ -39,6 +41,16 @@ struct BodyRecord {
     int next_sleeper = kNone;  // ring of the bodies that fell asleep together
     std::uint64_t user_data = 0;
 };
+
+/// Bits of base/motion.h: the axes along which nothing moves the body.
+inline std::uint8_t locked_axes(const BodyRecord& body) {
+    if (body.type != BodyType::Dynamic) return 0;
+    return static_cast<std::uint8_t>((body.locks.x ? kLockedX : 0) | (body.locks.y ? kLockedY : 0));
+}
+
+inline bool turning_is_locked(const BodyRecord& body) {
+    return body.type == BodyType::Dynamic && body.locks.rotation;
+}
 
 /// Rows of bodies, one column per quantity.
 struct BodyRows {

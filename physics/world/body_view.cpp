@@ -34,7 +34,7 @@ bool is_dynamic(const Row& at) {
 }
 
 void add_impulse(const Row& at, Vec2 impulse, Vec2 arm) {
-    at.rows.velocity[at.row] += at.record.inverse_mass * impulse;
+    at.rows.velocity[at.row] += without_locked(at.record.inverse_mass * impulse, locked_axes(at.record));
     at.rows.spin[at.row] += at.record.inverse_inertia * cross(arm, impulse);
 }
 
@@ -91,7 +91,7 @@ Result<void> Body::set_linear_velocity(Vec2 velocity_m_s) {
     if (auto fault = check::finite("body.linear_velocity_m_s", velocity_m_s)) return *fault;
     if (type() == BodyType::Static) return {};
     const Row at = woken_row_of(*world_, id_);
-    at.rows.velocity[at.row] = velocity_m_s;
+    at.rows.velocity[at.row] = without_locked(velocity_m_s, locked_axes(at.record));
     return {};
 }
 
@@ -100,7 +100,7 @@ Result<void> Body::set_angular_velocity(float velocity_rad_s) {
     if (auto fault = check::finite("body.angular_velocity_rad_s", value)) return *fault;
     if (type() == BodyType::Static) return {};
     const Row at = woken_row_of(*world_, id_);
-    at.rows.spin[at.row] = velocity_rad_s;
+    at.rows.spin[at.row] = turning_is_locked(at.record) ? 0 : velocity_rad_s;
     return {};
 }
 
@@ -186,6 +186,15 @@ Result<void> Body::set_gravity_scale(float scale) {
     return {};
 }
 
+AxisLocks Body::locks() const {
+    return row_of(*world_, id_).record.locks;
+}
+
+void Body::set_locks(AxisLocks locks) {
+    const Row at = row_of(*world_, id_);
+    if (at.record.locks != locks) physics::set_locks(world_->stores, at.body, locks);
+}
+
 bool Body::is_awake() const {
     return row_of(*world_, id_).record.set == RowSet::Awake;
 }
@@ -207,6 +216,17 @@ void Body::set_allow_sleep(bool allow) {
     const Row at = row_of(*world_, id_);
     at.record.allow_sleep = allow;
     if (!allow) wake_body(world_->stores, at.body);
+}
+
+float Body::sleep_speed() const {
+    return row_of(*world_, id_).record.sleep_speed_m_s;
+}
+
+Result<void> Body::set_sleep_speed(float speed_m_s) {
+    if (auto fault = check::not_negative("body.sleep_speed_m_s", static_cast<double>(speed_m_s)))
+        return *fault;
+    row_of(*world_, id_).record.sleep_speed_m_s = speed_m_s;
+    return {};
 }
 
 std::vector<ShapeId> Body::shapes() const {

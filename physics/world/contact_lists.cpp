@@ -3,6 +3,8 @@
 
 #include <bit>
 
+#include "world/special_contacts.h"
+
 namespace cairn::physics {
 namespace {
 
@@ -52,11 +54,12 @@ void mark_color(Stores& stores, const ContactRecord& c, int bucket, bool on) {
 int choose_bucket(const Stores& stores, const ContactRecord& c) {
     const BodyRecord& a = stores.bodies.slots[c.body_a];
     const BodyRecord& b = stores.bodies.slots[c.body_b];
-    if (!can_be_moved(b)) return kLooseBucket;
+    if (!can_be_moved(b) || is_loose(c)) return kLooseBucket;
     BlockKind kind = BlockKind::TwoBodies;
     if (a.type == BodyType::Static) kind = BlockKind::OneBody;
     if (a.type == BodyType::Kinematic) kind = BlockKind::Carried;
     if (kind == BlockKind::TwoBodies && !can_be_moved(a)) return kLooseBucket;
+    if (locked_axes(a) != 0 || locked_axes(b) != 0) return kLooseBucket;
     std::uint32_t used = stores.contacts.colors[c.body_b];
     if (kind == BlockKind::TwoBodies) used |= stores.contacts.colors[c.body_a];
     const int color = std::countr_one(used);
@@ -98,7 +101,7 @@ void list_contact(Stores& stores, int contact) {
     ContactRecord& c = stores.contacts.slots[contact];
     if (c.bucket != kNone) return;
     if (!stores.bodies.is_awake(c.body_a) && !stores.bodies.is_awake(c.body_b)) return;
-    if (c.special != 0) return add_loose(stores.contacts, contact);
+    if (is_loose(c)) return add_loose(stores.contacts, contact);
     c.bucket = near_bucket(geometry_of(stores, c));
     c.lane = stores.contacts.lanes.add(c.bucket, make_lane(stores, contact));
 }
@@ -120,7 +123,6 @@ void forget_points(Stores& stores, int contact) {
 void color_contact(Stores& stores, int contact) {
     ContactStore& contacts = stores.contacts;
     ContactRecord& c = contacts.slots[contact];
-    take_out(stores, contact);
     c.has_points = true;
     const std::size_t bodies = static_cast<std::size_t>(stores.bodies.slots.end_index());
     if (contacts.colors.size() < bodies) contacts.colors.resize(bodies, 0);

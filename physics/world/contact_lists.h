@@ -14,8 +14,8 @@ void unlist_contact(Stores& stores, int contact);
 /// The contact has no points any more: it forgets their impulses, and goes back to the near ones.
 void forget_points(Stores& stores, int contact);
 
-/// Takes a near contact that has points into a colour, or among the loose ones where no lane can hold it: a
-/// body has no colour left, or nothing there can be moved.
+/// Takes a contact that is in no list and has points into a colour, or among the loose ones where no lane can
+/// hold it: a body has no colour left, or nothing there can be moved.
 void color_contact(Stores& stores, int contact);
 
 /// After something changed that lanes keep a copy of, such as the mass of a body or the friction: the contact

@@ -11,6 +11,7 @@
 #include "world/fast_bodies.h"
 #include "world/filtering.h"
 #include "world/narrow_phase.h"
+#include "world/one_way.h"
 #include "world/sleep.h"
 #include "world/special_contacts.h"
 
@@ -34,7 +35,7 @@ void create_contact(Stores& stores, int shape_a, int shape_b) {
     mix_materials(stores, c);
     c.reports_touch = a.def.contact_events || b.def.contact_events;
     c.reports_hit = a.def.hit_events || b.def.hit_events;
-    special::set(c, special::kRefused, !host_allows(stores, shape_a, shape_b));
+    mark_special(stores, c);
 
     ContactStore& contacts = stores.contacts;
     const int contact = contacts.slots.insert(c);
@@ -88,6 +89,8 @@ class Update {
         scratch_.contacts.clear();
         scratch_.scalar_contacts.clear();
         update_uncolored();
+        for (const int contact : scratch_.met) unlist_contact(stores_, contact);
+        loose_done_ = stores_.contacts.loose.size();
         for (const int contact : scratch_.met) color_contact(stores_, contact);
         scratch_.met.clear();
         update_uncolored();  // those that found no colour
@@ -146,7 +149,7 @@ class Update {
             if (meets(stores_.contacts.slots[contact])) scratch_.met.push_back(contact);
             return;
         }
-        if ((places_.fast >> lane & 1) != 0 && predict(contact, lane)) {
+        if (predict(contact, lane)) {
             bucket.pairs[block].remembers |= static_cast<std::uint8_t>(1u << lane);
             return;
         }
@@ -173,7 +176,12 @@ class Update {
         ContactRecord& c = stores_.contacts.slots[contact];
         const AxisGap apart{{manifold_.normal_x[lane], manifold_.normal_y[lane]}, manifold_.gap[lane]};
         ContactInput input;
-        if (!predict_contact(stores_, c, apart, world_.def.gravity_m_s2, time_.dt_s, input)) return false;
+        if ((places_.fast >> lane & 1) == 0 ||
+            !predict_contact(stores_, c, apart, world_.def.gravity_m_s2, time_.dt_s, input)) {
+            if (special::has(c, special::kOneWay)) forget_side(c);
+            return false;
+        }
+        if (special::has(c, special::kOneWay) && !is_held_out(stores_, c)) return false;
         (void)meets(c);
         input.a = stores_.bodies.places[c.body_a].row;
         input.b = stores_.bodies.places[c.body_b].row;
@@ -213,8 +221,15 @@ class Update {
 
     // The contact has no points any more. It leaves its list after this pass.
     void part(int contact, int lane) {
+        if (predict(contact, lane)) {
+            scratch_.parted.push_back(contact);
+        } else {
+            lose_points(contact);
+        }
+    }
+
+    void lose_points(int contact) {
         scratch_.parted.push_back(contact);
-        if ((places_.fast >> lane & 1) != 0 && predict(contact, lane)) return;
         report_parting(stores_, stores_.contacts.slots[contact], world_.events.ends);
         stores_.contacts.slots[contact].has_points = false;
     }
@@ -244,7 +259,16 @@ class Update {
         collide_block(stores_, single_, PairGeometry::General, 1, places_.poses, manifold_);
         if (is_gone(single_, 0) || special::has(c, special::kRefused)) return;
         if (manifold_.points[0].id[0] == kNoFeature) {
-            if (c.has_points || (places_.fast & 1) != 0) part(contact, 0);
+            if (!predict(contact, 0) && c.has_points) lose_points(contact);
+            return;
+        }
+        const bool was_loose = is_loose(c);
+        if (special::has(c, special::kOneWay) && !is_held_out(stores_, c)) {
+            if (c.has_points) lose_points(contact);
+            return;
+        }
+        if (was_loose && !is_loose(c)) {  // decided just now
+            if (meets(c)) scratch_.met.push_back(contact);
             return;
         }
         if (!meets(c)) return;

@@ -12,7 +12,7 @@ float next_rest_time(const BodyRecord& record, Vec2 v, float w, float rest_time,
     if (!record.allow_sleep) return 0;
     if (record.type == BodyType::Kinematic) return v == Vec2{} && w == 0 ? rest_time + dt_s : 0;
     const float fastest_point = std::max(length(v), std::fabs(w) * record.extent_m);
-    return fastest_point < tuning::kSleepSpeed_m_s ? rest_time + dt_s : 0;
+    return fastest_point < record.sleep_speed_m_s ? rest_time + dt_s : 0;
 }
 
 bool is_finite(const Motions& motions, int row) {

@@ -93,9 +93,12 @@ void extend_motions(BodyStore& bodies, Vec2 gravity_m_s2, float dt_s, StepScratc
         const BodyRecord& record = bodies.slots[awake.body[row]];
         scratch.motions.add(awake.velocity[row], awake.spin[row], record.inverse_mass,
                             record.inverse_inertia);
+        scratch.motions.lock(locked_axes(record));
         Drive drive;
         if (record.inverse_mass > 0) {  // a body without mass keeps its velocity
-            drive.acceleration = record.gravity_scale * gravity_m_s2 + record.inverse_mass * awake.force[row];
+            drive.acceleration =
+                without_locked(record.gravity_scale * gravity_m_s2 + record.inverse_mass * awake.force[row],
+                               locked_axes(record));
             drive.angular_acceleration = record.inverse_inertia * awake.torque[row];
             drive.linear_damping = record.linear_damping_1_s;
             drive.angular_damping = record.angular_damping_1_s;

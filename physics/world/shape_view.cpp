@@ -2,6 +2,7 @@
 #include <cairn/physics/world.h>
 
 #include "world/bodies.h"
+#include "world/one_way.h"
 #include "world/validation.h"
 
 namespace cairn::physics {
@@ -46,6 +47,17 @@ Filter Shape::filter() const {
 void Shape::set_filter(Filter filter) {
     record_of(*world_, id_).def.filter = filter;
     refilter_shape(*world_, slot_of(*world_, id_));
+}
+
+Vec2 Shape::one_way_normal() const {
+    return record_of(*world_, id_).def.one_way_normal;
+}
+
+Result<void> Shape::set_one_way_normal(Vec2 normal) {
+    if (auto fault = check::finite("shape.one_way_normal", normal)) return *fault;
+    record_of(*world_, id_).def.one_way_normal = unit_or_zero(normal);
+    reconsider_one_way(world_->stores, slot_of(*world_, id_));
+    return {};
 }
 
 bool Shape::is_sensor() const {

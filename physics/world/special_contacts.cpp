@@ -1,10 +1,21 @@
 // Questions about special contacts.
 #include "world/special_contacts.h"
 
+#include "world/filtering.h"
+#include "world/one_way.h"
+
 namespace cairn::physics {
 
+void mark_special(const Stores& stores, ContactRecord& contact) {
+    special::set(contact, special::kRefused, !host_allows(stores, contact.shape_a, contact.shape_b));
+    special::set(contact, special::kOneWay,
+                 is_one_way(stores.shapes[contact.shape_a]) || is_one_way(stores.shapes[contact.shape_b]));
+}
+
 bool lets_pass(const Stores& stores, int shape_a, int shape_b) {
-    if (!stores.rules.filter.may_collide) return false;
+    const bool may_be = stores.rules.filter.may_collide || is_one_way(stores.shapes[shape_a]) ||
+                        is_one_way(stores.shapes[shape_b]);
+    if (!may_be) return false;
     bool passes = false;
     for_each_edge(stores.contacts.slots, stores.bodies.slots[stores.shapes[shape_a].body].first_contact,
                   [&](int contact, int) {

@@ -25,6 +25,17 @@ inline bool has(const ContactRecord& contact, std::uint8_t bit) {
 
 }  // namespace special
 
+/// Whether no lane takes the contact, whatever its bodies: it needs what lanes have not, or it is not known
+/// yet whether it acts at all.
+inline bool is_loose(const ContactRecord& contact) {
+    const std::uint8_t undecided = special::kOneWay | special::kSolid;
+    return special::has(contact, special::kRefused | special::kSurface) ||
+           (contact.special & undecided) == special::kOneWay;
+}
+
+/// For a new contact: asks the host, and sees whether a shape is one-way.
+void mark_special(const Stores& stores, ContactRecord& contact);
+
 /// Whether two shapes that may collide are let through each other all the same. Costs a look at the shapes
 /// unless something of the kind is in use.
 bool lets_pass(const Stores& stores, int shape_a, int shape_b);

@@ -26,6 +26,13 @@ check::Fault validate_joint_bodies(const char* kind, BodyId a, BodyId b, const S
     return {};
 }
 
+check::Fault validate_tasks(const TaskSystem* tasks) {
+    if (tasks == nullptr) return {};
+    if (!tasks->enqueue) return Error{"world.tasks.enqueue is null, but must be a function"};
+    if (!tasks->wait) return Error{"world.tasks.wait is null, but must be a function"};
+    return {};
+}
+
 }  // namespace
 
 check::Fault validate(const WorldDef& def) {
@@ -33,7 +40,9 @@ check::Fault validate(const WorldDef& def) {
                             check::within("world.substeps", def.substeps, 1, 64),
                             check::not_negative("world.hit_speed_m_s", d(def.hit_speed_m_s)),
                             check::not_negative("world.restitution_speed_m_s", d(def.restitution_speed_m_s)),
-                            check::positive("world.max_push_out_speed_m_s", d(def.max_push_out_speed_m_s))});
+                            check::positive("world.max_push_out_speed_m_s", d(def.max_push_out_speed_m_s)),
+                            check::within("world.threads", def.threads, 1, TaskPool::kMaxThreads),
+                            validate_tasks(def.tasks)});
 }
 
 check::Fault validate(const BodyDef& def) {
@@ -43,7 +52,8 @@ check::Fault validate(const BodyDef& def) {
                             check::finite("body.angular_velocity_rad_s", d(def.angular_velocity_rad_s)),
                             check::not_negative("body.linear_damping_1_s", d(def.linear_damping_1_s)),
                             check::not_negative("body.angular_damping_1_s", d(def.angular_damping_1_s)),
-                            check::finite("body.gravity_scale", d(def.gravity_scale))});
+                            check::finite("body.gravity_scale", d(def.gravity_scale)),
+                            check::not_negative("body.sleep_speed_m_s", d(def.sleep_speed_m_s))});
 }
 
 check::Fault validate(const Material& material) {
@@ -72,8 +82,9 @@ check::Fault validate_material_kinds(int kind_a, int kind_b) {
 }
 
 check::Fault validate(const ShapeDef& def) {
-    return check::first_of(
-        {check::not_negative("shape.density_kg_m2", d(def.density_kg_m2)), validate(def.material)});
+    return check::first_of({check::not_negative("shape.density_kg_m2", d(def.density_kg_m2)),
+                            validate(def.material),
+                            check::finite("shape.one_way_normal", def.one_way_normal)});
 }
 
 check::Fault validate(const RevoluteJointDef& def, const Stores& stores) {

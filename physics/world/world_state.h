@@ -7,6 +7,7 @@
 #include <cairn/physics/world.h>
 
 #include "base/motion.h"
+#include "base/task_pool.h"
 #include "broad/broad_phase.h"
 #include "islands/islands.h"
 #include "resolve/contact_constraint.h"
@@ -129,7 +130,10 @@ struct StepScratch {
 };
 
 struct WorldState {
-    WorldState(const WorldDef& definition, std::uint16_t tag) : def(definition), stores(tag) {}
+    WorldState(const WorldDef& definition, std::uint16_t tag)
+        : def(definition), stores(tag), tasks(definition.threads, definition.tasks) {
+        def.tasks = nullptr;  // the pool has a copy; the user's may be gone tomorrow
+    }
 
     WorldDef def;
     Stores stores;
@@ -139,6 +143,7 @@ struct WorldState {
     Profile profile;  // of the last step
     bool profiling = false;
     float previous_h_s = 0;  // of a substep of the last step
+    TaskPool tasks;          // with one thread, the default, it is empty and runs loops where they stand
 };
 
 }  // namespace cairn::physics

@@ -32,9 +32,9 @@ inline Vec2 relative_velocity(const AnchorsNow& at, const Motion& a, const Motio
 }
 
 inline void apply_impulse(const AnchorsNow& at, Motion& a, Motion& b, Vec2 impulse) {
-    a.v -= a.inverse_mass * impulse;
+    a.v -= velocity_change(a, impulse);
     a.w -= a.inverse_inertia * cross(at.r_a, impulse);
-    b.v += b.inverse_mass * impulse;
+    b.v += velocity_change(b, impulse);
     b.w += b.inverse_inertia * cross(at.r_b, impulse);
 }
 

@@ -25,8 +25,8 @@ Line line_now(const DistanceConstraint& c, const Motion& a, const Motion& b) {
     // when an arm has turned across the line since, and the impulses then explode.
     const float ra = cross(line.at.r_a, line.u);
     const float rb = cross(line.at.r_b, line.u);
-    const float k =
-        a.inverse_mass + b.inverse_mass + a.inverse_inertia * ra * ra + b.inverse_inertia * rb * rb;
+    const float k = inverse_mass_along(a, line.u) + inverse_mass_along(b, line.u) +
+                    a.inverse_inertia * ra * ra + b.inverse_inertia * rb * rb;
     line.mass = k > 0 ? 1 / k : 0;
     return line;
 }

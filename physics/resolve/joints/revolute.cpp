@@ -11,14 +11,14 @@
 namespace cairn::physics {
 namespace {
 
-// Solves K x = b by Cramer's rule; 0 when both bodies are immovable.
+// Solves K x = b by Cramer's rule; 0 along an axis on which nothing can move.
 Vec2 solve_point(const Motion& a, const Motion& b, const AnchorsNow& at, Vec2 rhs) {
-    const float m = a.inverse_mass + b.inverse_mass;
-    const float xx = m + a.inverse_inertia * at.r_a.y * at.r_a.y + b.inverse_inertia * at.r_b.y * at.r_b.y;
+    const Vec2 m = velocity_change(a, {1, 1}) + velocity_change(b, {1, 1});
+    const float xx = m.x + a.inverse_inertia * at.r_a.y * at.r_a.y + b.inverse_inertia * at.r_b.y * at.r_b.y;
     const float xy = -a.inverse_inertia * at.r_a.x * at.r_a.y - b.inverse_inertia * at.r_b.x * at.r_b.y;
-    const float yy = m + a.inverse_inertia * at.r_a.x * at.r_a.x + b.inverse_inertia * at.r_b.x * at.r_b.x;
+    const float yy = m.y + a.inverse_inertia * at.r_a.x * at.r_a.x + b.inverse_inertia * at.r_b.x * at.r_b.x;
     const float determinant = xx * yy - xy * xy;
-    if (determinant <= 0) return {};
+    if (determinant <= 0) return {xx > 0 ? rhs.x / xx : 0, yy > 0 ? rhs.y / yy : 0};
     const float inverse = 1 / determinant;
     return {inverse * (yy * rhs.x - xy * rhs.y), inverse * (xx * rhs.y - xy * rhs.x)};
 }

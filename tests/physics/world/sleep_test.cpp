@@ -287,4 +287,33 @@ TEST_CASE("a whole building made asleep stands untouched, and falls when hit") {
     CHECK(world.body(boxes[4])->position().y < 4);
 }
 
+TEST_CASE("a body sleeps when all of it is slower than its own speed of rest, and never at 0") {
+    World world({.gravity_m_s2 = {}});
+    const auto drift = [&](double y, float speed, float spin, float sleep_speed) {
+        return add(world,
+                   {.position_m = {0, y},
+                    .linear_velocity_m_s = {speed, 0},
+                    .angular_velocity_rad_s = spin,
+                    .sleep_speed_m_s = sleep_speed},
+                   Circle{{}, 0.5f});
+    };
+    const BodyId slower = drift(0, 0.19f, 0, 0.2f);
+    const BodyId faster = drift(5, 0.21f, 0, 0.2f);
+    const BodyId turning = drift(10, 0, 0.42f, 0.2f);  // its rim has 0.21 m/s
+    const BodyId resting = drift(15, 0, 0, 0);
+    const BodyId usual = drift(20, 0.04f, 0, BodyDef{}.sleep_speed_m_s);
+    run_for(world, 0.4);
+    CHECK(world.counts().awake_bodies == 5);
+    run_for(world, 2);
+    CHECK_FALSE(world.body(slower)->is_awake());
+    CHECK(world.body(faster)->is_awake());
+    CHECK(world.body(turning)->is_awake());
+    CHECK(world.body(resting)->is_awake());
+    CHECK_FALSE(world.body(usual)->is_awake());
+    world.body(faster)->set_sleep_speed(0.3f).value();
+    CHECK(world.body(faster)->sleep_speed() == 0.3f);
+    run_for(world, 1);
+    CHECK_FALSE(world.body(faster)->is_awake());
+}
+
 }  // namespace cairn::physics

@@ -97,7 +97,14 @@ TEST_CASE("bad world definitions give an error that names the field and the valu
     CHECK_THAT(world_error({.max_push_out_speed_m_s = 0}), Contains("world.max_push_out_speed_m_s is 0"));
     CHECK_THAT(world_error({.max_push_out_speed_m_s = kInfinity}),
                Contains("world.max_push_out_speed_m_s is inf"));
+    CHECK_THAT(world_error({.threads = 0}), Contains("world.threads is 0") && Contains("from 1 to 64"));
+    CHECK_THAT(world_error({.threads = 65}), Contains("world.threads is 65"));
+    const TaskSystem no_enqueue{.wait = [](void*, void*) {}};
+    CHECK_THAT(world_error({.tasks = &no_enqueue}), Contains("world.tasks.enqueue is null"));
+    const TaskSystem no_wait{.enqueue = [](void*, TaskSystem::Task, void*, int) -> void* { return nullptr; }};
+    CHECK_THAT(world_error({.threads = 2, .tasks = &no_wait}), Contains("world.tasks.wait is null"));
     CHECK(World::create({}));
+    CHECK(World::create({.threads = 64}));
 }
 
 TEST_CASE("bad body definitions are refused") {
@@ -114,6 +121,8 @@ TEST_CASE("bad body definitions are refused") {
         bad_def("body.angular_damping_1_s", "-1", BodyDef{.angular_damping_1_s = -1}),
         bad_def("body.angular_damping_1_s", "nan", BodyDef{.angular_damping_1_s = kNaN}),
         bad_def("body.gravity_scale", "nan", BodyDef{.gravity_scale = kNaN}),
+        bad_def("body.sleep_speed_m_s", "-1", BodyDef{.sleep_speed_m_s = -1}),
+        bad_def("body.sleep_speed_m_s", "nan", BodyDef{.sleep_speed_m_s = kNaN}),
     });
 }
 
@@ -133,6 +142,13 @@ TEST_CASE("bad shape definitions are refused") {
         bad_def("material.surface_speed_m_s", "nan", ShapeDef{.material = {.surface_speed_m_s = kNaN}}),
         bad_def("material.kind", "-1", ShapeDef{.material = {.kind = -1}}),
         bad_def("material.kind", "64", ShapeDef{.material = {.kind = 64}}),
+        bad_def("shape.one_way_normal", "(nan, 0)", ShapeDef{.one_way_normal = {kNaN, 0}}),
+        bad_def("shape.one_way_normal", "(0, inf)", ShapeDef{.one_way_normal = {0, kInfinity}}),
+        {"shape.one_way_normal", "(nan, 1)",
+         [](Scene& s) {
+             const ShapeId shape = s.world.body(s.box)->shapes()[0];
+             return message_of(s.world.shape(shape)->set_one_way_normal({kNaN, 1}));
+         }},
         {"circle.radius_m", "0",
          [](Scene& s) {
              return message_of(s.world.create_shape(s.box, Circle{{}, 0}));
@@ -250,6 +266,8 @@ TEST_CASE("bad numbers for a body's setters are refused") {
         bad_call("body.linear_damping_1_s", "-1", [](Body b) { return b.set_linear_damping(-1); }),
         bad_call("body.angular_damping_1_s", "nan", [](Body b) { return b.set_angular_damping(kNaN); }),
         bad_call("body.gravity_scale", "inf", [](Body b) { return b.set_gravity_scale(kInfinity); }),
+        bad_call("body.sleep_speed_m_s", "-2", [](Body b) { return b.set_sleep_speed(-2); }),
+        bad_call("body.sleep_speed_m_s", "inf", [](Body b) { return b.set_sleep_speed(kInfinity); }),
     });
 }
 

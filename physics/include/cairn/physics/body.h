@@ -7,6 +7,7 @@
 #include <cairn/physics/ids.h>
 #include <cairn/physics/math.h>
 #include <cairn/physics/result.h>
+#include <cairn/physics/tuning.h>
 
 namespace cairn::physics {
 
@@ -18,6 +19,15 @@ enum class BodyType : std::uint8_t {
     Dynamic,    ///< moved by forces and contacts
 };
 
+/// What a dynamic body does not do, whatever acts on it: its centre of mass stays at its x or y, or it does
+/// not turn. Velocities that are set along locked axes stay 0.
+struct AxisLocks {
+    bool x = false;
+    bool y = false;
+    bool rotation = false;
+    friend bool operator==(const AxisLocks&, const AxisLocks&) = default;
+};
+
 struct BodyDef {
     BodyType type = BodyType::Dynamic;
     Position position_m{};
@@ -27,7 +37,10 @@ struct BodyDef {
     float linear_damping_1_s = 0;   ///< c in v e^(-c t), >= 0
     float angular_damping_1_s = 0;  ///< the same for the angular velocity, >= 0
     float gravity_scale = 1;
+    AxisLocks locks{};
     bool allow_sleep = true;
+    /// A body may sleep when all of it has been slower than this for half a second, >= 0; at 0 it never does.
+    float sleep_speed_m_s = tuning::kSleepSpeed_m_s;
     bool awake = true;
     std::uint64_t user_data = 0;
 };
@@ -81,12 +94,16 @@ class Body {
     Result<void> set_linear_damping(float damping_1_s);
     Result<void> set_angular_damping(float damping_1_s);
     Result<void> set_gravity_scale(float scale);
+    [[nodiscard]] AxisLocks locks() const;
+    void set_locks(AxisLocks locks);  ///< what it does along axes that become locked ends at once
 
     [[nodiscard]] bool is_awake() const;
     /// Putting one body to sleep puts to sleep all that it touches or is jointed to.
     void set_awake(bool awake);
     [[nodiscard]] bool allows_sleep() const;
     void set_allow_sleep(bool allow);
+    [[nodiscard]] float sleep_speed() const;
+    Result<void> set_sleep_speed(float speed_m_s);
 
     [[nodiscard]] std::vector<ShapeId> shapes() const;  ///< in order of creation, then sensors
     [[nodiscard]] std::vector<JointId> joints() const;

@@ -93,6 +93,10 @@ struct ShapeDef {
     /// shapes. Rays and other queries do not see sensors.
     bool sensor = false;
     bool seen_by_sensors = true;
+    /// In the body's frame. Not (0, 0): the shape is solid only for what comes from the side to which this
+    /// points, within 60 degrees, as a platform that is jumped onto from below. All else goes through, until
+    /// it is apart from the shape or in front of it.
+    Vec2 one_way_normal{};
     std::uint64_t user_data = 0;
 };
 

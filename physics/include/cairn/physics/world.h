@@ -16,6 +16,7 @@
 #include <cairn/physics/result.h>
 #include <cairn/physics/rules.h>
 #include <cairn/physics/shape.h>
+#include <cairn/physics/tasks.h>
 
 namespace cairn::physics {
 
@@ -26,6 +27,10 @@ struct WorldDef {
     float hit_speed_m_s = 1;           ///< least approach speed that makes a ContactHit, >= 0
     float restitution_speed_m_s = 1;   ///< slower approaches do not bounce, >= 0
     float max_push_out_speed_m_s = 3;  ///< cap on how fast overlap is undone, > 0
+    /// That share a step, the one that calls `World::step` included, 1..64. The results do not depend on it.
+    int threads = 1;
+    /// Where to run on more than one thread; the world makes threads of its own when this is null. Copied.
+    const TaskSystem* tasks = nullptr;
 };
 
 /// What the world holds at the moment.
@@ -48,7 +53,10 @@ class Shape {
     [[nodiscard]] Material material() const;
     Result<void> set_material(Material material);  ///< from the next step on; wakes what touches it
     [[nodiscard]] Filter filter() const;
-    void set_filter(Filter filter);  ///< ends touching that the new filter forbids
+    void set_filter(Filter filter);             ///< ends touching that the new filter forbids
+    [[nodiscard]] Vec2 one_way_normal() const;  ///< length 1, or (0, 0)
+    /// Of any length. What touches the shape is decided anew, and wakes.
+    Result<void> set_one_way_normal(Vec2 normal);
     [[nodiscard]] bool is_sensor() const;
     [[nodiscard]] bool is_seen_by_sensors() const;
     void set_seen_by_sensors(bool seen);  ///< sensors notice with the next step

@@ -1,0 +1,117 @@
+// The scenes hold what they are described to hold, and give the same state whenever they are run.
+#include <catch2/catch.hpp>
+#include <map>
+#include <set>
+#include <string>
+
+#include <cairn/physics/simd.h>
+
+#include "measure.h"
+
+namespace cairn::bench {
+namespace {
+
+constexpr int kOneThread = 1;
+
+const Scene& scene_named(const std::string& name) {
+    for (const Scene& scene : all_scenes()) {
+        if (scene.name == name) return scene;
+    }
+    FAIL("no scene " << name);
+    return all_scenes().front();
+}
+
+Measurement measure_on_cairn(const std::string& name, int steps) {
+    return measure(scene_named(name), make_cairn, kOneThread, steps);
+}
+
+struct Content {
+    int bodies;
+    int shapes;
+    int joints;
+};
+
+// Counted by hand from the descriptions.
+const std::map<std::string, Content> kContents{
+    {"compounds", {3001, 6000 + 81 + 200 + 1, 0}},
+    {"junkyard", {8002, 8001 + 161 + 100, 0}},
+    {"large_pyramid", {5051, 5051, 0}},
+    {"many_pyramids", {22001, 22020, 0}},
+    {"smash", {9601, 9601, 0}},
+    {"tumbler", {2027, 2029, 1}},
+    {"washer", {8101, 8140, 0}},
+    {"falling_1k", {1003, 1003, 0}},
+    {"query_mix", {10000, 10000, 0}},
+    {"scale_1k", {1001, 1001, 0}},
+    {"scale_5k", {5001, 5005, 0}},
+    {"settled_10k", {10001, 10010, 0}},
+};
+
+}  // namespace
+
+TEST_CASE("every scene has a name and a summary of its own") {
+    std::set<std::string> names;
+    std::set<std::string> summaries;
+    for (const Scene& scene : all_scenes()) {
+        names.insert(scene.name);
+        summaries.insert(scene.summary);
+        CHECK(scene.steps > scene.untimed_steps);
+    }
+    CHECK(names.size() == all_scenes().size());
+    CHECK(summaries.size() == all_scenes().size());
+}
+
+TEST_CASE("scenes hold the bodies, shapes and joints of their description, and end in the same state twice") {
+    for (const auto& [name, content] : kContents) {
+        INFO(name);
+        const Measurement m = measure_on_cairn(name, 4);
+        CHECK(m.tally.bodies == content.bodies);
+        CHECK(m.tally.shapes == content.shapes);
+        CHECK(m.tally.joints == content.joints);
+        CHECK(m.state_hash == measure_on_cairn(name, 4).state_hash);
+    }
+}
+
+TEST_CASE("only the first step is left out of the time and of the awake bodies") {
+    const Measurement m = measure_on_cairn("large_pyramid", 6);
+    CHECK(m.step_ms.size() == 5);
+    CHECK(m.awake_body_steps == 5 * 5050);
+    CHECK(m.tally.touching == 14950);  // 2 x 4,950 between rows, 4,950 beside each other, 100 on the ground
+}
+
+TEST_CASE("scenes that stand allocate nothing in a step") {
+    CHECK(measure_on_cairn("large_pyramid", 20).allocations == 0);
+    CHECK(measure_on_cairn("scale_1k", 20).allocations == 0);
+}
+
+TEST_CASE("a scene ends in the same state at every SIMD level") {
+    std::set<std::uint64_t> hashes;
+    const auto levels = physics::available_simd_levels();
+    for (const physics::SimdLevel level : levels) {
+        physics::force_simd_level(level).value();
+        hashes.insert(measure_on_cairn("scale_1k", 30).state_hash);
+    }
+    physics::force_simd_level(levels.back()).value();
+    CHECK(hashes.size() == 1);
+}
+
+TEST_CASE("each peer that is there builds and steps the same scenes") {
+    for (const EngineKind& peer : peers()) {
+        for (const std::string name : {"compounds", "smash", "tumbler"}) {
+            INFO(peer.name << " on " << name);
+            const Scene& scene = scene_named(name);
+            REQUIRE(scene.for_every_engine);
+            const Measurement m = measure(scene, peer.make, kOneThread, 3);
+            CHECK(m.tally.bodies == kContents.at(name).bodies);
+            CHECK(m.tally.shapes == kContents.at(name).shapes);
+            CHECK(m.tally.joints >= kContents.at(name).joints);
+            CHECK(m.awake_body_steps == measure(scene, make_cairn, kOneThread, 3).awake_body_steps);
+        }
+    }
+}
+
+TEST_CASE("every peer is either there or told as absent") {
+    CHECK(peers().size() + absent_peers().size() == 2);
+}
+
+}  // namespace cairn::bench

@@ -1,0 +1,69 @@
+// Cairn behind the scenes' interface.
+#include "engine.h"
+
+namespace cairn::bench {
+namespace {
+
+using physics::BodyId;
+using physics::Vec2;
+
+class CairnEngine final : public Engine {
+  public:
+    explicit CairnEngine(const WorldSetting& setting)
+        : world_({.gravity_m_s2 = setting.gravity_m_s2, .enable_sleep = setting.enable_sleep}) {}
+
+    BodyRef add_body(const physics::BodyDef& def) override {
+        return {world_.create_body(def).value().bits()};
+    }
+    void add_shape(BodyRef body, const physics::Geometry& geometry, const physics::ShapeDef& def) override {
+        world_.create_shape(id(body), geometry, def).value();
+    }
+    void add_motor(const MotorSetting& setting) override {
+        world_
+            .create_joint(physics::RevoluteJointDef{.body_a = id(setting.body_a),
+                                                    .body_b = id(setting.body_b),
+                                                    .local_anchor_a_m = setting.local_anchor_a_m,
+                                                    .local_anchor_b_m = setting.local_anchor_b_m,
+                                                    .enable_motor = true,
+                                                    .motor_speed_rad_s = setting.speed_rad_s,
+                                                    .max_motor_torque_nm = setting.max_torque_nm})
+            .value();
+    }
+    void set_linear_velocity(BodyRef body, Vec2 velocity_m_s) override {
+        world_.body(id(body))->set_linear_velocity(velocity_m_s).value();
+    }
+    [[nodiscard]] physics::Position position(BodyRef body) const override {
+        return world_.body(id(body))->position();
+    }
+
+    void step() override { world_.step(kStep_s).value(); }
+
+    [[nodiscard]] int awake_bodies() const override { return world_.awake_body_count(); }
+    [[nodiscard]] Tally tally() const override {
+        const physics::Counts counts = world_.counts();
+        return {counts.bodies, counts.shapes, counts.joints, counts.contacts, counts.touching};
+    }
+    [[nodiscard]] float max_penetration_m() const override { return world_.max_penetration_m(); }
+    [[nodiscard]] std::vector<Vec2> velocities_m_s() const override {
+        std::vector<Vec2> velocities;
+        for (const BodyId body : world_.bodies()) {
+            const auto view = world_.body(body);
+            if (view->type() != physics::BodyType::Static) velocities.push_back(view->linear_velocity());
+        }
+        return velocities;
+    }
+    [[nodiscard]] physics::World* cairn_world() override { return &world_; }
+
+  private:
+    static BodyId id(BodyRef body) { return BodyId::from_bits(body.bits); }
+
+    physics::World world_;
+};
+
+}  // namespace
+
+std::unique_ptr<Engine> make_cairn(const WorldSetting& setting) {
+    return std::make_unique<CairnEngine>(setting);
+}
+
+}  // namespace cairn::bench

@@ -1,0 +1,218 @@
+// Chipmunk 7 behind the scenes' interface, with its default of 10 iterations.
+#include <algorithm>
+#include <array>
+#include <chipmunk/chipmunk.h>
+#include <cstdio>
+#include <unistd.h>
+#include <variant>
+
+#include "engine.h"
+
+namespace cairn::bench {
+namespace {
+
+using physics::BodyType;
+using physics::Box;
+using physics::Capsule;
+using physics::Circle;
+using physics::Polygon;
+using physics::Position;
+using physics::Vec2;
+
+constexpr double kTimeToSleep_s = 0.5;  // Cairn's
+
+cpVect vec(Vec2 v) {
+    return cpv(static_cast<double>(v.x), static_cast<double>(v.y));
+}
+cpBody* body_of(BodyRef body) {
+    return reinterpret_cast<cpBody*>(body.bits);
+}
+
+cpBody* new_body(BodyType type) {
+    switch (type) {
+        case BodyType::Static:
+            return cpBodyNewStatic();
+        case BodyType::Kinematic:
+            return cpBodyNewKinematic();
+        case BodyType::Dynamic:
+            return cpBodyNew(0, 0);  // its shapes will give it mass
+    }
+    return nullptr;
+}
+
+cpShape* new_poly(cpBody* body, std::span<const Vec2> points, float radius) {
+    std::array<cpVect, physics::kMaxPolygonVertices> corners;
+    std::transform(points.begin(), points.end(), corners.begin(), [](Vec2 p) { return vec(p); });
+    return cpPolyShapeNew(body, static_cast<int>(points.size()), corners.data(), cpTransformIdentity,
+                          static_cast<double>(radius));
+}
+
+cpShape* new_shape(cpBody* body, const Circle& circle) {
+    return cpCircleShapeNew(body, static_cast<double>(circle.radius_m), vec(circle.center_m));
+}
+cpShape* new_shape(cpBody* body, const Capsule& capsule) {
+    return cpSegmentShapeNew(body, vec(capsule.a_m), vec(capsule.b_m), static_cast<double>(capsule.radius_m));
+}
+cpShape* new_shape(cpBody* body, const Box& box) {
+    const physics::Rotation turn = physics::Rotation::from_angle(static_cast<double>(box.angle_rad));
+    std::array corners{Vec2{-1, -1}, Vec2{1, -1}, Vec2{1, 1}, Vec2{-1, 1}};
+    for (Vec2& p : corners) {
+        p = box.center_m + rotate(turn, {p.x * box.half_width_m, p.y * box.half_height_m});
+    }
+    return new_poly(body, corners, box.radius_m);
+}
+cpShape* new_shape(cpBody* body, const Polygon& polygon) {
+    return new_poly(body, polygon.points_m, polygon.radius_m);
+}
+cpShape* new_shape(cpBody* body, const physics::Segment& segment) {
+    return cpSegmentShapeNew(body, vec(segment.a_m), vec(segment.b_m), 0);
+}
+
+// A Chipmunk that was built with its assertions, as Debian's is, greets on standard output: that belongs to
+// the results.
+cpSpace* new_space() {
+    std::fflush(stdout);
+    const int kept = dup(STDOUT_FILENO);
+    dup2(STDERR_FILENO, STDOUT_FILENO);
+    cpSpace* space = cpSpaceNew();
+    std::fflush(stdout);
+    dup2(kept, STDOUT_FILENO);
+    close(kept);
+    return space;
+}
+
+class ChipmunkEngine final : public Engine {
+  public:
+    explicit ChipmunkEngine(const WorldSetting& setting) : space_(new_space()) {
+        cpSpaceSetGravity(space_, vec(setting.gravity_m_s2));
+        sleeps_ = setting.enable_sleep;
+        if (sleeps_) cpSpaceSetSleepTimeThreshold(space_, kTimeToSleep_s);
+    }
+    ~ChipmunkEngine() override {
+        for (cpConstraint* joint : joints_) {
+            cpSpaceRemoveConstraint(space_, joint);
+            cpConstraintFree(joint);
+        }
+        for (cpShape* shape : shapes_) {
+            cpSpaceRemoveShape(space_, shape);
+            cpShapeFree(shape);
+        }
+        for (cpBody* body : bodies_) {
+            cpSpaceRemoveBody(space_, body);
+            cpBodyFree(body);
+        }
+        cpSpaceFree(space_);
+    }
+
+    BodyRef add_body(const physics::BodyDef& def) override {
+        cpBody* body = cpSpaceAddBody(space_, new_body(def.type));
+        cpBodySetPosition(body, cpv(def.position_m.x, def.position_m.y));
+        cpBodySetAngle(body, def.angle_rad);
+        if (def.type != BodyType::Static) {
+            cpBodySetVelocity(body, vec(def.linear_velocity_m_s));
+            cpBodySetAngularVelocity(body, static_cast<double>(def.angular_velocity_rad_s));
+        }
+        if (def.type == BodyType::Dynamic && !def.awake && sleeps_) to_sleep_.push_back(body);
+        bodies_.push_back(body);
+        return {reinterpret_cast<std::uint64_t>(body)};
+    }
+
+    void add_shape(BodyRef body, const physics::Geometry& geometry, const physics::ShapeDef& def) override {
+        cpShape* shape = std::visit([&](const auto& g) { return new_shape(body_of(body), g); }, geometry);
+        cpShapeSetFriction(shape, static_cast<double>(def.material.friction));
+        cpShapeSetElasticity(shape, static_cast<double>(def.material.restitution));
+        if (cpBodyGetType(body_of(body)) == CP_BODY_TYPE_DYNAMIC) {
+            cpShapeSetDensity(shape, static_cast<double>(def.density_kg_m2));
+        }
+        shapes_.push_back(cpSpaceAddShape(space_, shape));
+    }
+
+    void add_motor(const MotorSetting& setting) override {
+        cpBody* a = body_of(setting.body_a);
+        cpBody* b = body_of(setting.body_b);
+        add_joint(cpPivotJointNew2(a, b, vec(setting.local_anchor_a_m), vec(setting.local_anchor_b_m)));
+        // Its rate is that of a relative to b.
+        cpConstraint* motor = cpSimpleMotorNew(a, b, -static_cast<double>(setting.speed_rad_s));
+        cpConstraintSetMaxForce(motor, static_cast<double>(setting.max_torque_nm));
+        add_joint(motor);
+    }
+
+    void set_linear_velocity(BodyRef body, Vec2 velocity_m_s) override {
+        cpBodySetVelocity(body_of(body), vec(velocity_m_s));
+    }
+    [[nodiscard]] Position position(BodyRef body) const override {
+        const cpVect p = cpBodyGetPosition(body_of(body));
+        return {p.x, p.y};
+    }
+
+    void step() override {
+        // Only now have they all their shapes.
+        for (cpBody* body : to_sleep_) cpBodySleepWithGroup(body, nullptr);
+        to_sleep_.clear();
+        cpSpaceStep(space_, static_cast<double>(kStep_s));
+    }
+
+    [[nodiscard]] int awake_bodies() const override {
+        return static_cast<int>(std::count_if(bodies_.begin(), bodies_.end(), [](cpBody* body) {
+            return cpBodyGetType(body) != CP_BODY_TYPE_STATIC && cpBodyIsSleeping(body) == cpFalse;
+        }));
+    }
+
+    [[nodiscard]] Tally tally() const override {
+        // Chipmunk knows the pairs that touch only, each from both bodies.
+        int ends = 0;
+        each_touch([&](cpArbiter*) { ++ends; });
+        return {.bodies = static_cast<int>(bodies_.size()),
+                .shapes = static_cast<int>(shapes_.size()),
+                .joints = static_cast<int>(joints_.size()),
+                .contacts = ends / 2,
+                .touching = ends / 2};
+    }
+
+    [[nodiscard]] float max_penetration_m() const override {
+        double deepest = 0;
+        each_touch([&](cpArbiter* touch) {
+            for (int i = 0; i < cpArbiterGetCount(touch); ++i) {
+                deepest = std::max(deepest, -cpArbiterGetDepth(touch, i));
+            }
+        });
+        return static_cast<float>(deepest);
+    }
+
+    [[nodiscard]] std::vector<Vec2> velocities_m_s() const override {
+        std::vector<Vec2> velocities;
+        for (cpBody* body : bodies_) {
+            if (cpBodyGetType(body) == CP_BODY_TYPE_STATIC) continue;
+            const cpVect v = cpBodyGetVelocity(body);
+            velocities.push_back({static_cast<float>(v.x), static_cast<float>(v.y)});
+        }
+        return velocities;
+    }
+
+  private:
+    void add_joint(cpConstraint* joint) { joints_.push_back(cpSpaceAddConstraint(space_, joint)); }
+
+    template <class Visit>
+    void each_touch(Visit visit) const {
+        for (cpBody* body : bodies_) {
+            cpBodyEachArbiter(
+                body, [](cpBody*, cpArbiter* touch, void* data) { (*static_cast<Visit*>(data))(touch); },
+                &visit);
+        }
+    }
+
+    cpSpace* space_;
+    bool sleeps_ = true;
+    std::vector<cpBody*> bodies_;
+    std::vector<cpShape*> shapes_;
+    std::vector<cpConstraint*> joints_;
+    std::vector<cpBody*> to_sleep_;
+};
+
+}  // namespace
+
+std::unique_ptr<Engine> make_chipmunk(const WorldSetting& setting) {
+    return std::make_unique<ChipmunkEngine>(setting);
+}
+
+}  // namespace cairn::bench

@@ -1,0 +1,93 @@
+// What a scene asks of a physics engine. Scenes are written once against this, in Cairn's own words for
+// bodies and shapes, and run on any engine that has an adapter. Invariant: between two steps a call changes
+// nothing that was not asked for.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include <cairn/physics/world.h>
+
+namespace cairn::bench {
+
+inline constexpr float kStep_s = 1.0f / 60;  ///< of every scene
+
+/// A body of the engine; what the number means is the engine's business.
+struct BodyRef {
+    std::uint64_t bits = 0;
+};
+
+struct WorldSetting {
+    physics::Vec2 gravity_m_s2{0, -10};
+    bool enable_sleep = true;
+    int threads = 1;
+};
+
+/// Turns body b about a point of body a, as fast as a motor wants.
+struct MotorSetting {
+    BodyRef body_a{};
+    BodyRef body_b{};
+    physics::Vec2 local_anchor_a_m{};
+    physics::Vec2 local_anchor_b_m{};
+    float speed_rad_s = 0;
+    float max_torque_nm = 0;
+};
+
+/// What the engine holds after the last step.
+struct Tally {
+    int bodies = 0;
+    int shapes = 0;
+    int joints = 0;
+    int contacts = 0;  ///< pairs of shapes that are near each other, as the engine sees it
+    int touching = 0;  ///< of those, the pairs that touch
+};
+
+class Engine {
+  public:
+    Engine() = default;
+    Engine(const Engine&) = delete;
+    Engine& operator=(const Engine&) = delete;
+    virtual ~Engine() = default;
+
+    virtual BodyRef add_body(const physics::BodyDef& def) = 0;
+    virtual void add_shape(BodyRef body, const physics::Geometry& geometry, const physics::ShapeDef& def) = 0;
+    virtual void add_motor(const MotorSetting& setting) = 0;
+    virtual void set_linear_velocity(BodyRef body, physics::Vec2 velocity_m_s) = 0;
+    [[nodiscard]] virtual physics::Position position(BodyRef body) const = 0;
+
+    virtual void step() = 0;
+
+    [[nodiscard]] virtual int awake_bodies() const = 0;  ///< dynamic and kinematic
+    [[nodiscard]] virtual Tally tally() const = 0;
+    [[nodiscard]] virtual float max_penetration_m() const = 0;
+    /// Of each body that is not static, in an order that stays the same.
+    [[nodiscard]] virtual std::vector<physics::Vec2> velocities_m_s() const = 0;
+
+    // What only Cairn tells.
+    [[nodiscard]] virtual physics::World* cairn_world() { return nullptr; }
+
+    /// Adds a body with one shape.
+    BodyRef add(const physics::BodyDef& body, const physics::Geometry& geometry,
+                const physics::ShapeDef& def = {}) {
+        const BodyRef made = add_body(body);
+        add_shape(made, geometry, def);
+        return made;
+    }
+};
+
+/// An engine that this program was built with.
+struct EngineKind {
+    std::string_view name;
+    std::unique_ptr<Engine> (*make)(const WorldSetting& setting);
+};
+
+std::unique_ptr<Engine> make_cairn(const WorldSetting& setting);
+/// Other engines that were found when this program was built, in a fixed order.
+std::span<const EngineKind> peers();
+/// Names of those that were not.
+std::span<const std::string_view> absent_peers();
+
+}  // namespace cairn::bench

@@ -1,0 +1,148 @@
+// The cairn-bench program.
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <string>
+
+#include "command_line.h"
+#include "measure.h"
+#include "report.h"
+
+namespace {
+
+using namespace cairn::bench;
+
+int fail(const std::string& message) {
+    std::fprintf(stderr, "cairn-bench: error: %s\n", message.c_str());
+    return 1;
+}
+
+// Where JSON lines and the table go: the table gives way when JSON takes standard output.
+class Output {
+  public:
+    explicit Output(const std::string& json) : table_(json == "-" ? stderr : stdout) {
+        if (json == "-") {
+            lines_.reset(stdout);
+        } else if (!json.empty()) {
+            lines_.reset(std::fopen(json.c_str(), "w"));
+            failed_ = lines_ == nullptr;
+        }
+    }
+
+    void line(const std::string& text) {
+        if (lines_ == nullptr) return;
+        if (std::fprintf(lines_.get(), "%s\n", text.c_str()) < 0) failed_ = true;
+    }
+    void row(const std::string& text) {
+        std::fprintf(table_, "%s\n", text.c_str());
+        std::fflush(table_);
+    }
+    /// False when something could not be written.
+    bool finish() {
+        if (lines_ != nullptr && std::fflush(lines_.get()) != 0) failed_ = true;
+        return !failed_;
+    }
+    [[nodiscard]] bool failed() const { return failed_; }
+
+  private:
+    struct Close {
+        void operator()(std::FILE* file) const {
+            if (file != stdout) std::fclose(file);
+        }
+    };
+    std::FILE* table_;
+    std::unique_ptr<std::FILE, Close> lines_;
+    bool failed_ = false;
+};
+
+/// Keeps the faster one.
+void keep_best(Measurement& best, Measurement next, bool first) {
+    if (first || next.ms_total < best.ms_total) best = std::move(next);
+}
+
+int run(const CommandLine& line, Output& output) {
+    std::vector<Measurement> best(line.scenes.size());
+    for (int round = 0; round < line.repeat; ++round) {
+        for (std::size_t i = 0; i < line.scenes.size(); ++i) {
+            Measurement next = measure(*line.scenes[i], make_cairn, line.threads, line.most_steps);
+            if (round > 0 && next.state_hash != best[i].state_hash) {
+                return fail("scene " + line.scenes[i]->name +
+                            " ended in another state than in the run before");
+            }
+            keep_best(best[i], std::move(next), round == 0);
+        }
+    }
+    output.row(run_table_head());
+    for (std::size_t i = 0; i < line.scenes.size(); ++i) {
+        output.line(run_line(*line.scenes[i], {line.threads, std::string(name(line.simd))}, best[i]));
+        output.row(run_table_row(*line.scenes[i], best[i]));
+    }
+    return 0;
+}
+
+int compare(const CommandLine& line, Output& output) {
+    std::vector<EngineKind> engines{{"cairn", make_cairn}};
+    engines.insert(engines.end(), peers().begin(), peers().end());
+    for (const std::string_view absent : absent_peers()) {
+        output.row("left out, as it was not installed when this program was built: " + std::string(absent));
+    }
+    output.row(compare_table_head());
+    for (const Scene* scene : line.scenes) {
+        std::vector<Measurement> best(engines.size());
+        for (int round = 0; round < line.repeat; ++round) {
+            for (std::size_t i = 0; i < engines.size(); ++i) {
+                keep_best(best[i], measure(*scene, engines[i].make, line.threads, line.most_steps),
+                          round == 0);
+            }
+        }
+        for (std::size_t i = 0; i < engines.size(); ++i) {
+            const double ratio = best[i].ms_total / best[0].ms_total;
+            output.line(compare_line(*scene, engines[i].name, best[i], ratio));
+            output.row(compare_table_row(*scene, engines[i].name, best[i], ratio));
+        }
+    }
+    return 0;
+}
+
+int list() {
+    for (const Scene& scene : all_scenes()) {
+        std::printf("%-14s %6d steps  %s\n", scene.name.c_str(), scene.steps, scene.summary.c_str());
+    }
+    return 0;
+}
+
+int execute(const CommandLine& line) {
+    if (line.threads > 1)
+        return fail("--threads is " + std::to_string(line.threads) + ", but worlds have one thread");
+    if (const auto forced = cairn::physics::force_simd_level(line.simd); !forced) {
+        return fail(forced.error().message);
+    }
+    Output output(line.json);
+    if (output.failed()) return fail("cannot write to " + line.json);
+    const int status = line.command == Command::Run ? run(line, output) : compare(line, output);
+    if (!output.finish()) return fail("cannot write to " + line.json);
+    return status;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    std::string help;
+    const auto line = parse_command_line({argv + 1, argv + argc}, help);
+    if (!line) return fail(line.error().message);
+    switch (line->command) {
+        case Command::Help:
+            std::fputs(help.c_str(), stdout);
+            break;
+        case Command::List:
+            list();
+            break;
+        case Command::Run:
+        case Command::Compare:
+            if (const int status = execute(*line); status != 0) return status;
+            break;
+    }
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+        return fail("standard output cannot be written");
+    return 0;
+}
