@@ -94,49 +94,103 @@ void clear_lane(ContactBlock& block, int lane) {
     block.friction[lane] = block.friction_impulse[lane] = 0;
 }
 
-// Room that a bucket begins with, so that contacts that come and go in a settled scene allocate nothing.
-constexpr std::size_t kFirstBlocks = 16;
+// A new, empty block.
+void clear_pairs(PairBlock& pairs) {
+    for (int lane = 0; lane < kLanes; ++lane) write_pair(pairs, lane, PairLane{});
+    pairs.used = 0;
+    pairs.previous = pairs.next = kNone;
+}
 
 }  // namespace
 
 int ContactLanes::add(int bucket, const PairLane& pair) {
-    LaneBucket& in = buckets_[bucket];
-    const int lane = in.lanes++;
-    const int block = lane / kLanes;
-    if (block == static_cast<int>(in.pairs.size())) {
-        if (in.pairs.capacity() == 0) {
-            in.pairs.reserve(kFirstBlocks);
-            in.blocks.reserve(is_colored(bucket) ? kFirstBlocks : 0);
-        }
-        in.pairs.emplace_back();
-        for (int i = 0; i < kLanes; ++i) write_pair(in.pairs.back(), i, PairLane{});
-        if (is_colored(bucket)) {
-            in.blocks.emplace_back();
-            for (int i = 0; i < kLanes; ++i) clear_lane(in.blocks.back(), i);
-        }
-    }
-    write_pair(in.pairs[block], lane % kLanes, pair);
-    end_ = std::max(end_, bucket + 1);
-    return lane;
+    if (!is_colored(bucket)) return add_near(geometry_of(bucket), pair);
+    int block = chains_[bucket].last;
+    if (block == kNone || pairs_[block].used == kLanes) block = open_block(bucket);
+    const int lane = pairs_[block].used++;
+    write_pair(pairs_[block], lane, pair);
+    return block * kLanes + lane;
 }
 
 int ContactLanes::remove(int bucket, int lane) {
-    LaneBucket& in = buckets_[bucket];
-    const int last = --in.lanes;
-    PairBlock& to = in.pairs[lane / kLanes];
-    PairBlock& from = in.pairs[last / kLanes];
-    copy_pair(to, lane % kLanes, from, last % kLanes);
-    if (is_colored(bucket)) {
-        copy_lane(in.blocks[lane / kLanes], lane % kLanes, in.blocks[last / kLanes], last % kLanes);
-        clear_lane(in.blocks[last / kLanes], last % kLanes);
+    if (!is_colored(bucket)) return remove_near(geometry_of(bucket), lane);
+    const int last_block = chains_[bucket].last;
+    PairBlock& from = pairs_[last_block];
+    PairBlock& to = pairs_[lane / kLanes];
+    const int last = --from.used;
+    copy_pair(to, lane % kLanes, from, last);
+    copy_lane(blocks_[lane / kLanes], lane % kLanes, blocks_[last_block], last);
+    clear_lane(blocks_[last_block], last);
+    write_pair(from, last, PairLane{});
+    const int moved = last_block * kLanes + last == lane ? kNone : to.contact[lane % kLanes];
+    if (last == 0) close_block(bucket);
+    return moved;
+}
+
+int ContactLanes::add_near(PairGeometry geometry, const PairLane& pair) {
+    std::vector<PairBlock>& blocks = near_[index(geometry)];
+    const int lane = near_count_[index(geometry)]++;
+    const int block = lane / kLanes;
+    if (block == static_cast<int>(blocks.size())) {
+        blocks.emplace_back();
+        clear_pairs(blocks.back());
     }
+    write_pair(blocks[block], lane % kLanes, pair);
+    return lane;
+}
+
+int ContactLanes::remove_near(PairGeometry geometry, int lane) {
+    std::vector<PairBlock>& blocks = near_[index(geometry)];
+    const int last = --near_count_[index(geometry)];
+    PairBlock& to = blocks[lane / kLanes];
+    PairBlock& from = blocks[last / kLanes];
+    copy_pair(to, lane % kLanes, from, last % kLanes);
     write_pair(from, last % kLanes, PairLane{});
     return last == lane ? kNone : to.contact[lane % kLanes];
 }
 
-ContactMemory ContactLanes::memory(int bucket, int lane) const {
-    const PairBlock& pairs = buckets_[bucket].pairs[lane / kLanes];
-    const ContactBlock& block = buckets_[bucket].blocks[lane / kLanes];
+int ContactLanes::open_block(int bucket) {
+    int block = static_cast<int>(pairs_.size());
+    if (free_.empty()) {
+        pairs_.emplace_back();
+        blocks_.emplace_back();
+        for (int lane = 0; lane < kLanes; ++lane) clear_lane(blocks_.back(), lane);
+        free_.reserve(pairs_.capacity());
+        order_.reserve(pairs_.capacity());
+    } else {
+        block = free_.back();
+        free_.pop_back();
+    }
+    clear_pairs(pairs_[block]);
+    pairs_[block].bucket = bucket;
+    Chain& chain = chains_[bucket];
+    pairs_[block].previous = chain.last;
+    (chain.last == kNone ? chain.first : pairs_[chain.last].next) = block;
+    chain.last = block;
+    return block;
+}
+
+void ContactLanes::close_block(int bucket) {
+    Chain& chain = chains_[bucket];
+    free_.push_back(chain.last);
+    chain.last = pairs_[chain.last].previous;
+    (chain.last == kNone ? chain.first : pairs_[chain.last].next) = kNone;
+}
+
+void ContactLanes::arrange() {
+    order_.clear();
+    for (int bucket = kFirstColored; bucket < kBuckets; ++bucket) {
+        ranges_[bucket] = order_.size();
+        for (int block = chains_[bucket].first; block != kNone; block = pairs_[block].next) {
+            order_.push_back(block);
+        }
+    }
+    ranges_[kBuckets] = order_.size();
+}
+
+ContactMemory ContactLanes::memory(int lane) const {
+    const PairBlock& pairs = pairs_[lane / kLanes];
+    const ContactBlock& block = blocks_[lane / kLanes];
     ContactMemory memory;
     for (int i = 0; i < 2; ++i) {
         memory.features[i] = pairs.features[i][lane % kLanes];
@@ -146,9 +200,9 @@ ContactMemory ContactLanes::memory(int bucket, int lane) const {
     return memory;
 }
 
-void ContactLanes::set_memory(int bucket, int lane, const ContactMemory& memory) {
-    PairBlock& pairs = buckets_[bucket].pairs[lane / kLanes];
-    ContactBlock& block = buckets_[bucket].blocks[lane / kLanes];
+void ContactLanes::set_memory(int lane, const ContactMemory& memory) {
+    PairBlock& pairs = pairs_[lane / kLanes];
+    ContactBlock& block = blocks_[lane / kLanes];
     for (int i = 0; i < 2; ++i) {
         pairs.features[i][lane % kLanes] = memory.features[i];
         block.points[i].impulse[lane % kLanes] = memory.impulse[i];
@@ -156,38 +210,37 @@ void ContactLanes::set_memory(int bucket, int lane, const ContactMemory& memory)
     block.friction_impulse[lane % kLanes] = memory.friction_impulse;
 }
 
-void ContactLanes::set_friction(int bucket, int lane, float friction) {
-    buckets_[bucket].blocks[lane / kLanes].friction[lane % kLanes] = friction;
+void ContactLanes::set_friction(int lane, float friction) {
+    blocks_[lane / kLanes].friction[lane % kLanes] = friction;
 }
 
-void ContactLanes::blank(int bucket, int lane) {
-    ContactBlock& block = buckets_[bucket].blocks[lane / kLanes];
+void ContactLanes::blank(int lane) {
+    ContactBlock& block = blocks_[lane / kLanes];
     const float friction = block.friction[lane % kLanes];
     clear_lane(block, lane % kLanes);
     block.friction[lane % kLanes] = friction;
 }
 
 void ContactLanes::warm_start(Motions& motions, float step_ratio, float friction_ratio) {
-    for (int i = kFirstColored; i < end_; ++i) {
-        LaneBucket& in = buckets_[i];
-        warm_start_blocks({in.blocks.data(), static_cast<std::size_t>(in.block_count())}, kind_of(i),
-                          motions.velocity.data(), step_ratio, friction_ratio);
+    for (int bucket = kFirstColored; bucket < kBuckets; ++bucket) {
+        if (blocks(bucket).empty()) continue;
+        warm_start_blocks(blocks_.data(), blocks(bucket), kind_of(bucket), motions.velocity.data(),
+                          step_ratio, friction_ratio);
     }
 }
 
 void ContactLanes::solve(Motions& motions, const ContactRules& rules, float h_s, Pass pass) {
-    for (int i = kFirstColored; i < end_; ++i) {
-        LaneBucket& in = buckets_[i];
-        if (in.lanes == 0) continue;
-        const BlockKind kind = kind_of(i);
+    for (int bucket = kFirstColored; bucket < kBuckets; ++bucket) {
+        const std::span<const int> of_bucket = blocks(bucket);
+        if (of_bucket.empty()) continue;
+        const BlockKind kind = kind_of(bucket);
         const ContactPassTime time{
             kind == BlockKind::TwoBodies ? rules.dynamic_softness : rules.static_softness, 1 / h_s,
             rules.max_push_out_speed_m_s};
-        const std::span blocks(in.blocks.data(), static_cast<std::size_t>(in.block_count()));
         if (pass == Pass::Biased) {
-            solve_blocks(blocks, kind, motions.velocity.data(), time);
+            solve_blocks(blocks_.data(), of_bucket, kind, motions.velocity.data(), time);
         } else {
-            relax_blocks(blocks, kind, motions.velocity.data(), motions.pose.data(), time);
+            relax_blocks(blocks_.data(), of_bucket, kind, motions.velocity.data(), motions.pose.data(), time);
         }
     }
 }

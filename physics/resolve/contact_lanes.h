@@ -2,11 +2,13 @@
 // lane from step to step, so nothing is packed or unpacked.
 // Invariant: lanes of a bucket are dense: all its blocks but the last are full. Within a colour no body that
 // moves stands in two lanes, so lanes and blocks of a colour may be solved in any order with the same result.
+// Blocks of all colours come from one pool, which grows to the most contacts ever seen and then stays.
 // Source: first-fit edge colouring, kept up as contacts come and go.
 #pragma once
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "base/slot_map.h"
@@ -30,8 +32,12 @@ struct alignas(32) PairBlock {
     BoxLanes boxes;  // of general shapes only the offsets are used: of the body's origin
     FeatureLanes features;
     std::uint8_t reports = 0;  // bits: restitution or events want the plain form of the contact too
-    std::uint8_t remembers =
-        0;  // bits: the contact had points in the last step, though it is not in a colour
+    std::uint8_t remembers = 0;  // bits: it had points in the last step, though it is not in a colour
+    // Of blocks in colours:
+    int bucket = kNone;
+    int used = 0;          // lanes
+    int previous = kNone;  // block of the same bucket
+    int next = kNone;
 };
 
 /// One lane of a PairBlock, to be put in.
@@ -80,43 +86,68 @@ constexpr PairGeometry geometry_of(int bucket) {
     return static_cast<PairGeometry>(bucket % 2);
 }
 
-struct LaneBucket {
-    std::vector<PairBlock> pairs;
-    std::vector<ContactBlock> blocks;  // beside the pairs, in colours
-    int lanes = 0;
-
-    [[nodiscard]] int block_count() const { return (lanes + kLanes - 1) / kLanes; }
-    /// How many lanes of a block are used.
-    [[nodiscard]] int used(int block) const { return std::min(kLanes, lanes - block * kLanes); }
-};
-
 class ContactLanes {
   public:
-    [[nodiscard]] LaneBucket& bucket(int i) { return buckets_[i]; }
-    [[nodiscard]] const LaneBucket& bucket(int i) const { return buckets_[i]; }
-    /// Buckets after the last that has ever held a lane are empty.
-    [[nodiscard]] int end_bucket() const { return end_; }
-
-    /// The lane of the contact in the bucket.
+    /// Puts a contact in. The result is its lane: the number of the block times kLanes, plus the place in it.
     int add(int bucket, const PairLane& lane);
     /// The contact that took the freed lane, or kNone.
     int remove(int bucket, int lane);
 
+    /// Blocks of near pairs are numbered on their own, from 0 in each of the two buckets.
+    [[nodiscard]] std::vector<PairBlock>& near_pairs(PairGeometry geometry) { return near_[index(geometry)]; }
+    [[nodiscard]] const std::vector<PairBlock>& near_pairs(PairGeometry geometry) const {
+        return near_[index(geometry)];
+    }
+    [[nodiscard]] int near_count(PairGeometry geometry) const { return near_count_[index(geometry)]; }
+
+    [[nodiscard]] PairBlock& pairs(int block) { return pairs_[block]; }
+    [[nodiscard]] const PairBlock& pairs(int block) const { return pairs_[block]; }
+    [[nodiscard]] ContactBlock& block(int block) { return blocks_[block]; }
+    [[nodiscard]] const ContactBlock& block(int block) const { return blocks_[block]; }
+
+    /// Of a bucket in colours; kNone when it is empty. PairBlock::next leads on.
+    [[nodiscard]] int first_block(int bucket) const { return chains_[bucket].first; }
+    /// Lists the blocks of all buckets in colours, for the stages of a step. Adding and removing ends that.
+    void arrange();
+    /// As of the last `arrange`: bucket by bucket.
+    [[nodiscard]] std::span<const int> blocks() const { return order_; }
+    [[nodiscard]] std::span<const int> blocks(int bucket) const {
+        return std::span(order_).subspan(ranges_[bucket], ranges_[bucket + 1] - ranges_[bucket]);
+    }
+    [[nodiscard]] int bucket_of(int block) const { return pairs_[block].bucket; }
+
     /// Of lanes in colours.
-    [[nodiscard]] ContactMemory memory(int bucket, int lane) const;
-    void set_memory(int bucket, int lane, const ContactMemory& memory);
-    void set_friction(int bucket, int lane, float friction);
+    [[nodiscard]] ContactMemory memory(int lane) const;
+    void set_memory(int lane, const ContactMemory& memory);
+    void set_friction(int lane, float friction);
 
     /// Leaves a lane out of the passes of this step: it points to the world and does nothing.
-    void blank(int bucket, int lane);
+    void blank(int lane);
 
     /// Makes the first guesses of a step and applies them.
     void warm_start(Motions& motions, float step_ratio, float friction_ratio);
     void solve(Motions& motions, const ContactRules& rules, float h_s, Pass pass);
 
   private:
-    std::array<LaneBucket, kBuckets> buckets_;
-    int end_ = 0;
+    struct Chain {
+        int first = kNone;
+        int last = kNone;
+    };
+
+    static std::size_t index(PairGeometry geometry) { return static_cast<std::size_t>(geometry); }
+    int add_near(PairGeometry geometry, const PairLane& lane);
+    int remove_near(PairGeometry geometry, int lane);
+    int open_block(int bucket);
+    void close_block(int bucket);
+
+    std::array<std::vector<PairBlock>, 2> near_;
+    std::array<int, 2> near_count_{};
+    std::vector<PairBlock> pairs_;
+    std::vector<ContactBlock> blocks_;  // beside the pairs
+    std::vector<int> free_;
+    std::array<Chain, kBuckets> chains_;
+    std::vector<int> order_;
+    std::array<std::size_t, kBuckets + 1> ranges_{};
 };
 
 }  // namespace cairn::physics

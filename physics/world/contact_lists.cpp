@@ -94,7 +94,7 @@ void take_out(Stores& stores, int contact) {
 ContactMemory memory_of(const ContactStore& contacts, int contact) {
     const ContactRecord& c = contacts.slots[contact];
     if (c.bucket == kNone || c.bucket == kLooseBucket || !is_colored(c.bucket)) return c.memory;
-    return contacts.lanes.memory(c.bucket, c.lane);
+    return contacts.lanes.memory(c.lane);
 }
 
 void list_contact(Stores& stores, int contact) {
@@ -130,8 +130,8 @@ void color_contact(Stores& stores, int contact) {
     if (c.bucket == kLooseBucket) return add_loose(contacts, contact);
     mark_color(stores, c, c.bucket, true);
     c.lane = contacts.lanes.add(c.bucket, make_lane(stores, contact));
-    contacts.lanes.set_memory(c.bucket, c.lane, c.memory);
-    contacts.lanes.set_friction(c.bucket, c.lane, c.friction);
+    contacts.lanes.set_memory(c.lane, c.memory);
+    contacts.lanes.set_friction(c.lane, c.friction);
 }
 
 void relist_contact(Stores& stores, int contact) {

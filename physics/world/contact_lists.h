@@ -27,10 +27,11 @@ ContactMemory memory_of(const ContactStore& contacts, int contact);
 /// Calls visit(contact) for each contact that has points or may have some: those in colours and loose ones.
 template <class Visit>
 void for_each_acting(const ContactStore& contacts, Visit&& visit) {
-    for (int i = kFirstColored; i < contacts.lanes.end_bucket(); ++i) {
-        const LaneBucket& bucket = contacts.lanes.bucket(i);
-        for (int lane = 0; lane < bucket.lanes; ++lane) {
-            visit(bucket.pairs[lane / kLanes].contact[lane % kLanes]);
+    for (int bucket = kFirstColored; bucket < kBuckets; ++bucket) {
+        for (int block = contacts.lanes.first_block(bucket); block != kNone;
+             block = contacts.lanes.pairs(block).next) {
+            const PairBlock& pairs = contacts.lanes.pairs(block);
+            for (int lane = 0; lane < pairs.used; ++lane) visit(pairs.contact[lane]);
         }
     }
     for (const int contact : contacts.loose) visit(contact);

@@ -95,14 +95,12 @@ class Update {
         scratch_.met.clear();
         update_uncolored();  // those that found no colour
         remove_gone(stores_, world_.events, scratch_);
-        for (int bucket = kFirstColored; bucket < stores_.contacts.lanes.end_bucket(); ++bucket) {
-            for (int block = 0; block < stores_.contacts.lanes.bucket(bucket).block_count(); ++block) {
-                update_block(bucket, block);
-            }
-        }
+        stores_.contacts.lanes.arrange();
+        for (const int block : stores_.contacts.lanes.blocks()) update_block(block);
         for (const int contact : scratch_.parted) forget_points(stores_, contact);
         scratch_.parted.clear();
         remove_gone(stores_, world_.events, scratch_);
+        stores_.contacts.lanes.arrange();
         for (const int body : stores_.boxes_moved)
             stores_.bodies.places[body].flags &= ~place_flag::kBoxesMoved;
         stores_.boxes_moved.clear();
@@ -111,9 +109,7 @@ class Update {
   private:
     // Near and loose contacts from where the last call left off: waking lists more.
     void update_uncolored() {
-        const auto lanes = [&](PairGeometry geometry) {
-            return stores_.contacts.lanes.bucket(near_bucket(geometry)).lanes;
-        };
+        const auto lanes = [&](PairGeometry geometry) { return stores_.contacts.lanes.near_count(geometry); };
         while (boxes_done_ < lanes(PairGeometry::Boxes) || general_done_ < lanes(PairGeometry::General) ||
                loose_done_ < stores_.contacts.loose.size()) {
             boxes_done_ = update_near(PairGeometry::Boxes, boxes_done_);
@@ -126,23 +122,28 @@ class Update {
 
     // Near pairs from a lane on: those that meet are noted in `met`. The result is how many there are.
     int update_near(PairGeometry geometry, int first) {
-        LaneBucket& bucket = stores_.contacts.lanes.bucket(near_bucket(geometry));
-        while (first < bucket.lanes) {
+        const ContactLanes& near = stores_.contacts.lanes;
+        while (first < near.near_count(geometry)) {
             const int block = first / kLanes;
-            const int last = std::min(bucket.lanes, (block + 1) * kLanes);
+            const int last = std::min(near.near_count(geometry), (block + 1) * kLanes);
             const unsigned lanes = ((1u << (last - block * kLanes)) - 1) & ~0u << (first - block * kLanes);
-            load_places(stores_.bodies, bucket.pairs[block], lanes, places_);
-            collide_block(stores_, bucket.pairs[block], geometry, lanes, places_.poses, manifold_);
+            const PairBlock& pairs = near.near_pairs(geometry)[block];
+            load_places(stores_.bodies, pairs, lanes, places_);
+            collide_block(stores_, pairs, geometry, lanes, places_.poses, manifold_);
             for (unsigned rest = lanes; rest != 0; rest &= rest - 1) {
-                update_near_lane(bucket, block, std::countr_zero(rest));
+                update_near_lane(geometry, block, std::countr_zero(rest));
             }
             first = last;
         }
         return first;
     }
 
-    void update_near_lane(LaneBucket& bucket, int block, int lane) {
-        const PairBlock& pairs = bucket.pairs[block];
+    void update_near_lane(PairGeometry geometry, int block, int lane) {
+        // Waking may move the blocks.
+        const auto pairs_now = [&]() -> PairBlock& {
+            return stores_.contacts.lanes.near_pairs(geometry)[block];
+        };
+        const PairBlock& pairs = pairs_now();
         const int contact = pairs.contact[lane];
         if (is_gone(pairs, lane)) return;
         if (manifold_.points[0].id[lane] != kNoFeature) {
@@ -150,11 +151,11 @@ class Update {
             return;
         }
         if (predict(contact, lane)) {
-            bucket.pairs[block].remembers |= static_cast<std::uint8_t>(1u << lane);
+            pairs_now().remembers |= static_cast<std::uint8_t>(1u << lane);
             return;
         }
-        if ((bucket.pairs[block].remembers >> lane & 1) == 0) return;
-        bucket.pairs[block].remembers &= static_cast<std::uint8_t>(~(1u << lane));
+        if ((pairs_now().remembers >> lane & 1) == 0) return;
+        pairs_now().remembers &= static_cast<std::uint8_t>(~(1u << lane));
         ContactRecord& c = stores_.contacts.slots[contact];
         report_parting(stores_, c, world_.events.ends);
         c.has_points = false;
@@ -190,13 +191,12 @@ class Update {
         return true;
     }
 
-    void update_block(int bucket_index, int block_index) {
-        LaneBucket& bucket = stores_.contacts.lanes.bucket(bucket_index);
-        PairBlock& pairs = bucket.pairs[block_index];
-        ContactBlock& block = bucket.blocks[block_index];
-        const unsigned lanes = (1u << bucket.used(block_index)) - 1;
+    void update_block(int block_index) {
+        PairBlock& pairs = stores_.contacts.lanes.pairs(block_index);
+        ContactBlock& block = stores_.contacts.lanes.block(block_index);
+        const unsigned lanes = (1u << pairs.used) - 1;
         load_places(stores_.bodies, pairs, lanes, places_);
-        collide_block(stores_, pairs, geometry_of(bucket_index), lanes, places_.poses, manifold_);
+        collide_block(stores_, pairs, geometry_of(pairs.bucket), lanes, places_.poses, manifold_);
         block.a = places_.row_a;
         block.b = places_.row_b;
         block.reports = pairs.reports != 0;
@@ -215,7 +215,7 @@ class Update {
             add_plain(pairs, block, lane);
             if ((loose >> lane & 1) == 0) continue;
             solve_as_scalar();
-            stores_.contacts.lanes.blank(bucket_index, block_index * kLanes + lane);
+            stores_.contacts.lanes.blank(block_index * kLanes + lane);
         }
     }
 

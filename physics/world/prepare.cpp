@@ -123,11 +123,11 @@ void choose_movers(const Stores& stores, StepScratch& scratch) {
         mark_mover(scratch.motions, scratch.contacts[i].b, Mover::Turning);
     }
     // What carries others moves with them.
-    for (int i = kFirstColored; i < stores.contacts.lanes.end_bucket(); ++i) {
-        if (kind_of(i) != BlockKind::Carried) continue;
-        const LaneBucket& bucket = stores.contacts.lanes.bucket(i);
-        for (int block = 0; block < bucket.block_count(); ++block) {
-            for (const int row : bucket.blocks[block].a) mark_mover(scratch.motions, row, Mover::Substeps);
+    const ContactLanes& lanes = stores.contacts.lanes;
+    for (int bucket = kFirstColored; bucket < kBuckets; ++bucket) {
+        if (kind_of(bucket) != BlockKind::Carried) continue;
+        for (const int block : lanes.blocks(bucket)) {
+            for (const int row : lanes.block(block).a) mark_mover(scratch.motions, row, Mover::Substeps);
         }
     }
 }
@@ -159,7 +159,7 @@ void collect_outcomes(const ContactStore& contacts, StepScratch& scratch) {
     for (ContactConstraint& c : scratch.contacts) {
         if (!c.in_lane) continue;
         const ContactRecord& record = contacts.slots[c.contact];
-        const ContactBlock& block = contacts.lanes.bucket(record.bucket).blocks[record.lane / kLanes];
+        const ContactBlock& block = contacts.lanes.block(record.lane / kLanes);
         const int lane = record.lane % kLanes;
         for (int i = 0; i < c.count; ++i) {
             c.points[i].normal_impulse = block.points[i].impulse[lane];
@@ -180,7 +180,7 @@ void store_contact_impulses(ContactStore& contacts, const StepScratch& scratch) 
         }
         memory.friction_impulse = c.friction_impulse;
         if (record.bucket != kLooseBucket && is_colored(record.bucket)) {
-            contacts.lanes.set_memory(record.bucket, record.lane, memory);
+            contacts.lanes.set_memory(record.lane, memory);
         } else {
             record.memory = memory;
         }

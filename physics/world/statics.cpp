@@ -159,10 +159,7 @@ void estimate_statics(ContactLanes& lanes, Vec2 gravity_m_s2, const StepTime& ti
     const float gravity = length(gravity_m_s2);
     if (gravity == 0) return;
     Estimate estimate(scratch.motions, scratch.statics, (-1 / gravity) * gravity_m_s2);
-    for (int i = kFirstColored; i < lanes.end_bucket(); ++i) {
-        LaneBucket& bucket = lanes.bucket(i);
-        for (int block = 0; block < bucket.block_count(); ++block) estimate.add(bucket.blocks[block]);
-    }
+    for (const int block : lanes.blocks()) estimate.add(lanes.block(block));
     for (const int i : scratch.scalar_contacts) estimate.add(scratch.contacts[i]);
     estimate.run(scratch.drives, gravity * time.h_s);
 }

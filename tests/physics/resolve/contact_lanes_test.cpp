@@ -84,35 +84,52 @@ bool is_inert(const ContactBlock& block, int lane) {
     return inert;
 }
 
+const PairBlock& pairs_of(const ContactLanes& lanes, int bucket, int block) {
+    return is_colored(bucket) ? lanes.pairs(block) : lanes.near_pairs(geometry_of(bucket)).at(block);
+}
+
+// The blocks of a bucket in their order, and how many lanes of each are used.
+std::vector<std::pair<int, int>> blocks_of(const ContactLanes& lanes, int bucket) {
+    std::vector<std::pair<int, int>> blocks;
+    if (is_colored(bucket)) {
+        for (int block = lanes.first_block(bucket); block != kNone; block = lanes.pairs(block).next) {
+            REQUIRE(lanes.pairs(block).bucket == bucket);
+            blocks.emplace_back(block, lanes.pairs(block).used);
+        }
+    } else {
+        const int count = lanes.near_count(geometry_of(bucket));
+        for (int first = 0; first < count; first += kLanes) {
+            blocks.emplace_back(first / kLanes, std::min(kLanes, count - first));
+        }
+    }
+    return blocks;
+}
+
 void check_against(const ContactLanes& lanes, const Model& model) {
     std::array<int, kBuckets> counts{};
     for (const auto& [contact, kept] : model) {
         ++counts[kept.bucket];
-        const LaneBucket& bucket = lanes.bucket(kept.bucket);
         const int block = kept.lane / kLanes;
         const int lane = kept.lane % kLanes;
         INFO("contact " << contact << " in lane " << kept.lane << " of bucket " << kept.bucket);
-        REQUIRE(kept.bucket < lanes.end_bucket());
-        REQUIRE(kept.lane < bucket.lanes);
-        REQUIRE(holds(bucket.pairs[block], lane, kept.pair));
+        REQUIRE(holds(pairs_of(lanes, kept.bucket, block), lane, kept.pair));
         if (!is_colored(kept.bucket)) continue;
-        REQUIRE(holds(lanes.memory(kept.bucket, kept.lane), kept.memory));
-        REQUIRE(bucket.blocks[block].friction[lane] == kept.friction);
-        REQUIRE(bucket.blocks[block].points[0].mass[lane] == kept.mass);
+        REQUIRE(holds(lanes.memory(kept.lane), kept.memory));
+        REQUIRE(lanes.block(block).friction[lane] == kept.friction);
+        REQUIRE(lanes.block(block).points[0].mass[lane] == kept.mass);
     }
     for (const int i : kSomeBuckets) {
-        const LaneBucket& bucket = lanes.bucket(i);
-        REQUIRE(bucket.lanes == counts[i]);
-        REQUIRE(bucket.block_count() == (counts[i] + kLanes - 1) / kLanes);
-        int used = 0;
-        for (int block = 0; block < bucket.block_count(); ++block) {
-            used += bucket.used(block);
-            for (int lane = bucket.used(block); lane < kLanes; ++lane) {
-                REQUIRE(holds(bucket.pairs[block], lane, PairLane{}));
-                if (is_colored(i)) REQUIRE(is_inert(bucket.blocks[block], lane));
+        const std::vector<std::pair<int, int>> blocks = blocks_of(lanes, i);
+        REQUIRE(static_cast<int>(blocks.size()) == (counts[i] + kLanes - 1) / kLanes);
+        int sum = 0;
+        for (const auto& [block, used] : blocks) {
+            sum += used;
+            for (int lane = used; lane < kLanes; ++lane) {
+                REQUIRE(holds(pairs_of(lanes, i, block), lane, PairLane{}));
+                if (is_colored(i)) REQUIRE(is_inert(lanes.block(block), lane));
             }
         }
-        REQUIRE(used == counts[i]);
+        REQUIRE(sum == counts[i]);
     }
 }
 
@@ -126,16 +143,17 @@ void add(Random& random, int contact, ContactLanes& lanes, Model& model) {
     kept.pair = random_lane(random, contact);
     kept.lane = lanes.add(kept.bucket, kept.pair);
     if (is_colored(kept.bucket)) {
-        REQUIRE(holds(lanes.memory(kept.bucket, kept.lane), ContactMemory{}));
-        REQUIRE(is_inert(lanes.bucket(kept.bucket).blocks[kept.lane / kLanes], kept.lane % kLanes));
+        REQUIRE(holds(lanes.memory(kept.lane), ContactMemory{}));
+        REQUIRE(is_inert(lanes.block(kept.lane / kLanes), kept.lane % kLanes));
     }
     model[contact] = kept;
 }
 
 void remove(Random& random, ContactLanes& lanes, Model& model) {
     const Kept gone = model.extract(any_contact(random, model)).mapped();
+    const auto [last_block, used] = blocks_of(lanes, gone.bucket).back();
+    const int last = last_block * kLanes + used - 1;
     const int moved = lanes.remove(gone.bucket, gone.lane);
-    const int last = lanes.bucket(gone.bucket).lanes;
     REQUIRE((moved == kNone) == (gone.lane == last));
     if (moved == kNone) return;
     REQUIRE(model.at(moved).bucket == gone.bucket);
@@ -154,9 +172,9 @@ void change(Random& random, ContactLanes& lanes, Model& model) {
     kept.memory.friction_impulse = random.real_f(-1, 1);
     kept.friction = random.real_f(0, 1);
     kept.mass = random.real_f(0, 1);
-    lanes.set_memory(kept.bucket, kept.lane, kept.memory);
-    lanes.set_friction(kept.bucket, kept.lane, kept.friction);
-    ContactBlock& block = lanes.bucket(kept.bucket).blocks[kept.lane / kLanes];
+    lanes.set_memory(kept.lane, kept.memory);
+    lanes.set_friction(kept.lane, kept.friction);
+    ContactBlock& block = lanes.block(kept.lane / kLanes);
     block.points[0].mass[kept.lane % kLanes] = kept.mass;
     block.a[kept.lane % kLanes] = random.below(100);
     block.tangent_arm_b[kept.lane % kLanes] = random.real_f(-1, 1);
@@ -177,10 +195,8 @@ struct Heap {
     ContactLanes lanes;
     std::vector<Placed> placed;  // in the order of their buckets
 
-    [[nodiscard]] ContactBlock& block(const Placed& p) {
-        return lanes.bucket(p.bucket).blocks[p.lane / kLanes];
-    }
-    [[nodiscard]] PairBlock& pairs(const Placed& p) { return lanes.bucket(p.bucket).pairs[p.lane / kLanes]; }
+    [[nodiscard]] ContactBlock& block(const Placed& p) { return lanes.block(p.lane / kLanes); }
+    [[nodiscard]] PairBlock& pairs(const Placed& p) { return lanes.pairs(p.lane / kLanes); }
 };
 
 void add_bodies(Heap& heap, Random& random, int carriers, int free_bodies) {
@@ -247,10 +263,10 @@ void prepare(Heap& heap) {
         heap.block(p).b[lane] = p.input.b;
         heap.block(p).reports = heap.pairs(p).reports != 0;
     }
+    heap.lanes.arrange();
     for (auto& [place, made] : found) {
-        LaneBucket& bucket = heap.lanes.bucket(place.first);
         (void)prepare_block(made.first, made.second, heap.motions.velocity.data(), heap.motions.pose.data(),
-                            bucket.pairs[place.second].features, bucket.blocks[place.second]);
+                            heap.lanes.pairs(place.second).features, heap.lanes.block(place.second));
     }
 }
 
@@ -294,8 +310,8 @@ Heap make_heap(unsigned seed, const std::vector<BlockKind>& kinds, int free_bodi
             memory.impulse[k] = p.input.points[k].impulse;
         }
         memory.friction_impulse = p.input.friction_impulse;
-        heap.lanes.set_memory(p.bucket, p.lane, memory);
-        heap.lanes.set_friction(p.bucket, p.lane, p.input.friction);
+        heap.lanes.set_memory(p.lane, memory);
+        heap.lanes.set_friction(p.lane, p.input.friction);
         p.scalar = make_contact(p.input, heap.motions, kRules);
         heap.placed.push_back(p);
     }
@@ -415,7 +431,7 @@ TEST_CASE("every bucket is of one colour, kind and geometry") {
 TEST_CASE("a lane that is blanked does nothing in the passes, and keeps its friction and its contact") {
     Heap heap = make_heap(2, {BlockKind::TwoBodies}, 2, 1);
     const Placed p = heap.placed.front();
-    heap.lanes.blank(p.bucket, p.lane);
+    heap.lanes.blank(p.lane);
     CHECK(is_inert(heap.block(p), p.lane % kLanes));
     CHECK(heap.block(p).friction[p.lane % kLanes] == p.input.friction);
     CHECK(heap.pairs(p).contact[p.lane % kLanes] == 0);
@@ -431,14 +447,14 @@ TEST_CASE("the first guess of lanes is that of the scalar form, for steps of any
     const float friction_ratio = GENERATE(0.0f, 0.7f);
     Heap heap = make_heap(3, kAllKinds, 100, 200);
     std::vector<std::array<float, 2>> remembered;
-    for (const Placed& p : heap.placed) remembered.push_back(heap.lanes.memory(p.bucket, p.lane).impulse);
+    for (const Placed& p : heap.placed) remembered.push_back(heap.lanes.memory(p.lane).impulse);
 
     Motions by_scalars = heap.motions;
     for (Placed& p : heap.placed) warm_start_contact(p.scalar, by_scalars, step_ratio, friction_ratio);
     heap.lanes.warm_start(heap.motions, step_ratio, friction_ratio);
     for (int i = 0; i < static_cast<int>(heap.placed.size()); ++i) {
         const Placed& p = heap.placed[i];
-        const ContactMemory memory = heap.lanes.memory(p.bucket, p.lane);
+        const ContactMemory memory = heap.lanes.memory(p.lane);
         for (int k = 0; k < p.scalar.count; ++k) {
             const float at_rest = p.scalar.points[k].static_impulse;
             CHECK(memory.impulse[k] == first_guess(remembered[i][k], at_rest, step_ratio));
@@ -485,7 +501,7 @@ TEST_CASE("every SIMD level gives the same bits") {
             for (const float x : {row.v.x, row.v.y, row.w}) add_bits(x);
         }
         for (const Placed& p : heap.placed) {
-            const ContactMemory memory = heap.lanes.memory(p.bucket, p.lane);
+            const ContactMemory memory = heap.lanes.memory(p.lane);
             for (const float x : {memory.impulse[0], memory.impulse[1], memory.friction_impulse}) add_bits(x);
             for (const ContactBlockPoint& point : heap.block(p).points)
                 add_bits(point.separation[p.lane % kLanes]);

@@ -137,9 +137,11 @@ inline bool contact_is_listed(const ContactStore& contacts, int contact) {
         REQUIRE(contacts.loose[c.lane] == contact);
         return true;
     }
-    const LaneBucket& bucket = contacts.lanes.bucket(c.bucket);
-    REQUIRE(c.lane < bucket.lanes);
-    const PairBlock& pairs = bucket.pairs[c.lane / kLanes];
+    const int block = c.lane / kLanes;
+    const PairBlock& pairs = is_colored(c.bucket)
+                                 ? contacts.lanes.pairs(block)
+                                 : contacts.lanes.near_pairs(geometry_of(c.bucket)).at(block);
+    if (is_colored(c.bucket)) REQUIRE(pairs.bucket == c.bucket);
     REQUIRE(pairs.contact[c.lane % kLanes] == contact);
     REQUIRE(pairs.body_a[c.lane % kLanes] == c.body_a);
     REQUIRE(pairs.body_b[c.lane % kLanes] == c.body_b);
@@ -148,7 +150,17 @@ inline bool contact_is_listed(const ContactStore& contacts, int contact) {
 
 inline int count_listed(const ContactStore& contacts) {
     int count = static_cast<int>(contacts.loose.size());
-    for (int i = 0; i < contacts.lanes.end_bucket(); ++i) count += contacts.lanes.bucket(i).lanes;
+    for (const PairGeometry geometry : {PairGeometry::Boxes, PairGeometry::General}) {
+        count += contacts.lanes.near_count(geometry);
+    }
+    for (int bucket = kFirstColored; bucket < kBuckets; ++bucket) {
+        for (int block = contacts.lanes.first_block(bucket); block != kNone;
+             block = contacts.lanes.pairs(block).next) {
+            const PairBlock& pairs = contacts.lanes.pairs(block);
+            REQUIRE((pairs.next == kNone ? pairs.used > 0 : pairs.used == kLanes));
+            count += pairs.used;
+        }
+    }
     return count;
 }
 
@@ -159,12 +171,14 @@ inline void check_colors(const Stores& stores) {
         REQUIRE((colors[body] >> color & 1) == 0);
         colors[body] |= 1u << color;
     };
-    for (int i = kFirstColored; i < stores.contacts.lanes.end_bucket(); ++i) {
-        const LaneBucket& bucket = stores.contacts.lanes.bucket(i);
-        for (int lane = 0; lane < bucket.lanes; ++lane) {
-            const PairBlock& pairs = bucket.pairs[lane / kLanes];
-            take(pairs.body_b[lane % kLanes], color_of(i));
-            if (kind_of(i) == BlockKind::TwoBodies) take(pairs.body_a[lane % kLanes], color_of(i));
+    const ContactLanes& lanes = stores.contacts.lanes;
+    for (int bucket = kFirstColored; bucket < kBuckets; ++bucket) {
+        for (int block = lanes.first_block(bucket); block != kNone; block = lanes.pairs(block).next) {
+            const PairBlock& pairs = lanes.pairs(block);
+            for (int lane = 0; lane < pairs.used; ++lane) {
+                take(pairs.body_b[lane], color_of(bucket));
+                if (kind_of(bucket) == BlockKind::TwoBodies) take(pairs.body_a[lane], color_of(bucket));
+            }
         }
     }
     for (std::size_t body = 0; body < stores.contacts.colors.size() && body < colors.size(); ++body) {
