@@ -91,6 +91,11 @@ class World {
     Result<BodyId> create_body(const BodyDef& def);
     /// With its shapes and joints. What rested on it wakes.
     Result<void> destroy_body(BodyId id);
+    /// All of them or, when one definition is bad, none; the error tells which. `ids` has a place for each
+    /// and receives the handles in the order of the definitions.
+    Result<void> create_bodies(std::span<const BodyDef> defs, std::span<BodyId> ids);
+    /// All of them or, when one handle is bad or named twice, none; the error tells which.
+    Result<void> destroy_bodies(std::span<const BodyId> ids);
     Result<Body> body(BodyId id);
     Result<const Body> body(BodyId id) const;
     [[nodiscard]] bool contains(BodyId id) const;
