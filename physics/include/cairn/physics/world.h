@@ -9,6 +9,7 @@
 
 #include <cairn/physics/body.h>
 #include <cairn/physics/events.h>
+#include <cairn/physics/explosion.h>
 #include <cairn/physics/ids.h>
 #include <cairn/physics/joint.h>
 #include <cairn/physics/profile.h>
@@ -17,6 +18,7 @@
 #include <cairn/physics/rules.h>
 #include <cairn/physics/shape.h>
 #include <cairn/physics/tasks.h>
+#include <cairn/physics/wind.h>
 
 namespace cairn::physics {
 
@@ -177,6 +179,14 @@ class World {
     /// difference to.
     Result<void> set_material_rule(int kind_a, int kind_b, const MaterialRule& rule);
     [[nodiscard]] Result<MaterialRule> material_rule(int kind_a, int kind_b) const;
+
+    /// Pushes the dynamic bodies around, asleep or awake, away from a point.
+    Result<void> explode(const ExplosionDef& def);
+    /// Force of the wind on all dynamic bodies that are awake, during the next step, which takes dt_s. It
+    /// keeps none awake that it cannot move, and strong wind never makes a body faster than itself.
+    Result<void> apply_wind(const WindDef& def, float dt_s);
+    /// The same for one body, which wakes.
+    Result<void> apply_wind(BodyId body, const WindDef& def, float dt_s);
 
     [[nodiscard]] Vec2 gravity() const;
     Result<void> set_gravity(Vec2 gravity_m_s2);  ///< wakes every body
