@@ -22,6 +22,8 @@ class SlotMap {
     explicit SlotMap(std::uint16_t world_tag) : world_tag_(world_tag) {}
 
     [[nodiscard]] std::uint16_t world_tag() const { return world_tag_; }
+    /// How many more objects it can hold.
+    [[nodiscard]] std::size_t room() const { return kMaxSlots - slots_.size() + free_; }
     [[nodiscard]] bool full() const { return free_head_ == kNone && slots_.size() >= kMaxSlots; }
 
     /// The index of the new object's slot.
@@ -35,6 +37,7 @@ class SlotMap {
         const int index = free_head_;
         Slot& slot = slots_[index];
         free_head_ = slot.next_free;
+        --free_;
         slot.value = std::move(value);
         slot.alive = true;
         return index;
@@ -50,6 +53,7 @@ class SlotMap {
         ++slot.generation;
         slot.next_free = free_head_;
         free_head_ = index;
+        ++free_;
     }
 
     [[nodiscard]] Id id(int index) const {
@@ -80,6 +84,7 @@ class SlotMap {
 
     std::vector<Slot> slots_;
     int free_head_ = kNone;
+    std::size_t free_ = 0;
     int size_ = 0;
     std::uint16_t world_tag_;
 };

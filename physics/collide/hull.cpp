@@ -2,6 +2,8 @@
 #include "collide/hull.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -32,20 +34,43 @@ std::vector<Vec2> without_near_duplicates(std::span<const Vec2> points, float si
     return kept;
 }
 
-// One half of the hull: appends the points in the given order, dropping those that do not turn left by a
-// visible bit.
+// One half of the hull: appends the points in the given order, dropping those that do not turn left.
 void append_chain(std::vector<Vec2>& hull, const std::vector<Vec2>& ordered) {
     const std::size_t start = hull.size();
     for (const Vec2 p : ordered) {
-        while (hull.size() >= start + 2) {
-            const Vec2 o = hull[hull.size() - 2];
-            const double base = static_cast<double>(length(p - o));
-            if (turn(o, hull.back(), p) > 1e-4 * base * base) break;
-            hull.pop_back();
-        }
+        while (hull.size() >= start + 2 && turn(hull[hull.size() - 2], hull.back(), p) <= 0) hull.pop_back();
         hull.push_back(p);
     }
     hull.pop_back();  // it begins the other half
+}
+
+// How far corner i stands out from the segment between its neighbours, in lengths of that segment. Measured
+// from the segment and not from its line, beyond which the tip of a needle may reach far.
+double prominence(const std::vector<Vec2>& hull, std::size_t i) {
+    const Vec2 a = hull[(i + hull.size() - 1) % hull.size()];
+    const Vec2 b = hull[(i + 1) % hull.size()];
+    const auto difference = [](float to, float from) {
+        return static_cast<double>(to) - static_cast<double>(from);
+    };
+    const double x = difference(b.x, a.x);
+    const double y = difference(b.y, a.y);
+    const double whole = x * x + y * y;
+    const double along = (difference(hull[i].x, a.x) * x + difference(hull[i].y, a.y) * y) / whole;
+    const double across = turn(a, hull[i], b) / whole;
+    const double beyond = std::max({along - 1, -along, 0.0});
+    return std::sqrt(across * across + beyond * beyond);
+}
+
+// Without corners that hardly stand out, the least first; what is left is convex still.
+void drop_flat_corners(std::vector<Vec2>& hull) {
+    while (hull.size() > 2) {
+        std::size_t flattest = 0;
+        for (std::size_t i = 1; i < hull.size(); ++i) {
+            if (prominence(hull, i) < prominence(hull, flattest)) flattest = i;
+        }
+        if (prominence(hull, flattest) > 1e-4) return;
+        hull.erase(hull.begin() + static_cast<std::ptrdiff_t>(flattest));
+    }
 }
 
 }  // namespace
@@ -72,6 +97,7 @@ Result<Hull> make_hull(std::span<const Vec2> points) {
     append_chain(hull, ordered);
     std::reverse(ordered.begin(), ordered.end());
     append_chain(hull, ordered);
+    drop_flat_corners(hull);
 
     if (hull.size() < 3) return Error{"polygon.points_m lie on one line, but must enclose an area"};
     if (hull.size() > kMaxPolygonVertices) {

@@ -80,7 +80,8 @@ struct Clipped {
     bool beside;                       // no part does: the nearer end point stands for it
 };
 
-Clipped clip(const Edges& reference, int reference_edge, const Edges& incident, int incident_edge) {
+Clipped clip(const Edges& reference, int reference_edge, const Edges& incident, int incident_edge,
+             bool cores_overlap) {
     const Segment base = reference.edge(reference_edge);
     const Segment face = incident.edge(incident_edge);
     const Vec2 normal = reference.normals[reference_edge];
@@ -94,8 +95,11 @@ Clipped clip(const Edges& reference, int reference_edge, const Edges& incident, 
         if (along >= last) return face.a;
         return face.b + (along - first) / (last - first) * (face.a - face.b);
     };
-    const std::array<Vec2, 2> ends{at(std::clamp(first, 0.0f, length_base)),
-                                   at(std::clamp(last, 0.0f, length_base))};
+    std::array<Vec2, 2> ends{at(std::clamp(first, 0.0f, length_base)),
+                             at(std::clamp(last, 0.0f, length_base))};
+    // The ends of a capsule or segment that stands upright on the base lie above each other. When it has gone
+    // through, the nearer is wanted; in front of it, which one this is the search for corners tells.
+    if (cores_overlap && last <= first) ends = {face.b, face.a};
     const bool beside = last < 0 || first > length_base;
     return {ends, {dot(ends[0] - base.a, normal), dot(ends[1] - base.a, normal)}, beside};
 }
@@ -114,7 +118,7 @@ struct Candidate {
           axis(axis_),
           flipped(flipped_),
           face(facing_edge(incident_, reference_.normals[axis_.edge])),
-          clipped(clip(reference_, axis_.edge, incident_, face)) {}
+          clipped(clip(reference_, axis_.edge, incident_, face, axis_.separation < 0)) {}
 
     // Whether the least distance is indeed found in front of the reference edge, and not past its end.
     [[nodiscard]] bool is_nearest() const {

@@ -138,6 +138,11 @@ check::Fault validate_spring(float frequency_hz, float damping_ratio) {
                             check::not_negative("distance_joint.damping_ratio", d(damping_ratio))});
 }
 
+check::Fault refuse_within_step(const WorldState& world) {
+    if (!world.stepping) return {};
+    return Error{"the world is within a step, and must not be changed by the filter that it asks"};
+}
+
 Error bad_handle(const char* kind, std::uint64_t index1, std::uint64_t world, std::uint64_t own_world) {
     const std::string name = kind;
     if (index1 == 0) return {"the " + name + " handle is null"};

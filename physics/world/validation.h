@@ -19,6 +19,9 @@ check::Fault validate_limits(float lower_rad, float upper_rad);
 check::Fault validate_motor(float speed_rad_s, float max_torque_nm);
 check::Fault validate_spring(float frequency_hz, float damping_ratio);
 
+/// While a step runs, only what the host was asked could call: it must not change the world.
+check::Fault refuse_within_step(const WorldState& world);
+
 /// Says why a handle names nothing: null, of another world, or destroyed.
 Error bad_handle(const char* kind, std::uint64_t index1, std::uint64_t world, std::uint64_t own_world);
 

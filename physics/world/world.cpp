@@ -42,6 +42,7 @@ Result<int> find(const Slots& slots, Id id, const char* kind) {
 
 template <class Def>
 Result<JointId> create_checked_joint(WorldState& state, const Def& def) {
+    if (auto fault = refuse_within_step(state)) return *fault;
     if (auto fault = validate(def, state.stores)) return *fault;
     if (state.stores.joints.slots.full()) return full("joints");
     return state.stores.joints.slots.id(create_joint(state, def));
@@ -61,18 +62,23 @@ Result<World> World::create(const WorldDef& def) {
 }
 
 Result<void> World::step(float dt_s) {
+    if (auto fault = refuse_within_step(*state_)) return *fault;
     if (auto fault = validate_step(dt_s)) return *fault;
+    state_->stepping = true;
     step_world(*state_, dt_s);
+    state_->stepping = false;
     return {};
 }
 
 Result<BodyId> World::create_body(const BodyDef& def) {
+    if (auto fault = refuse_within_step(*state_)) return *fault;
     if (auto fault = validate(def)) return *fault;
     if (state_->stores.bodies.slots.full()) return full("bodies");
     return state_->stores.bodies.slots.id(physics::create_body(state_->stores, def));
 }
 
 Result<void> World::destroy_body(BodyId id) {
+    if (auto fault = refuse_within_step(*state_)) return *fault;
     const Result<int> body = find(state_->stores.bodies.slots, id, "body");
     if (!body) return body.error();
     physics::destroy_body(*state_, *body);
@@ -99,6 +105,7 @@ std::vector<BodyId> World::bodies() const {
 }
 
 Result<ShapeId> World::create_shape(BodyId body_id, const Geometry& geometry, const ShapeDef& def) {
+    if (auto fault = refuse_within_step(*state_)) return *fault;
     const Result<int> body = find(state_->stores.bodies.slots, body_id, "body");
     if (!body) return body.error();
     if (auto fault = validate(def)) return *fault;
@@ -109,6 +116,7 @@ Result<ShapeId> World::create_shape(BodyId body_id, const Geometry& geometry, co
 }
 
 Result<void> World::destroy_shape(ShapeId id) {
+    if (auto fault = refuse_within_step(*state_)) return *fault;
     const Result<int> shape = find(state_->stores.shapes, id, "shape");
     if (!shape) return shape.error();
     physics::destroy_shape(*state_, *shape);
@@ -139,6 +147,7 @@ Result<JointId> World::create_joint(const DistanceJointDef& def) {
 }
 
 Result<void> World::destroy_joint(JointId id) {
+    if (auto fault = refuse_within_step(*state_)) return *fault;
     const Result<int> joint = find(state_->stores.joints.slots, id, "joint");
     if (!joint) return joint.error();
     physics::destroy_joint(state_->stores, *joint);
@@ -211,6 +220,7 @@ Vec2 World::gravity() const {
 }
 
 Result<void> World::set_gravity(Vec2 gravity_m_s2) {
+    if (auto fault = refuse_within_step(*state_)) return *fault;
     if (auto fault = check::finite("world.gravity_m_s2", gravity_m_s2)) return *fault;
     state_->def.gravity_m_s2 = gravity_m_s2;
     const BodyRows& asleep = state_->stores.bodies.rows(RowSet::Asleep);

@@ -140,7 +140,8 @@ struct WorldState {
     Events events;
     StepScratch scratch;
     std::uint64_t step_count = 0;
-    Profile profile;  // of the last step
+    bool stepping = false;  // the host may be asked within a step
+    Profile profile;        // of the last step
     bool profiling = false;
     float previous_h_s = 0;  // of a substep of the last step
     TaskPool tasks;          // with one thread, the default, it is empty and runs loops where they stand

@@ -144,4 +144,21 @@ TEST_CASE("too many corners and points that are not numbers give an error that n
     CHECK_THAT(error_of({{0, 0}, {1, 0}, {1, INFINITY}}), Contains("polygon.points_m[2]") && Contains("inf"));
 }
 
+TEST_CASE(
+    "the tip of a needle is a corner of the hull, though it hardly stands out from the line of its sides") {
+    // The tip is 12 mm above the next point and 0.06 mm beside the line through it.
+    const std::array points{Vec2{-1.12151f, -1.37157f}, Vec2{-1.12157f, -1.12151f},
+                            Vec2{-1.12157f, -1.10942f}, Vec2{-1.93732f, -2}, Vec2{-2, -2}};
+    const Hull hull = make_hull(points).value();
+    CHECK(std::count(hull.points.begin(), hull.points.begin() + hull.count, points[2]) == 1);
+}
+
+TEST_CASE("a point too far away for the square of its distance is not left out") {
+    // Seen from that far, the other three are one.
+    const std::array points{Vec2{-2, 2}, Vec2{2, 2}, Vec2{2, -2}, Vec2{-1, -1.5e32f}};
+    const Result<Hull> hull = make_hull(points);
+    REQUIRE_FALSE(hull);
+    CHECK_THAT(hull.error().message, Contains("lie on one line"));
+}
+
 }  // namespace cairn::physics

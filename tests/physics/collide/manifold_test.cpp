@@ -328,4 +328,22 @@ TEST_CASE("a motion too small to see keeps the ids of nearly all random contacts
     CHECK(changed <= 9);
 }
 
+TEST_CASE("capsules that cross at a right angle touch, whichever end of the one lies in the other") {
+    const Convex upright = make_convex(Capsule{{0.3f, -1}, {0.3f, 2}, 1}).value();
+    for (const bool reversed : {false, true}) {
+        const Vec2 near{0.28f, 0.3f};
+        const Vec2 far{2, 0.3f};
+        const Convex level = make_convex(Capsule{reversed ? far : near, reversed ? near : far, 0.5f}).value();
+        for (const bool swapped : {false, true}) {
+            INFO("reversed " << reversed << ", swapped " << swapped);
+            const Manifold m =
+                swapped ? collide(level, upright, {}, kReach_m) : collide(upright, level, {}, kReach_m);
+            REQUIRE(m.count == 1);
+            // The cores part when one is pushed by 2 cm.
+            CHECK(m.points[0].separation == Approx(-1.52f));
+            CHECK(dot(m.normal, {swapped ? -1.0f : 1.0f, 0}) == Approx(1));
+        }
+    }
+}
+
 }  // namespace cairn::physics

@@ -1,6 +1,8 @@
 // Which pairs collide: categories, masks, groups, joints, body types.
+#include <array>
 #include <catch2/catch.hpp>
 #include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -9,6 +11,7 @@
 namespace cairn::physics {
 namespace {
 
+using Catch::Matchers::Contains;
 using namespace test;
 
 // Whether a ball of one filter that is dropped on ground of another is caught.
@@ -261,6 +264,45 @@ TEST_CASE("without a filter of the host every pair may collide again") {
     run_for(world, 1);
     CHECK(host.asked.empty());
     CHECK(world.body(ball)->position().y == Approx(0.5).margin(0.005));
+}
+
+TEST_CASE("the world refuses to be changed by the host's filter, and goes on") {
+    struct Meddler {
+        World& world;
+        BodyId ball{};
+        std::vector<std::string> messages{};
+
+        static bool answer(void* context, ShapeId, ShapeId shape) {
+            Meddler& self = *static_cast<Meddler*>(context);
+            World& world = self.world;
+            const auto note = [&](const auto& result) {
+                self.messages.push_back(result ? "done" : result.error().message);
+            };
+            note(world.destroy_body(self.ball));
+            note(world.destroy_bodies(std::array{self.ball}));
+            note(world.destroy_shape(shape));
+            note(world.create_body({}));
+            note(world.create_bodies({}, {}));
+            note(world.create_shape(self.ball, Circle{}));
+            note(world.create_joint(RevoluteJointDef{}));
+            note(world.create_joint(DistanceJointDef{}));
+            note(world.destroy_joint({}));
+            note(world.step(kStep_s));
+            note(world.set_gravity({}));
+            return true;
+        }
+    };
+    World world;
+    Meddler meddler{world};
+    world.set_pair_filter({&Meddler::answer, &meddler});
+    add_ground(world);
+    meddler.ball = add(world, {.position_m = {0, 0.5}}, Circle{});
+    run_for(world, 1);
+    REQUIRE(meddler.messages.size() == 11);
+    for (const std::string& message : meddler.messages) CHECK_THAT(message, Contains("within a step"));
+    CHECK(world.body(meddler.ball)->position().y == Approx(0.5).margin(0.005));
+    CHECK(world.step_count() == 60);
+    CHECK(world.create_body({}));
 }
 
 }  // namespace cairn::physics

@@ -1,4 +1,5 @@
 // Null, stale and foreign handles: each function that takes one says which it was, and changes nothing.
+#include <array>
 #include <catch2/catch.hpp>
 #include <functional>
 #include <string>
@@ -27,6 +28,10 @@ std::vector<Use> uses_of(BodyId bad, BodyId good) {
         {"body", [=](World& w) { return message_of(w.body(bad)); }},
         {"const body", [=](World& w) { return message_of(std::as_const(w).body(bad)); }},
         {"destroy_body", [=](World& w) { return message_of(w.destroy_body(bad)); }},
+        {"destroy_bodies",
+         [=](World& w) {
+             return message_of(w.destroy_bodies(std::array{good, bad}));
+         }},
         {"create_shape", [=](World& w) { return message_of(w.create_shape(bad, Circle{})); }},
         {"revolute body_a",
          [=](World& w) {
@@ -52,6 +57,7 @@ std::vector<Use> uses_of(ShapeId bad) {
         {"shape", [=](World& w) { return message_of(w.shape(bad)); }},
         {"const shape", [=](World& w) { return message_of(std::as_const(w).shape(bad)); }},
         {"destroy_shape", [=](World& w) { return message_of(w.destroy_shape(bad)); }},
+        {"sensor_overlaps", [=](World& w) { return message_of(w.sensor_overlaps(bad)); }},
     };
 }
 

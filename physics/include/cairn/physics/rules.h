@@ -10,7 +10,8 @@ namespace cairn::physics {
 /// A question to the host about two shapes whose boxes have come together and whose filters agree: may they
 /// collide? Asked once for each new pair, at the start of a step and before anything is solved, in an order
 /// that depends only on the history of the world; the answer stands until the pair parts or one of the two
-/// is refiltered. It must not call the world, and replays repeat only if its answers do.
+/// is refiltered. It must not change the world (calls that make, destroy or step give an error meanwhile),
+/// and replays repeat only if its answers do.
 struct PairFilter {
     bool (*may_collide)(void* context, ShapeId a, ShapeId b) = nullptr;  ///< null: every pair may
     void* context = nullptr;

@@ -9,6 +9,7 @@
 
 #include <cairn/physics/body.h>
 #include <cairn/physics/events.h>
+#include <cairn/physics/explosion.h>
 #include <cairn/physics/ids.h>
 #include <cairn/physics/joint.h>
 #include <cairn/physics/profile.h>
@@ -17,6 +18,7 @@
 #include <cairn/physics/rules.h>
 #include <cairn/physics/shape.h>
 #include <cairn/physics/tasks.h>
+#include <cairn/physics/wind.h>
 
 namespace cairn::physics {
 
@@ -91,6 +93,11 @@ class World {
     Result<BodyId> create_body(const BodyDef& def);
     /// With its shapes and joints. What rested on it wakes.
     Result<void> destroy_body(BodyId id);
+    /// All of them or, when one definition is bad, none; the error tells which. `ids` has a place for each
+    /// and receives the handles in the order of the definitions.
+    Result<void> create_bodies(std::span<const BodyDef> defs, std::span<BodyId> ids);
+    /// All of them or, when one handle is bad or named twice, none; the error tells which.
+    Result<void> destroy_bodies(std::span<const BodyId> ids);
     Result<Body> body(BodyId id);
     Result<const Body> body(BodyId id) const;
     [[nodiscard]] bool contains(BodyId id) const;
@@ -172,6 +179,14 @@ class World {
     /// difference to.
     Result<void> set_material_rule(int kind_a, int kind_b, const MaterialRule& rule);
     [[nodiscard]] Result<MaterialRule> material_rule(int kind_a, int kind_b) const;
+
+    /// Pushes the dynamic bodies around, asleep or awake, away from a point.
+    Result<void> explode(const ExplosionDef& def);
+    /// Force of the wind on all dynamic bodies that are awake, during the next step, which takes dt_s. It
+    /// keeps none awake that it cannot move, and strong wind never makes a body faster than itself.
+    Result<void> apply_wind(const WindDef& def, float dt_s);
+    /// The same for one body, which wakes.
+    Result<void> apply_wind(BodyId body, const WindDef& def, float dt_s);
 
     [[nodiscard]] Vec2 gravity() const;
     Result<void> set_gravity(Vec2 gravity_m_s2);  ///< wakes every body
