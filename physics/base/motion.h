@@ -66,6 +66,18 @@ inline float inverse_mass_along(const Motion& body, Vec2 axis) {
     return body.inverse_mass * length_squared(without_locked(axis, body.locked));
 }
 
+/// The share of what two bodies could do without locks, below which they count as locked altogether. A body
+/// that can give way only by turning about a tiny arm would be whirled up by any impulse; at this share the
+/// arm is a tenth of its radius of gyration.
+inline constexpr float kLeastMobility = 0.01f;
+
+/// 1/K for the inverse effective mass K of a constraint; 0 when nothing can give way.
+inline float effective_mass(const Motion& a, const Motion& b, float k) {
+    const bool locked = (a.locked | b.locked) != 0;
+    const float least = locked ? kLeastMobility * (a.inverse_mass + b.inverse_mass) : 0;
+    return k > least ? 1 / k : 0;
+}
+
 struct Motions {
     std::vector<VelocityRow> velocity;
     std::vector<PoseRow> pose;

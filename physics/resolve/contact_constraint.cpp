@@ -32,7 +32,7 @@ float effective_mass(const Motion& a, const Motion& b, Vec2 r_a, Vec2 r_b, Vec2 
     const float rb = cross(r_b, axis);
     const float k = inverse_mass_along(a, axis) + inverse_mass_along(b, axis) + a.inverse_inertia * ra * ra +
                     b.inverse_inertia * rb * rb;
-    return k > 0 ? 1 / k : 0;
+    return effective_mass(a, b, k);
 }
 
 // The arms to the cores turn with the bodies; a rounded surface does not: turning its arm would lift a

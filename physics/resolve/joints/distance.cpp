@@ -27,7 +27,7 @@ Line line_now(const DistanceConstraint& c, const Motion& a, const Motion& b) {
     const float rb = cross(line.at.r_b, line.u);
     const float k = inverse_mass_along(a, line.u) + inverse_mass_along(b, line.u) +
                     a.inverse_inertia * ra * ra + b.inverse_inertia * rb * rb;
-    line.mass = k > 0 ? 1 / k : 0;
+    line.mass = effective_mass(a, b, k);
     return line;
 }
 

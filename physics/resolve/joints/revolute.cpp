@@ -11,14 +11,20 @@
 namespace cairn::physics {
 namespace {
 
-// Solves K x = b by Cramer's rule; 0 along an axis on which nothing can move.
+// Solves K x = b by Cramer's rule. When locked axes leave, but for a trifle, one direction to move in, K is
+// s u u^T with the trace s, and the smallest x is K b / s^2; when they leave none it is 0.
 Vec2 solve_point(const Motion& a, const Motion& b, const AnchorsNow& at, Vec2 rhs) {
     const Vec2 m = velocity_change(a, {1, 1}) + velocity_change(b, {1, 1});
     const float xx = m.x + a.inverse_inertia * at.r_a.y * at.r_a.y + b.inverse_inertia * at.r_b.y * at.r_b.y;
     const float xy = -a.inverse_inertia * at.r_a.x * at.r_a.y - b.inverse_inertia * at.r_b.x * at.r_b.y;
     const float yy = m.y + a.inverse_inertia * at.r_a.x * at.r_a.x + b.inverse_inertia * at.r_b.x * at.r_b.x;
     const float determinant = xx * yy - xy * xy;
-    if (determinant <= 0) return {xx > 0 ? rhs.x / xx : 0, yy > 0 ? rhs.y / yy : 0};
+    const float trace = xx + yy;
+    const bool locked = (a.locked | b.locked) != 0;
+    if (determinant <= (locked ? kLeastMobility * trace * trace : 0)) {
+        if (trace <= (locked ? kLeastMobility * (a.inverse_mass + b.inverse_mass) : 0)) return {};
+        return (1 / (trace * trace)) * Vec2{xx * rhs.x + xy * rhs.y, xy * rhs.x + yy * rhs.y};
+    }
     const float inverse = 1 / determinant;
     return {inverse * (yy * rhs.x - xy * rhs.y), inverse * (xx * rhs.y - xy * rhs.x)};
 }

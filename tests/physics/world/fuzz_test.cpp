@@ -84,6 +84,17 @@ class Fuzz {
                     .value();
         } else if (choice < 64) {
             world_.set_gravity(random_.vector(-10, 10)).value();
+        } else if (choice < 65) {
+            body.set_locks({random_.chance(0.2), random_.chance(0.2), random_.chance(0.2)});
+        } else if (choice < 66) {
+            const auto mixing = static_cast<Mixing>(random_.below(6));
+            world_.set_material_rule(random_.below(4), random_.below(4), {.friction = {mixing, 0.5f}})
+                .value();
+        } else if (choice < 67) {
+            if (!shapes.empty())
+                world_.shape(shapes.back())
+                    ->set_one_way_normal(random_.chance(0.5) ? Vec2{} : Vec2{0, 1})
+                    .value();
         } else {
             world_.step(random_.chance(0.9) ? kStep_s : random_.real_f(0.001, 0.05)).value();
         }
@@ -125,12 +136,21 @@ class Fuzz {
                                               .angle_rad = random_.real(-3, 3),
                                               .linear_velocity_m_s = random_.vector(-5, 5),
                                               .linear_damping_1_s = random_.real_f(0, 1),
-                                              .gravity_scale = random_.real_f(-1, 2)})
+                                              .gravity_scale = random_.real_f(-1, 2),
+                                              .locks = {.x = random_.chance(0.05),
+                                                        .y = random_.chance(0.05),
+                                                        .rotation = random_.chance(0.1)}})
                                 .value();
-        add_random_shape(world_, random_, body,
-                         {.density_kg_m2 = random_.chance(0.1) ? 0 : random_.real_f(0.1, 10),
-                          .contact_events = true,
-                          .hit_events = true});
+        add_random_shape(
+            world_, random_, body,
+            {.density_kg_m2 = random_.chance(0.1) ? 0 : random_.real_f(0.1, 10),
+             .material = {.rolling_resistance = random_.chance(0.1) ? 0.2f : 0.0f,
+                          .surface_speed_m_s = random_.chance(0.1) ? random_.real_f(-3, 3) : 0.0f,
+                          .kind = random_.below(4)},
+             .contact_events = true,
+             .hit_events = true,
+             .sensor = random_.chance(0.1),
+             .one_way_normal = random_.chance(0.1) ? random_.vector(-1, 1) : Vec2{}});
     }
 
     Random random_;

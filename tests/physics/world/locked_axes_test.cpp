@@ -135,6 +135,25 @@ TEST_CASE("a pin holds a locked body along the axes that it has") {
     CHECK(world.body(fixed)->is_awake());
 }
 
+TEST_CASE("a pin between two bodies that can only turn, on arms at a right angle, stops both") {
+    World world({.enable_sleep = false});
+    const AxisLocks in_place{.x = true, .y = true};
+    const BodyId a = add(world, {.angular_velocity_rad_s = 3, .locks = in_place}, Circle{});
+    const BodyId b = add(world, {.position_m = {1, 1}, .locks = in_place}, Circle{});
+    world
+        .create_joint(RevoluteJointDef{
+            .body_a = a, .body_b = b, .local_anchor_a_m = {1, 0}, .local_anchor_b_m = {0, -1}})
+        .value();
+    for (int i = 0; i < 60; ++i) {
+        world.step(kStep_s).value();
+        REQUIRE(world.body(a)->position() == Position{});
+        REQUIRE(world.body(b)->position() == Position{1, 1});
+    }
+    CHECK(world.body(a)->angular_velocity() == Approx(0).margin(1e-3));
+    CHECK(world.body(b)->angular_velocity() == Approx(0).margin(1e-3));
+    CHECK(world.body(a)->angle() == Approx(0).margin(1e-3));
+}
+
 TEST_CASE("a shelf locked in y bears what is put on it, without gravity of its own") {
     World world;
     const BodyId shelf =
