@@ -154,7 +154,7 @@ HWY_INLINE unsigned collide_part(const PoseLanes& poses, const BoxLanes& boxes, 
 
     store(hn::IfThenElse(flipped, hn::Neg(world_normal.x), world_normal.x), out.normal_x, lane);
     store(hn::IfThenElse(flipped, hn::Neg(world_normal.y), world_normal.y), out.normal_y, lane);
-    store(most, out.gap, lane);
+    store(hn::Max(sep.x, sep.y), out.gap, lane);
     const Vec first = select(use0, point0, point1);
     store(first.x, out.points[0].x, lane);
     store(first.y, out.points[0].y, lane);

@@ -175,12 +175,12 @@ HWY_INLINE V coupling(const Pair<kKind>& pair, const PointLanes& p, const PointL
 struct Impulses {
     V first;
     V second;
-    M regular;  // else the points are too near each other to be told apart
+    M regular;  // else there is one point, or the two are too near each other to be told apart
 };
 
 // As solve_both in contact_constraint.cpp: the case that fits is selected, from the last to the first.
 template <BlockKind kKind>
-HWY_INLINE Impulses solve_both(const Pair<kKind>& pair, const std::array<PointLanes, 2>& p) {
+HWY_INLINE Impulses solve_both(const Pair<kKind>& pair, const std::array<PointLanes, 2>& p, V second_mass) {
     const V zero = hn::Zero(D());
     const V one = hn::Set(D(), 1);
     const V k00 = coupling(pair, p[0], p[0]);
@@ -203,7 +203,8 @@ HWY_INLINE Impulses solve_both(const Pair<kKind>& pair, const std::array<PointLa
     const V first = hn::IfThenElse(both, both0, hn::IfThenElseZero(only0, alone0));
     const V second =
         hn::IfThenElse(both, both1, hn::IfThenZeroElse(only0, hn::IfThenElseZero(only1, alone1)));
-    return {first, second, hn::Gt(determinant, hn::Mul(hn::Set(D(), 1e-3f), product))};
+    const M apart = hn::Gt(determinant, hn::Mul(hn::Set(D(), 1e-3f), product));
+    return {first, second, hn::And(apart, hn::Gt(second_mass, zero))};
 }
 
 // Brings both points to their targets at once, since sweeping would leave a part of the push-out velocity.
@@ -212,7 +213,7 @@ template <BlockKind kKind>
 HWY_INLINE V relax_normals(Pair<kKind>& pair, std::array<PointLanes, 2>& points, V first_mass,
                            V second_mass) {
     const V zero = hn::Zero(D());
-    const Impulses together = solve_both(pair, points);
+    const Impulses together = solve_both(pair, points, second_mass);
     const V first_swept = hn::Sub(points[0].old, hn::Mul(first_mass, residual(pair, points[0])));
     const V first = hn::IfThenElse(together.regular, together.first, hn::Max(first_swept, zero));
     const V first_change = push(pair, points[0], first);

@@ -58,7 +58,7 @@ check::Fault validate(const WindDef& def) {
 SurfaceForce wind_force(const Stores& stores, int body, const WindDef& def, float dt_s) {
     const BodyRecord& record = stores.bodies.slots[body];
     const BodyRows& rows = stores.bodies.rows_of(body);
-    const Rotation q = rows.rotation[record.row];
+    const Rotation q = stores.bodies.places[body].rotation;
     const Flow flow{inverse_rotate(q, def.velocity_m_s - rows.velocity[record.row]), rows.spin[record.row],
                     record.mass.center_m};
     SurfaceForce sum{stores.bodies.slots.id(body)};
