@@ -56,24 +56,4 @@ inline Aabb grown(const Aabb& a, float margin) {
     return {{a.lower.x - margin, a.lower.y - margin}, {a.upper.x + margin, a.upper.y + margin}};
 }
 
-/// Whether the segment from origin to origin + fraction * translation meets the box. Slab test, in double
-/// because far from the world's origin float could not place the segment.
-inline bool ray_overlaps(const Aabb& box, Position origin, Vec2 translation, float fraction) {
-    double enter = 0;
-    double leave = static_cast<double>(fraction);
-    const auto clip = [&](double from, double along, double low, double high) {
-        if (along == 0) return low <= from && from <= high;
-        double t1 = (low - from) / along;
-        double t2 = (high - from) / along;
-        if (t1 > t2) std::swap(t1, t2);
-        enter = std::max(enter, t1);
-        leave = std::min(leave, t2);
-        return enter <= leave;
-    };
-    return clip(origin.x, static_cast<double>(translation.x), static_cast<double>(box.lower.x),
-                static_cast<double>(box.upper.x)) &&
-           clip(origin.y, static_cast<double>(translation.y), static_cast<double>(box.lower.y),
-                static_cast<double>(box.upper.y));
-}
-
 }  // namespace cairn::physics

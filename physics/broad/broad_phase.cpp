@@ -1,53 +1,124 @@
-// Pair finding by a query of both trees for each moved box.
+// What moved since the last search, and the search.
 #include "broad/broad_phase.h"
 
-#include <algorithm>
+#include "base/assert.h"
 
 namespace cairn::physics {
 
-int BroadPhase::add(Layer layer, const Aabb& box, int item) {
-    const int proxy = trees_[index(layer)].insert(box, item);
-    touch(layer, proxy);
-    return proxy;
-}
-
-void BroadPhase::remove(Layer layer, int proxy) {
-    trees_[index(layer)].remove(proxy);
-    is_moved_[index(layer)][proxy] = 0;
-}
-
-void BroadPhase::move(Layer layer, int proxy, const Aabb& box) {
-    trees_[index(layer)].move(proxy, box);
-    touch(layer, proxy);
-}
-
-void BroadPhase::touch(Layer layer, int proxy) {
-    auto& flags = is_moved_[index(layer)];
-    if (flags.size() <= static_cast<std::size_t>(proxy)) flags.resize(proxy + 1, 0);
-    if (flags[proxy]) return;
-    flags[proxy] = 1;
-    moved_.push_back({layer, proxy});
-}
-
-const std::vector<std::pair<int, int>>& BroadPhase::find_new_pairs() {
-    pairs_.clear();
-    for (const Moved& m : moved_) {
-        // A proxy removed since, or removed and given out again (then it stands further down the list too).
-        auto& flag = is_moved_[index(m.layer)][m.proxy];
-        if (!flag) continue;
-        flag = 0;
-        const AabbTree& own = trees_[index(m.layer)];
-        const int item = own.item(m.proxy);
-        const auto report = [&](int other) {
-            if (other != item) pairs_.emplace_back(std::min(item, other), std::max(item, other));
-        };
-        trees_[index(Layer::Moving)].query(own.box(m.proxy), report);
-        if (m.layer == Layer::Moving) trees_[index(Layer::Fixed)].query(own.box(m.proxy), report);
+void BroadPhase::add(int item, Layer layer, const Aabb& box) {
+    if (item >= static_cast<int>(states_.size())) {
+        states_.resize(item + 1);
+        box_before_.resize(item + 1);
     }
-    moved_.clear();
-    std::sort(pairs_.begin(), pairs_.end());
-    pairs_.erase(std::unique(pairs_.begin(), pairs_.end()), pairs_.end());
+    states_[item] = {.layer = layer, .listed = states_[item].listed};
+    trees_[index(layer)].insert(item, box, order_scratch_);
+    note_move(item, Aabb{});
+}
+
+void BroadPhase::remove(int item) {
+    trees_[index(states_[item].layer)].remove(item, order_scratch_);
+    states_[item] = {.listed = states_[item].listed};
+}
+
+void BroadPhase::move(int item, const Aabb& box) {
+    State& state = states_[item];
+    BoxTree& tree = trees_[index(state.layer)];
+    note_move(item, tree.box(item));
+    tree.move(item, box);
+    if (state.layer != Layer::Awake) state.unsettled = true;
+}
+
+void BroadPhase::touch(int item) {
+    note_move(item, Aabb{});
+    box_before_[item] = Aabb{};
+    states_[item].touched = true;
+}
+
+void BroadPhase::set_layer(int item, Layer layer) {
+    State& state = states_[item];
+    if (state.layer == layer) return;
+    const Aabb box = trees_[index(state.layer)].box(item);
+    trees_[index(state.layer)].remove(item, order_scratch_);
+    trees_[index(layer)].insert(item, box, order_scratch_);
+    if (state.layer == Layer::Awake && state.moved) state.unsettled = true;
+    state.layer = layer;
+    // To be settled by the next search.
+    if (layer == Layer::Awake && state.unsettled) note_move(item, box);
+}
+
+// Remembers where the box was at the last search, if this is its first move since.
+void BroadPhase::note_move(int item, const Aabb& before) {
+    State& state = states_[item];
+    if (!state.moved) box_before_[item] = before;
+    state.moved = true;
+    if (!state.listed) moved_items_.push_back(item);
+    state.listed = true;
+}
+
+const std::vector<ItemPair>& BroadPhase::find_new_pairs() {
+    pairs_.clear();
+    search(0, start_search(), pairs_);
+    end_search();
     return pairs_;
+}
+
+int BroadPhase::start_search() {
+    moved_groups_.clear();
+    if (moved_items_.empty()) return 0;
+    for (BoxTree& tree : trees_) {
+        if (tree.is_worn()) tree.rebuild(order_scratch_);
+    }
+    collect_moved_groups();
+    return static_cast<int>(moved_groups_.size());
+}
+
+void BroadPhase::collect_moved_groups() {
+    // First the lanes that moved, by group; then the groups in their order; then where each box was.
+    for (auto& lanes : moved_index_) lanes.clear();
+    for (const int item : moved_items_) {
+        if (!states_[item].moved) continue;
+        const BoxTree& tree = this->tree(layer(item));
+        auto& lanes = moved_index_[index(layer(item))];
+        if (lanes.empty()) lanes.resize(tree.level(0).size(), 0);
+        lanes[tree.place(item) / kGroupSize] |= 1 << (tree.place(item) % kGroupSize);
+    }
+    for (const Layer layer : kLayers) {
+        auto& lanes = moved_index_[index(layer)];
+        for (std::size_t group = 0; group < lanes.size(); ++group) {
+            const auto moved = static_cast<LaneMask>(lanes[group]);
+            lanes[group] = moved == 0 ? kNone : static_cast<int>(moved_groups_.size());
+            if (moved == 0) continue;
+            moved_groups_.push_back({layer, static_cast<int>(group), moved, tree(layer).level(0)[group]});
+        }
+    }
+    for (const int item : moved_items_) {
+        if (!states_[item].moved) continue;
+        const int place = tree(layer(item)).place(item);
+        const int moved = moved_index_[index(layer(item))][place / kGroupSize];
+        moved_groups_[moved].before.set_box(place % kGroupSize, box_before_[item]);
+    }
+}
+
+void BroadPhase::search(int first_group, int last_group, std::vector<ItemPair>& pairs) const {
+    SearchedLayers layers;
+    for (const Layer layer : kLayers) layers[index(layer)] = {&tree(layer), moved_index_[index(layer)]};
+    const std::size_t old_size = pairs.size();
+    find_pairs(layers, moved_groups_, first_group, last_group, pairs);
+    for (std::size_t i = old_size; i < pairs.size(); ++i) pairs[i].may_be_known = may_be_known(pairs[i]);
+}
+
+bool BroadPhase::may_be_known(const ItemPair& pair) const {
+    const auto doubtful = [](const State& state) { return state.touched || state.unsettled; };
+    return doubtful(states_[pair.a]) || doubtful(states_[pair.b]);
+}
+
+void BroadPhase::end_search() {
+    for (const int item : moved_items_) {
+        State& state = states_[item];
+        state.listed = state.moved = state.touched = false;
+        if (state.layer == Layer::Awake) state.unsettled = false;
+    }
+    moved_items_.clear();
 }
 
 }  // namespace cairn::physics

@@ -1,45 +1,72 @@
 // Finds pairs of boxes that have come to overlap, by asking only about those that moved.
-// Invariant: items of the fixed layer never pair with each other; every overlapping pair of which one box was
-// added or moved since the last call is reported once, in an order that depends on the items alone.
+// Boxes stand in three trees: static, asleep, awake. A box that moves keeps the place it had when pairs were last
+// looked for; a pair is new when the boxes overlap now and did not then, so nothing has to be looked up.
+// Invariant: between searches every tree is fit to be asked. Static items never pair with each other; any other pair
+// is reported by the first search that finds it overlapping, and again only after a search that did not, or when
+// one of the two was touched. The order of the report follows from the history of calls alone.
 #pragma once
 
 #include <array>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
-#include "broad/aabb_tree.h"
+#include "broad/pair_search.h"
 
 namespace cairn::physics {
 
-enum class Layer : std::uint8_t { Fixed, Moving };
-
 class BroadPhase {
   public:
-    /// `item` is the caller's number for the box; the result is its proxy in the layer.
-    int add(Layer layer, const Aabb& box, int item);
-    void remove(Layer layer, int proxy);
-    void move(Layer layer, int proxy, const Aabb& box);
-    /// Asks for the pairs of an unmoved box again, say because a filter changed.
-    void touch(Layer layer, int proxy);
+    /// `item` is the caller's number for the box, small and not in use.
+    void add(int item, Layer layer, const Aabb& box);
+    void remove(int item);
+    void move(int item, const Aabb& box);
+    /// Asks for all pairs of a box again, say because a filter changed.
+    void touch(int item);
+    /// What falls asleep or wakes changes its layer and nothing else.
+    void set_layer(int item, Layer layer);
 
-    [[nodiscard]] const AabbTree& tree(Layer layer) const { return trees_[index(layer)]; }
+    [[nodiscard]] Layer layer(int item) const { return states_[item].layer; }
+    [[nodiscard]] Aabb box(int item) const { return tree(layer(item)).box(item); }
+    [[nodiscard]] const BoxTree& tree(Layer layer) const { return trees_[index(layer)]; }
 
-    /// Pairs (smaller item, larger item), sorted. Valid until the next call.
-    const std::vector<std::pair<int, int>>& find_new_pairs();
+    /// All in one. The pairs are valid until the next call.
+    const std::vector<ItemPair>& find_new_pairs();
+
+    /// The same in parts, for threads: `start_search` gives the number of groups; `search` may run for disjoint ranges
+    /// of them at once and appends to `pairs`; `end_search` forgets what moved. Appended in the order of their
+    /// ranges, the parts give what `find_new_pairs` gives.
+    int start_search();
+    void search(int first_group, int last_group, std::vector<ItemPair>& pairs) const;
+    void end_search();
 
   private:
     static std::size_t index(Layer layer) { return static_cast<std::size_t>(layer); }
 
-    struct Moved {
-        Layer layer;
-        int proxy;
+    struct State {
+        Layer layer = Layer::Static;
+        bool listed = false;   // in moved_items_
+        bool moved = false;    // since the last search; box_before_ holds
+        bool touched = false;  // all its pairs are reported
+        // Contacts of the item may have parted while nobody looked: it moved while or before it slept. Those of
+        // its pairs that are new by their boxes may be known to the caller, until it has been awake for a search.
+        bool unsettled = false;
     };
 
-    std::array<AabbTree, 2> trees_;
-    std::array<std::vector<std::uint8_t>, 2> is_moved_;  // by proxy
-    std::vector<Moved> moved_;
-    std::vector<std::pair<int, int>> pairs_;
+    void note_move(int item, const Aabb& before);
+    void collect_moved_groups();
+    [[nodiscard]] bool may_be_known(const ItemPair& pair) const;
+
+    std::array<BoxTree, kLayers.size()> trees_;
+    std::vector<State> states_;      // by item
+    std::vector<Aabb> box_before_;   // by item
+    std::vector<int> moved_items_;   // in the order of their first move; some may be gone
+
+    // Of the search that is under way.
+    std::vector<MovedGroup> moved_groups_;
+    std::array<std::vector<int>, kLayers.size()> moved_index_;
+    std::vector<ItemPair> pairs_;
+
+    OrderScratch order_scratch_;
 };
 
 }  // namespace cairn::physics

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <vector>
 
 #include <cairn/physics/tuning.h>
 
@@ -130,7 +131,7 @@ void destroy_body(WorldState& world, int body) {
     for_each_edge(stores.contacts.slots, record.first_contact,
                   [&](int contact, int) { destroy_contact(stores, world.events, contact); });
     for_each_shape(stores, body, [&](int shape) {
-        stores.broad.remove(stores.shapes[shape].layer, stores.shapes[shape].proxy);
+        stores.broad.remove(shape);
         stores.shapes.erase(shape);
     });
     while (stores.bodies.slots[body].first_sensor != kNone) {
@@ -151,14 +152,15 @@ int create_shape(Stores& stores, int body, const Convex& convex, const ShapeDef&
     record.convex = convex;
     record.def = def;
     record.def.one_way_normal = unit_or_zero(def.one_way_normal);
-    record.layer = owner.type == BodyType::Static ? Layer::Fixed : Layer::Moving;
+    record.margin_m = tuning::kAabbReach_m;
     // Small shapes take small margins, or a heap of grains would be one heap of pairs.
-    record.margin_m =
-        record.layer == Layer::Fixed ? 0 : std::min(tuning::kAabbMargin_m, 0.25f * half_perimeter(box));
+    if (owner.type != BodyType::Static)
+        record.margin_m +=
+            std::min(tuning::kAabbMargin_m - tuning::kAabbReach_m, 0.25f * half_perimeter(box));
     record.fat_box = grown(box, record.margin_m);
 
     const int shape = stores.shapes.insert(record);
-    stores.shapes[shape].proxy = stores.broad.add(record.layer, record.fat_box, shape);
+    stores.broad.add(shape, layer_of(owner.set), record.fat_box);
     (owner.last_shape == kNone ? owner.first_shape : stores.shapes[owner.last_shape].next_of_body) = shape;
     owner.last_shape = shape;
     update_mass(stores, body);
@@ -173,7 +175,7 @@ void destroy_shape(WorldState& world, int shape) {
     wake_body(stores, body);
     destroy_contacts_of(world, shape);
     unlink_shape(stores, shape);
-    stores.broad.remove(stores.shapes[shape].layer, stores.shapes[shape].proxy);
+    stores.broad.remove(shape);
     stores.shapes.erase(shape);
     update_mass(stores, body);
 }
@@ -190,7 +192,7 @@ void refilter_shape(WorldState& world, int shape) {
                       if (stores.rules.filter.may_collide || !may_collide(stores, c.shape_a, c.shape_b))
                           destroy_contact(stores, world.events, contact);
                   });
-    stores.broad.touch(stores.shapes[shape].layer, stores.shapes[shape].proxy);
+    stores.broad.touch(shape);
     wake_body(stores, stores.shapes[shape].body);
 }
 
@@ -216,12 +218,16 @@ void teleport(Stores& stores, int body, Position origin_m, double angle_rad) {
     update_boxes(stores, body);
     stores.sensors.outdated = true;
     if (record.type != BodyType::Static) return;
-    // A static body never wakes anything by touching it, so what sleeps at its new place is woken here.
+    // A static body never wakes anything by touching it, so what sleeps at its new place is woken here:
+    // afterwards, since waking changes the trees.
+    std::vector<int> met;
     for_each_shape(stores, body, [&](int shape) {
-        stores.broad.tree(Layer::Moving).query(stores.shapes[shape].fat_box, [&](int other) {
-            wake_body(stores, stores.shapes[other].body);
-        });
+        for (const Layer layer : {Layer::Asleep, Layer::Awake}) {
+            stores.broad.tree(layer).query(stores.shapes[shape].fat_box,
+                                           [&](int other) { met.push_back(stores.shapes[other].body); });
+        }
     });
+    for (const int other : met) wake_body(stores, other);
 }
 
 }  // namespace cairn::physics

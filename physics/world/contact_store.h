@@ -8,7 +8,6 @@
 
 #include <cairn/physics/ids.h>
 
-#include "base/pair_set.h"
 #include "base/slot_map.h"
 #include "world/active_list.h"
 #include "world/edge_list.h"
@@ -51,7 +50,6 @@ struct ContactStore {
 
     SlotMap<ContactRecord, Handle<struct ContactTag>> slots;
     ActiveList active;
-    PairSet pairs;
 };
 
 }  // namespace cairn::physics

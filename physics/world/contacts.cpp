@@ -41,7 +41,6 @@ void create_contact(Stores& stores, int shape_a, int shape_b) {
 void remove_contact(Stores& stores, int contact) {
     ContactStore& contacts = stores.contacts;
     const ContactRecord& c = contacts.slots[contact];
-    contacts.pairs.erase(c.shape_a, c.shape_b);
     contacts.active.remove(contacts.slots, contact);
     unlink_edge(contacts.slots, stores.bodies.slots[c.body_a].first_contact, contact, 0);
     unlink_edge(contacts.slots, stores.bodies.slots[c.body_b].first_contact, contact, 1);
@@ -101,10 +100,28 @@ void wake_touched(Stores& stores, const ContactRecord& c) {
 
 }  // namespace
 
+bool has_contact(const Stores& stores, int shape_a, int shape_b) {
+    const auto& slots = stores.contacts.slots;
+    int of_a = stores.bodies.slots[stores.shapes[shape_a].body].first_contact;
+    int of_b = stores.bodies.slots[stores.shapes[shape_b].body].first_contact;
+    // Both lists at once, until the shorter one ends: what rests on the ground has few contacts, the ground
+    // many.
+    const auto is_it = [&](int key) {
+        const ContactRecord& c = slots[edge_record(key)];
+        return c.shape_a == std::min(shape_a, shape_b) && c.shape_b == std::max(shape_a, shape_b);
+    };
+    while (of_a != kNone && of_b != kNone) {
+        if (is_it(of_a) || is_it(of_b)) return true;
+        of_a = slots[edge_record(of_a)].edges[edge_side(of_a)].next;
+        of_b = slots[edge_record(of_b)].edges[edge_side(of_b)].next;
+    }
+    return false;
+}
+
 void find_new_pairs(Stores& stores) {
-    for (const auto& [a, b] : stores.broad.find_new_pairs()) {
-        if (!may_collide(stores, a, b)) continue;
-        if (stores.contacts.pairs.insert(a, b)) create_contact(stores, a, b);
+    for (const ItemPair& pair : stores.broad.find_new_pairs()) {
+        if (pair.may_be_known && has_contact(stores, pair.a, pair.b)) continue;
+        if (may_collide(stores, pair.a, pair.b)) create_contact(stores, pair.a, pair.b);
     }
 }
 

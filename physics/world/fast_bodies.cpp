@@ -90,8 +90,7 @@ float free_share_of_way(const Stores& stores, int body) {
             if (hit) share = std::min(share, std::max(hit->fraction - inner_radius(convex) / long_way, 0.0f));
             return 1.0f;
         };
-        stores.broad.tree(Layer::Fixed).cast_ray(from, way, visit);
-        stores.broad.tree(Layer::Moving).cast_ray(from, way, visit);
+        for (const Layer layer : kLayers) stores.broad.tree(layer).cast_ray(from, way, visit);
     }
     return share;
 }
@@ -116,9 +115,9 @@ void cover_fast_ways(Stores& stores, Vec2 gravity_m_s2, float dt_s, std::vector<
                 turn * farthest_distance(shape.convex, stores.bodies.slots[body].mass.center_m);
             const Aabb then = bounds(shape.convex, {xf.p + way, xf.q});
             const Aabb all = grown(merged(now, then), swing);
-            if (contains(shape.fat_box, all)) continue;
+            if (contains(shape.fat_box, grown(all, tuning::kAabbReach_m))) continue;
             shape.fat_box = grown(all, shape.margin_m);
-            stores.broad.move(shape.layer, shape.proxy, shape.fat_box);
+            stores.broad.move(s, shape.fat_box);
         }
     }
 }

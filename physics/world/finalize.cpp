@@ -39,9 +39,9 @@ void update_boxes(Stores& stores, int body) {
          shape = stores.shapes[shape].next_of_body) {
         ShapeRecord& record = stores.shapes[shape];
         const Aabb box = bounds(record.convex, xf);
-        if (contains(record.fat_box, box)) continue;
+        if (contains(record.fat_box, grown(box, tuning::kAabbReach_m))) continue;
         record.fat_box = grown(box, record.margin_m);
-        stores.broad.move(record.layer, record.proxy, record.fat_box);
+        stores.broad.move(shape, record.fat_box);
     }
 }
 

@@ -21,7 +21,7 @@ void destroy_contacts_between(WorldState& world, int body_a, int body_b) {
 void look_for_pairs(Stores& stores, int body) {
     for (int shape = stores.bodies.slots[body].first_shape; shape != kNone;
          shape = stores.shapes[shape].next_of_body) {
-        stores.broad.touch(stores.shapes[shape].layer, stores.shapes[shape].proxy);
+        stores.broad.touch(shape);
     }
 }
 

@@ -8,8 +8,6 @@
 
 namespace cairn::physics {
 
-inline constexpr Layer kQueryLayers[] = {Layer::Fixed, Layer::Moving};
-
 inline bool sees(const Stores& stores, const QueryFilter& filter, int shape) {
     const ShapeRecord& record = stores.shapes[shape];
     if (!filter_sees(filter, record.def.filter)) return false;
@@ -20,7 +18,7 @@ inline bool sees(const Stores& stores, const QueryFilter& filter, int shape) {
 /// visit(shape) for those whose box overlaps.
 template <class Visit>
 void visit_in_box(const Stores& stores, const Aabb& box, const QueryFilter& filter, Visit&& visit) {
-    for (const Layer layer : kQueryLayers) {
+    for (const Layer layer : kLayers) {
         stores.broad.tree(layer).query(box, [&](int shape) {
             if (sees(stores, filter, shape)) visit(shape);
         });
@@ -33,8 +31,8 @@ template <class Visit>
 void visit_along_ray(const Stores& stores, Position origin_m, Vec2 translation_m, const QueryFilter& filter,
                      Visit&& visit) {
     float fraction = 1;
-    for (const Layer layer : kQueryLayers) {
-        stores.broad.tree(layer).cast_ray(origin_m, translation_m, [&](int shape) {
+    for (const Layer layer : kLayers) {
+        stores.broad.tree(layer).cast_box(origin_m, {}, translation_m, fraction, [&](int shape) {
             if (sees(stores, filter, shape)) fraction = visit(shape);
             return fraction;
         });
@@ -59,7 +57,7 @@ void visit_along_way(const Stores& stores, Position origin_m, Vec2 lower, Vec2 u
         const Vec2 to = ((piece + 1) / pieces) * translation_m;
         const Aabb box = make_aabb(origin_m, lower + Vec2{std::min(from.x, to.x), std::min(from.y, to.y)},
                                    upper + Vec2{std::max(from.x, to.x), std::max(from.y, to.y)});
-        for (const Layer layer : kQueryLayers) {
+        for (const Layer layer : kLayers) {
             stores.broad.tree(layer).query(box, [&](int shape) {
                 const bool is_visited = overlap(stores.shapes[shape].fat_box, before);
                 if (!is_visited && sees(stores, filter, shape)) fraction = visit(shape);

@@ -35,7 +35,7 @@ void look(const Stores& stores, int sensor, std::vector<int>& seen) {
     const auto visit = [&](int shape) {
         if (may_see(stores, sensor, shape) && overlap(stores, sensor, shape)) seen.push_back(shape);
     };
-    for (const Layer layer : {Layer::Fixed, Layer::Moving}) stores.broad.tree(layer).query(box, visit);
+    for (const Layer layer : kLayers) stores.broad.tree(layer).query(box, visit);
     std::sort(seen.begin(), seen.end());
 }
 

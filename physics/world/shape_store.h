@@ -1,13 +1,14 @@
 // Shapes: geometry, attributes, and the box that stands for them in the broad phase.
-// Invariant: the fat box encloses the shape as of the last step; shapes of a body form a list in order of
-// creation, and its sensors another.
+// Invariant: the fat box encloses the shape as of the last step, with kAabbReach_m to spare; the broad phase
+// knows it by the number of the shape's slot; shapes of a body form a list in order of creation, and its
+// sensors another.
 #pragma once
 
 #include <cairn/physics/ids.h>
 #include <cairn/physics/shape.h>
 
+#include "base/aabb.h"
 #include "base/slot_map.h"
-#include "broad/broad_phase.h"
 #include "collide/convex.h"
 
 namespace cairn::physics {
@@ -19,9 +20,7 @@ struct ShapeRecord {
     ShapeDef def;
     Aabb fat_box;
     float margin_m = 0;
-    Layer layer = Layer::Fixed;
-    int proxy = kNone;
-    int sensor = kNone;  // place among the sensors; they have neither box nor proxy
+    int sensor = kNone;  // place among the sensors; they have no box
 };
 
 using ShapeStore = SlotMap<ShapeRecord, ShapeId>;

@@ -27,6 +27,13 @@ void update_links(Stores& stores, int body) {
                   [&](int joint, int) { update_activity(stores.joints, stores.bodies, joint); });
 }
 
+// To the layer of what the body is now.
+void move_boxes(Stores& stores, int body) {
+    const BodyRecord& record = stores.bodies.slots[body];
+    for (int shape = record.first_shape; shape != kNone; shape = stores.shapes[shape].next_of_body)
+        stores.broad.set_layer(shape, layer_of(record.set));
+}
+
 // Kinematic bodies carry islands but do not join them: two piles on one lift are two islands.
 bool joins_islands(const Stores& stores, int body) {
     return stores.bodies.slots[body].type == BodyType::Dynamic && stores.bodies.is_awake(body);
@@ -79,6 +86,7 @@ void wake_body(Stores& stores, int body) {
         const int next = bodies.slots[sleeper].next_sleeper;
         bodies.slots[sleeper].next_sleeper = kNone;
         bodies.move_row(sleeper, RowSet::Awake);
+        move_boxes(stores, sleeper);
         bodies.rows(RowSet::Awake).rest_time.back() = 0;
         update_links(stores, sleeper);
         sleeper = next;
@@ -101,6 +109,7 @@ void put_to_sleep(Stores& stores, std::span<const int> bodies) {
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         const int body = bodies[i];
         stores.bodies.move_row(body, RowSet::Asleep);
+        move_boxes(stores, body);
         BodyRows& asleep = stores.bodies.rows(RowSet::Asleep);
         asleep.velocity.back() = {};
         asleep.spin.back() = 0;

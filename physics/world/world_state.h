@@ -29,6 +29,19 @@ struct PairRules {
     MixingTable mixing;
 };
 
+/// Where the broad phase keeps the shapes of such a body.
+inline Layer layer_of(RowSet set) {
+    switch (set) {
+        case RowSet::Static:
+            return Layer::Static;
+        case RowSet::Asleep:
+            return Layer::Asleep;
+        case RowSet::Awake:
+            return Layer::Awake;
+    }
+    return Layer::Awake;
+}
+
 /// The objects of a world and how they hang together.
 struct Stores {
     explicit Stores(std::uint16_t tag) : bodies(tag), shapes(tag), contacts(tag), joints(tag) {}

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "world/contacts.h"
 #include "world/filtering.h"
 #include "world/world_state.h"
 
@@ -48,8 +49,10 @@ inline void check_shapes(const Stores& stores) {
             const ShapeRecord& s = stores.shapes[shape];
             REQUIRE(s.body == body);
             REQUIRE(contains(s.fat_box, bounds(s.convex, stores.bodies.transform(body))));
-            REQUIRE(stores.broad.tree(s.layer).item(s.proxy) == shape);
-            REQUIRE(stores.broad.tree(s.layer).box(s.proxy).lower == s.fat_box.lower);
+            REQUIRE(stores.broad.layer(shape) == layer_of(record.set));
+            REQUIRE(stores.broad.tree(layer_of(record.set)).holds(shape));
+            REQUIRE(stores.broad.box(shape).lower == s.fat_box.lower);
+            REQUIRE(stores.broad.box(shape).upper == s.fat_box.upper);
             ++listed;
             last = shape;
         }
@@ -58,15 +61,19 @@ inline void check_shapes(const Stores& stores) {
             REQUIRE(stores.shapes.alive(sensor));
             const ShapeRecord& s = stores.shapes[sensor];
             REQUIRE(s.body == body);
-            REQUIRE((s.def.sensor && s.proxy == kNone));
+            REQUIRE(s.def.sensor);
             REQUIRE(stores.sensors.all.at(s.sensor).shape == sensor);
             ++sensors;
         }
     }
     REQUIRE(listed + sensors == stores.shapes.size());
     REQUIRE(sensors == static_cast<int>(stores.sensors.all.size()));
-    REQUIRE(stores.broad.tree(Layer::Fixed).is_valid());
-    REQUIRE(stores.broad.tree(Layer::Moving).is_valid());
+    int in_trees = 0;
+    for (const Layer layer : kLayers) {
+        REQUIRE(stores.broad.tree(layer).is_valid());
+        in_trees += stores.broad.tree(layer).size();
+    }
+    REQUIRE(in_trees == listed);
 }
 
 /// Of contacts or joints: each is in the lists of its two bodies once, and active when one of them is awake.
@@ -108,7 +115,7 @@ inline void check_contacts(const Stores& stores) {
         REQUIRE(stores.shapes[c.shape_b].body == c.body_b);
         REQUIRE(may_collide(stores, c.shape_a, c.shape_b));
         REQUIRE(pairs.emplace(c.shape_a, c.shape_b).second);
-        REQUIRE(stores.contacts.pairs.contains(c.shape_a, c.shape_b));
+        REQUIRE(has_contact(stores, c.shape_a, c.shape_b));
         REQUIRE(c.count <= 2);
         REQUIRE(std::isfinite(c.friction_impulse));
         for (int i = 0; i < c.count; ++i) {
@@ -144,7 +151,7 @@ inline void check_nothing_missed(const Stores& stores) {
             const Aabb box_a = bounds(shape_a.convex, stores.bodies.transform(shape_a.body));
             const Aabb box_b = bounds(shape_b.convex, stores.bodies.transform(shape_b.body));
             if (!overlap(box_a, box_b) || !may_collide(stores, a, b)) continue;
-            REQUIRE(stores.contacts.pairs.contains(a, b));
+            REQUIRE(has_contact(stores, a, b));
         }
     }
 }
