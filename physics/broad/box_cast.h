@@ -1,6 +1,6 @@
 // A segment, or a box that moves along one, against boxes.
-// In double, because far from the world's origin float could not place the segment. Source: slab test, Kay and
-// Kajiya 1986.
+// In double, because far from the world's origin float could not place the segment. Source: slab test, Kay
+// and Kajiya 1986.
 #pragma once
 
 #include <algorithm>
@@ -29,8 +29,9 @@ class BoxCast {
     [[nodiscard]] double enter(const Aabb& box) const {
         double enter = 0;
         double leave = 1;
-        const bool met = clip(center_.x, half_extents_.x, translation_.x, box.lower.x, box.upper.x, enter, leave) &&
-                         clip(center_.y, half_extents_.y, translation_.y, box.lower.y, box.upper.y, enter, leave);
+        const bool met =
+            clip(center_.x, half_extents_.x, translation_.x, box.lower.x, box.upper.x, enter, leave) &&
+            clip(center_.y, half_extents_.y, translation_.y, box.lower.y, box.upper.y, enter, leave);
         return met ? enter : std::numeric_limits<double>::infinity();
     }
 

@@ -41,7 +41,8 @@ inline constexpr LaneMask kAllLanes = (1u << kGroupSize) - 1;
 
 /// The lanes whose boxes overlap the given one.
 inline LaneMask overlapping(const BoxGroup& group, const Aabb& box) {
-    // Vectors of four are what every processor has, without asking; loops over the lanes are not turned into them.
+    // Vectors of four are what every processor has, without asking; loops over the lanes are not turned into
+    // them.
     using Four [[gnu::vector_size(16)]] = float;
     using Bits [[gnu::vector_size(16)]] = std::int32_t;
     const auto load = [](const float* values) {

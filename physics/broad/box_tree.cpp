@@ -115,7 +115,8 @@ void BoxTree::sort_groups(int first, int last, OrderScratch& scratch) {
     for (std::size_t to = 0; to < order.size(); ++to) {
         const int from = MortonOrder::place(order[to]);
         const int item = items[from];
-        scratch.groups[to / kGroupSize].set_box(to % kGroupSize, groups[from / kGroupSize].box(from % kGroupSize));
+        scratch.groups[to / kGroupSize].set_box(to % kGroupSize,
+                                                groups[from / kGroupSize].box(from % kGroupSize));
         scratch.items[to] = item;
         places_[item] = kGroupSize * first + static_cast<int>(to);
     }

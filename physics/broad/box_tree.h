@@ -1,9 +1,9 @@
 // A bounding-volume hierarchy of eight children a node, over boxes that come, go and move.
-// Boxes stand in groups of eight, groups in nodes of eight, and so on up to one root; which node is whose child
-// follows from the numbers alone, so a node is nothing but the eight boxes of its children. New boxes are appended;
-// each time a node fills up, all that is below it is put in order anew, so each box is sorted once per level. A box
-// that goes leaves an empty box behind; one that moves stays in its place and its ancestors grow. `rebuild` puts
-// everything in order; what the tree then holds follows from the calls alone.
+// Boxes stand in groups of eight, groups in nodes of eight, and so on up to one root; which node is whose
+// child follows from the numbers alone, so a node is nothing but the eight boxes of its children. New boxes
+// are appended; each time a node fills up, all that is below it is put in order anew, so each box is sorted
+// once per level. A box that goes leaves an empty box behind; one that moves stays in its place and its
+// ancestors grow. `rebuild` puts everything in order; what the tree then holds follows from the calls alone.
 // Invariant: the boxes of a node enclose its children; each item has one place, and the place names the item.
 // Source: wide trees for ray tracing, Dammertz et al. 2008; order along a curve, Lauterbach et al. 2009.
 #pragma once
@@ -55,9 +55,9 @@ class BoxTree {
     template <class Visit>
     void query(const Aabb& box, Visit&& visit) const;
 
-    /// Calls visit(item) for each box that the segment from origin to origin + translation meets, the nearer ones
-    /// first as far as the tree tells them apart; visit returns the fraction up to which the rest of the segment
-    /// is still of interest.
+    /// Calls visit(item) for each box that the segment from origin to origin + translation meets, the nearer
+    /// ones first as far as the tree tells them apart; visit returns the fraction up to which the rest of the
+    /// segment is still of interest.
     template <class Visit>
     void cast_ray(Position origin, Vec2 translation, Visit&& visit) const {
         cast_box(origin, {}, translation, 1, visit);
@@ -67,8 +67,8 @@ class BoxTree {
     template <class Visit>
     void cast_box(Position center, Vec2 half_extents, Vec2 translation, float fraction, Visit&& visit) const;
 
-    /// Walks down from the root: lanes_of(group) tells which of eight boxes to enter, visit(group, lanes) gets those
-    /// of the groups at the bottom.
+    /// Walks down from the root: lanes_of(group) tells which of eight boxes to enter, visit(group, lanes)
+    /// gets those of the groups at the bottom.
     template <class LanesOf, class Visit>
     void walk(LanesOf&& lanes_of, Visit&& visit) const;
 
@@ -140,7 +140,8 @@ void BoxTree::query(const Aabb& box, Visit&& visit) const {
                       {std::min(box.upper.x, kMost), std::min(box.upper.y, kMost)}};
     walk([&](const BoxGroup& group) { return overlapping(group, finite); },
          [&](int group, LaneMask lanes) {
-             for (; lanes != 0; lanes &= lanes - 1) visit(items_[kGroupSize * group + std::countr_zero(lanes)]);
+             for (; lanes != 0; lanes &= lanes - 1)
+                 visit(items_[kGroupSize * group + std::countr_zero(lanes)]);
          });
 }
 

@@ -1,9 +1,10 @@
 // Finds pairs of boxes that have come to overlap, by asking only about those that moved.
-// Boxes stand in three trees: static, asleep, awake. A box that moves keeps the place it had when pairs were last
-// looked for; a pair is new when the boxes overlap now and did not then, so nothing has to be looked up.
-// Invariant: between searches every tree is fit to be asked. Static items never pair with each other; any other pair
-// is reported by the first search that finds it overlapping, and again only after a search that did not, or when
-// one of the two was touched. The order of the report follows from the history of calls alone.
+// Boxes stand in three trees: static, asleep, awake. A box that moves keeps the place it had when pairs were
+// last looked for; a pair is new when the boxes overlap now and did not then, so nothing has to be looked up.
+// Invariant: between searches every tree is fit to be asked. Static items never pair with each other; any
+// other pair is reported by the first search that finds it overlapping, and again only after a search that
+// did not, or when one of the two was touched. The order of the report follows from the history of calls
+// alone.
 #pragma once
 
 #include <array>
@@ -32,9 +33,9 @@ class BroadPhase {
     /// All in one. The pairs are valid until the next call.
     const std::vector<ItemPair>& find_new_pairs();
 
-    /// The same in parts, for threads: `start_search` gives the number of groups; `search` may run for disjoint ranges
-    /// of them at once and appends to `pairs`; `end_search` forgets what moved. Appended in the order of their
-    /// ranges, the parts give what `find_new_pairs` gives.
+    /// The same in parts, for threads: `start_search` gives the number of groups; `search` may run for
+    /// disjoint ranges of them at once and appends to `pairs`; `end_search` forgets what moved. Appended in
+    /// the order of their ranges, the parts give what `find_new_pairs` gives.
     int start_search();
     void search(int first_group, int last_group, std::vector<ItemPair>& pairs) const;
     void end_search();
@@ -47,8 +48,9 @@ class BroadPhase {
         bool listed = false;   // in moved_items_
         bool moved = false;    // since the last search; box_before_ holds
         bool touched = false;  // all its pairs are reported
-        // Contacts of the item may have parted while nobody looked: it moved while or before it slept. Those of
-        // its pairs that are new by their boxes may be known to the caller, until it has been awake for a search.
+        // Contacts of the item may have parted while nobody looked: it moved while or before it slept. Those
+        // of its pairs that are new by their boxes may be known to the caller, until it has been awake for a
+        // search.
         bool unsettled = false;
     };
 
@@ -57,9 +59,9 @@ class BroadPhase {
     [[nodiscard]] bool may_be_known(const ItemPair& pair) const;
 
     std::array<BoxTree, kLayers.size()> trees_;
-    std::vector<State> states_;      // by item
-    std::vector<Aabb> box_before_;   // by item
-    std::vector<int> moved_items_;   // in the order of their first move; some may be gone
+    std::vector<State> states_;     // by item
+    std::vector<Aabb> box_before_;  // by item
+    std::vector<int> moved_items_;  // in the order of their first move; some may be gone
 
     // Of the search that is under way.
     std::vector<MovedGroup> moved_groups_;

@@ -17,12 +17,13 @@ constexpr int kDigitBits = 11;
 constexpr std::size_t kRadixFrom = 256;
 
 struct Grid {
-    double x, y;           // where cell (0, 0) begins, m
+    double x, y;  // where cell (0, 0) begins, m
     double cells_per_m;
 };
 
-// Cells of about the width of a typical box; with fewer, neighbours in a cell keep the order they had. The harmonic
-// mean of the sizes is that of the small ones, of which there are many in a heap, and a few large ones do not count.
+// Cells of about the width of a typical box; with fewer, neighbours in a cell keep the order they had. The
+// harmonic mean of the sizes is that of the small ones, of which there are many in a heap, and a few large
+// ones do not count.
 Grid make_grid(std::span<const BoxGroup> groups) {
     // One sum per lane: the order of the additions is the same for every width of vectors.
     std::array<double, kGroupSize> inverse_sizes{};
@@ -87,8 +88,8 @@ void MortonOrder::make_keys(std::span<const BoxGroup> groups, std::span<const in
         const Aabb box = groups[place / kGroupSize].box(static_cast<int>(place % kGroupSize));
         const double x = 0.5 * (static_cast<double>(box.lower.x) + static_cast<double>(box.upper.x));
         const double y = 0.5 * (static_cast<double>(box.lower.y) + static_cast<double>(box.upper.y));
-        const std::uint64_t on_curve = spread(cell(x - grid.x, grid.cells_per_m)) |
-                                       spread(cell(y - grid.y, grid.cells_per_m)) << 1;
+        const std::uint64_t on_curve =
+            spread(cell(x - grid.x, grid.cells_per_m)) | spread(cell(y - grid.y, grid.cells_per_m)) << 1;
         keys_[taken++] = on_curve << kPlaceBits | place;
     }
     keys_.resize(taken);

@@ -1,8 +1,9 @@
-// Boxes in the order of a curve that keeps neighbours together, so that every eight in a row make a small group.
-// The curve interleaves the bits of the cell in which a box's centre lies. Cells are about as large as the boxes, and
-// their numbers wrap around every half million cells, so the world's size and runaways do not coarsen the order:
-// they would if the cells divided the range of what there is. Invariant: equal boxes in equal order give equal
-// orders on every machine. Source: Morton 1966; radix sort by counting, Knuth vol. 3, 5.2.5.
+// Boxes in the order of a curve that keeps neighbours together, so that every eight in a row make a small
+// group. The curve interleaves the bits of the cell in which a box's centre lies. Cells are about as large as
+// the boxes, and their numbers wrap around every half million cells, so the world's size and runaways do not
+// coarsen the order: they would if the cells divided the range of what there is. Invariant: equal boxes in
+// equal order give equal orders on every machine. Source: Morton 1966; radix sort by counting, Knuth vol.
+// 3, 5.2.5.
 #pragma once
 
 #include <cstdint>

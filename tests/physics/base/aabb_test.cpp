@@ -70,38 +70,4 @@ TEST_CASE("boxes that share only an edge or a corner overlap") {
     CHECK_FALSE(overlap(box, {{1.001f, 0}, {2, 1}}));
 }
 
-TEST_CASE("a segment meets a box exactly when one of many points on it lies in the box") {
-    Random random(3);
-    int met = 0;
-    for (int i = 0; i < 5'000; ++i) {
-        const Aabb box = random_box(random);
-        const Position origin{random.real(-8, 8), random.real(-8, 8)};
-        const Vec2 translation = random.chance(0.1)   ? Vec2{random.real_f(-9, 9), 0}
-                                 : random.chance(0.1) ? Vec2{0, random.real_f(-9, 9)}
-                                                      : random.vector(-9, 9);
-        const float fraction = random.real_f(0.1, 1);
-        bool sampled = false;
-        // The samples are 9 sqrt(2) / 2000 = 6 mm apart: a sample in the box proves a meeting, and a box
-        // grown by that spacing which no sample enters proves that there is none.
-        bool near = false;
-        for (int k = 0; k <= 2000; ++k) {
-            const double t = static_cast<double>(fraction) * k / 2000;
-            const Vec2 p{static_cast<float>(origin.x + t * static_cast<double>(translation.x)),
-                         static_cast<float>(origin.y + t * static_cast<double>(translation.y))};
-            sampled = sampled || contains(grown(box, -1e-5f), Aabb{p, p});
-            near = near || contains(grown(box, 0.007f), Aabb{p, p});
-        }
-        const bool meets = ray_overlaps(box, origin, translation, fraction);
-        if (sampled) REQUIRE(meets);
-        if (!near) REQUIRE_FALSE(meets);
-        met += meets ? 1 : 0;
-    }
-    CHECK(met > 100);
-}
-
-TEST_CASE("a segment without length meets the boxes that hold its point") {
-    CHECK(ray_overlaps({{0, 0}, {1, 1}}, {0.5, 0.5}, {}, 1));
-    CHECK_FALSE(ray_overlaps({{0, 0}, {1, 1}}, {1.5, 0.5}, {}, 1));
-}
-
 }  // namespace cairn::physics

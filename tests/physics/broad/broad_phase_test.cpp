@@ -1,1 +1,312 @@
+// Pair finding against a comparison of every box with every other, before and after each search.
+#include "broad/broad_phase.h"
 
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <map>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "base/slot_map.h"
+#include "physics/support/random.h"
+
+namespace cairn::physics {
+namespace {
+
+using test::Random;
+using Pair = std::pair<int, int>;
+using Pairs = std::set<Pair>;
+
+struct Entry {
+    Layer layer = Layer::Awake;
+    Aabb box;
+    bool touched = false;
+};
+using Entries = std::map<int, Entry>;  // by item
+
+// All at once would be a poor test: most boxes overlap few others.
+Aabb random_box(Random& random, double extent, double large = 0.03) {
+    const Vec2 lower = random.vector(-extent, extent);
+    const double size = random.chance(large) ? extent : 2;
+    const float width = random.real_f(0.2, size);
+    return {lower, lower + Vec2{width, random.real_f(0.2, size)}};
+}
+
+Layer random_layer(Random& random) {
+    return kLayers[random.below(static_cast<int>(kLayers.size()))];
+}
+
+Pairs overlapping_pairs(const Entries& entries) {
+    Pairs pairs;
+    for (auto a = entries.begin(); a != entries.end(); ++a) {
+        for (auto b = std::next(a); b != entries.end(); ++b) {
+            if (a->second.layer == Layer::Static && b->second.layer == Layer::Static) continue;
+            if (overlap(a->second.box, b->second.box)) pairs.emplace(a->first, b->first);
+        }
+    }
+    return pairs;
+}
+
+// What a caller keeps who takes every pair that is not marked, and looks the others up. Checks that no pair
+// is reported twice, and that those reported are exactly the new ones.
+class Model {
+  public:
+    BroadPhase broad;
+    Entries entries;
+
+    void add(int item, Layer layer, const Aabb& box) {
+        broad.add(item, layer, box);
+        entries[item] = {layer, box, false};
+    }
+    void remove(int item) {
+        broad.remove(item);
+        entries.erase(item);
+        std::erase_if(known_, [&](const Pair& p) { return p.first == item || p.second == item; });
+    }
+    void move(int item, const Aabb& box) {
+        broad.move(item, box);
+        entries[item].box = box;
+    }
+    void touch(int item) {
+        broad.touch(item);
+        entries[item].touched = true;
+    }
+    void set_layer(int item, Layer layer) {
+        broad.set_layer(item, layer);
+        entries[item].layer = layer;
+    }
+
+    void search() {
+        const Pairs expected = overlapping_pairs(entries);
+        Pairs reported;
+        for (const ItemPair& pair : broad.find_new_pairs()) {
+            REQUIRE(pair.a < pair.b);
+            const Pair key{pair.a, pair.b};
+            REQUIRE(reported.insert(key).second);
+            REQUIRE(expected.count(key) == 1);
+            if (!pair.may_be_known) REQUIRE(known_.count(key) == 0);
+        }
+        for (const Pair& pair : expected) {
+            const bool touched = entries[pair.first].touched || entries[pair.second].touched;
+            if (touched || known_.count(pair) == 0) REQUIRE(reported.count(pair) == 1);
+        }
+        reported_ += reported.size();
+        for (auto& [item, entry] : entries) entry.touched = false;
+        // Contacts are ended by looking at those that are active: one of the two awake.
+        known_.merge(reported);
+        std::erase_if(known_, [&](const Pair& p) {
+            const bool active =
+                entries[p.first].layer == Layer::Awake || entries[p.second].layer == Layer::Awake;
+            return active && expected.count(p) == 0;
+        });
+    }
+
+    [[nodiscard]] std::size_t reported() const { return reported_; }
+
+    void check_trees() const {
+        int held = 0;
+        for (const Layer layer : kLayers) {
+            REQUIRE(broad.tree(layer).is_valid());
+            held += broad.tree(layer).size();
+        }
+        REQUIRE(held == static_cast<int>(entries.size()));
+        for (const auto& [item, entry] : entries) {
+            REQUIRE(broad.layer(item) == entry.layer);
+            REQUIRE(broad.box(item).lower == entry.box.lower);
+            REQUIRE(broad.box(item).upper == entry.box.upper);
+        }
+    }
+
+  private:
+    Pairs known_;
+    std::size_t reported_ = 0;
+};
+
+void change_at_random(Random& random, Model& model, double extent) {
+    Entries& entries = model.entries;
+    const double choice = random.real(0, 1);
+    if (entries.size() < 5 || (choice < 0.15 && entries.size() < 150)) {
+        // Numbers are given again, as slots are.
+        const int item = random.below(200);
+        if (entries.count(item) == 0) model.add(item, random_layer(random), random_box(random, extent));
+        return;
+    }
+    auto chosen = entries.begin();
+    std::advance(chosen, random.below(static_cast<int>(entries.size())));
+    const int item = chosen->first;
+    const Layer layer = chosen->second.layer;
+    if (choice < 0.25) return model.remove(item);
+    if (choice < 0.3) return model.touch(item);
+    if (choice < 0.5 && layer != Layer::Static) {
+        return model.set_layer(item, layer == Layer::Awake ? Layer::Asleep : Layer::Awake);
+    }
+    // What sleeps wakes before it moves.
+    if (layer == Layer::Asleep) model.set_layer(item, Layer::Awake);
+    const Aabb old = chosen->second.box;
+    const Vec2 by = random.vector(-1, 1);
+    model.move(item, random.chance(0.3) ? random_box(random, extent) : Aabb{old.lower + by, old.upper + by});
+}
+
+Pairs found(BroadPhase& broad) {
+    Pairs pairs;
+    for (const ItemPair& pair : broad.find_new_pairs()) REQUIRE(pairs.emplace(pair.a, pair.b).second);
+    return pairs;
+}
+
+}  // namespace
+
+TEST_CASE("every new pair is reported once while boxes come, go, move, sleep, wake and are touched") {
+    for (const double extent : {4.0, 15.0}) {
+        Random random(1);
+        Model model;
+        for (int round = 0; round < 1'500; ++round) {
+            for (int change = random.below(20); change > 0; --change) change_at_random(random, model, extent);
+            INFO("extent " << extent << ", round " << round);
+            model.search();
+            model.check_trees();
+            if (random.chance(0.2)) REQUIRE(model.broad.find_new_pairs().empty());
+        }
+        CHECK(model.reported() > 2'000);
+    }
+}
+
+TEST_CASE("few boxes, on both sides of a group's size, find their pairs") {
+    for (const int count : {0, 1, 2, 7, 8, 9, 16, 17, 64, 65}) {
+        BroadPhase broad;
+        // Each overlaps the next.
+        for (int i = 0; i < count; ++i) {
+            const auto x = static_cast<float>(i);
+            broad.add(i, Layer::Awake, {{x, 0}, {x + 1.5f, 1}});
+        }
+        Pairs expected;
+        for (int i = 0; i + 1 < count; ++i) expected.emplace(i, i + 1);
+        CHECK(found(broad) == expected);
+        CHECK(found(broad).empty());
+    }
+}
+
+TEST_CASE("boxes in one place find each other, and the layers count") {
+    BroadPhase broad;
+    const Aabb box{{0, 0}, {1, 1}};
+    Pairs expected;
+    for (int i = 0; i < 30; ++i) {
+        broad.add(i, kLayers[i % 3], box);
+        for (int j = 0; j < i; ++j) {
+            if (i % 3 != 0 || j % 3 != 0) expected.emplace(j, i);
+        }
+    }
+    CHECK(found(broad) == expected);
+    CHECK(found(broad).empty());
+}
+
+TEST_CASE("a static box that moves onto another box is a new pair, wherever that one stands") {
+    for (const Layer layer : kLayers) {
+        BroadPhase broad;
+        broad.add(0, Layer::Static, {{0, 0}, {1, 1}});
+        broad.add(1, layer, {{5, 0}, {6, 1}});
+        REQUIRE(found(broad).empty());
+        broad.move(0, {{5.5f, 0}, {6.5f, 1}});
+        CHECK(found(broad).size() == (layer == Layer::Static ? 0 : 1));
+    }
+}
+
+TEST_CASE("falling asleep and waking is not a new pair") {
+    BroadPhase broad;
+    for (int i = 0; i < 100; ++i)
+        broad.add(i, Layer::Awake,
+                  {{0.8f * static_cast<float>(i), 0}, {0.8f * static_cast<float>(i) + 1, 1}});
+    REQUIRE(found(broad).size() == 99);
+    for (int i = 0; i < 100; ++i) broad.set_layer(i, Layer::Asleep);
+    CHECK(found(broad).empty());
+    for (int i = 0; i < 100; i += 2) broad.set_layer(i, Layer::Awake);
+    CHECK(found(broad).empty());
+}
+
+TEST_CASE("a box that was elsewhere between two searches is no new pair") {
+    BroadPhase broad;
+    broad.add(0, Layer::Awake, {{0, 0}, {1, 1}});
+    broad.add(1, Layer::Awake, {{0, 0}, {1, 1}});
+    REQUIRE(found(broad).size() == 1);
+    broad.move(0, {{9, 9}, {10, 10}});
+    broad.move(0, {{0.5f, 0}, {1, 1}});
+    CHECK(found(broad).empty());
+    broad.move(0, {{9, 9}, {10, 10}});
+    CHECK(found(broad).empty());
+    broad.move(0, {{0.5f, 0}, {1, 1}});
+    CHECK(found(broad).size() == 1);
+}
+
+TEST_CASE("the order of the report follows from the calls, and parts give what the whole gives") {
+    const auto report = [](int parts) {
+        Random random(3);
+        BroadPhase broad;
+        std::vector<ItemPair> all;
+        for (int i = 0; i < 400; ++i) broad.add(i, random_layer(random), random_box(random, 10));
+        for (int round = 0; round < 30; ++round) {
+            const int groups = broad.start_search();
+            for (int part = 0; part < parts; ++part)
+                broad.search(groups * part / parts, groups * (part + 1) / parts, all);
+            broad.end_search();
+            for (int i = 0; i < 100; ++i) broad.move(random.below(400), random_box(random, 10));
+        }
+        std::vector<Pair> pairs;
+        for (const ItemPair& pair : all) pairs.emplace_back(pair.a, pair.b);
+        return pairs;
+    };
+    const std::vector<Pair> whole = report(1);
+    CHECK(whole.size() > 1'000);
+    CHECK(report(1) == whole);
+    CHECK(report(7) == whole);
+}
+
+TEST_CASE("the pairs of a hundred thousand boxes, far from the origin too, are those of a sweep along x") {
+    for (const double offset : {0.0, 1e7}) {
+        Random random(4);
+        BroadPhase broad;
+        std::vector<Aabb> boxes;
+        for (int i = 0; i < 100'000; ++i) {
+            const Position at{offset + random.real(0, 600), offset + random.real(0, 600)};
+            boxes.push_back(make_aabb(at, {}, random.vector(0.5, 1.5)));
+            broad.add(i, Layer::Awake, boxes.back());
+        }
+        std::vector<int> by_x(boxes.size());
+        for (int i = 0; i < 100'000; ++i) by_x[i] = i;
+        std::sort(by_x.begin(), by_x.end(),
+                  [&](int a, int b) { return boxes[a].lower.x < boxes[b].lower.x; });
+        std::vector<Pair> expected;
+        for (std::size_t i = 0; i < by_x.size(); ++i) {
+            const Aabb& box = boxes[by_x[i]];
+            for (std::size_t j = i + 1; j < by_x.size() && boxes[by_x[j]].lower.x <= box.upper.x; ++j) {
+                if (overlap(box, boxes[by_x[j]])) expected.emplace_back(std::minmax(by_x[i], by_x[j]));
+            }
+        }
+        std::vector<Pair> pairs;
+        for (const ItemPair& pair : broad.find_new_pairs()) pairs.emplace_back(pair.a, pair.b);
+        std::sort(expected.begin(), expected.end());
+        std::sort(pairs.begin(), pairs.end());
+        CHECK(pairs.size() > 50'000);
+        CHECK(pairs == expected);
+    }
+}
+
+TEST_CASE("a world in which nothing moved is searched without looking at a group") {
+    Random random(5);
+    BroadPhase broad;
+    for (int i = 0; i < 1'000; ++i) broad.add(i, random_layer(random), random_box(random, 10));
+    REQUIRE(broad.find_new_pairs().size() > 100);
+    const auto ordered = [&] {
+        std::int64_t sum = 0;
+        for (const Layer layer : kLayers) sum += broad.tree(layer).ordered_count();
+        return sum;
+    };
+    const std::int64_t before = ordered();
+    CHECK(broad.start_search() == 0);
+    broad.end_search();
+    CHECK(ordered() == before);
+    broad.move(7, {{100, 100}, {101, 101}});
+    CHECK(broad.start_search() == 1);
+    broad.end_search();
+}
+
+}  // namespace cairn::physics
