@@ -58,7 +58,7 @@ void BroadPhase::note_move(int item, const Aabb& before) {
 const std::vector<ItemPair>& BroadPhase::find_new_pairs() {
     pairs_.clear();
     search(0, start_search(), pairs_);
-    end_search();
+    end_search(pairs_);
     return pairs_;
 }
 
@@ -102,9 +102,7 @@ void BroadPhase::collect_moved_groups() {
 void BroadPhase::search(int first_group, int last_group, std::vector<ItemPair>& pairs) const {
     SearchedLayers layers;
     for (const Layer layer : kLayers) layers[index(layer)] = {&tree(layer), moved_index_[index(layer)]};
-    const std::size_t old_size = pairs.size();
     find_pairs(layers, moved_groups_, first_group, last_group, pairs);
-    for (std::size_t i = old_size; i < pairs.size(); ++i) pairs[i].may_be_known = may_be_known(pairs[i]);
 }
 
 bool BroadPhase::may_be_known(const ItemPair& pair) const {
@@ -112,7 +110,19 @@ bool BroadPhase::may_be_known(const ItemPair& pair) const {
     return doubtful(states_[pair.a]) || doubtful(states_[pair.b]);
 }
 
-void BroadPhase::end_search() {
+void BroadPhase::sort(std::vector<ItemPair>& pairs) {
+    pair_keys_.clear();
+    for (const ItemPair& pair : pairs)
+        pair_keys_.push_back(static_cast<std::uint64_t>(pair.a) << 32 | static_cast<std::uint32_t>(pair.b));
+    radix_.sort(pair_keys_);
+    pairs.clear();
+    for (const std::uint64_t key : pair_keys_)
+        pairs.push_back({static_cast<int>(key >> 32), static_cast<int>(key & 0xffffffff)});
+}
+
+void BroadPhase::end_search(std::vector<ItemPair>& pairs) {
+    sort(pairs);
+    for (ItemPair& pair : pairs) pair.may_be_known = may_be_known(pair);
     for (const int item : moved_items_) {
         State& state = states_[item];
         state.listed = state.moved = state.touched = false;

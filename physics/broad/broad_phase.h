@@ -3,8 +3,8 @@
 // last looked for; a pair is new when the boxes overlap now and did not then, so nothing has to be looked up.
 // Invariant: between searches every tree is fit to be asked. Static items never pair with each other; any
 // other pair is reported by the first search that finds it overlapping, and again only after a search that
-// did not, or when one of the two was touched. The order of the report follows from the history of calls
-// alone.
+// did not, or when one of the two was touched. Pairs are reported in the order of their items: what
+// the caller makes of them then stands in memory as its items do, and the shape of the trees shows nowhere.
 #pragma once
 
 #include <array>
@@ -34,11 +34,11 @@ class BroadPhase {
     const std::vector<ItemPair>& find_new_pairs();
 
     /// The same in parts, for threads: `start_search` gives the number of groups; `search` may run for
-    /// disjoint ranges of them at once and appends to `pairs`; `end_search` forgets what moved. Appended in
-    /// the order of their ranges, the parts give what `find_new_pairs` gives.
+    /// disjoint ranges of them at once and appends to `pairs`; `end_search` takes what all of them appended,
+    /// in any order, and makes of it what `find_new_pairs` gives.
     int start_search();
     void search(int first_group, int last_group, std::vector<ItemPair>& pairs) const;
-    void end_search();
+    void end_search(std::vector<ItemPair>& pairs);
 
   private:
     static std::size_t index(Layer layer) { return static_cast<std::size_t>(layer); }
@@ -56,6 +56,7 @@ class BroadPhase {
 
     void note_move(int item, const Aabb& before);
     void collect_moved_groups();
+    void sort(std::vector<ItemPair>& pairs);
     [[nodiscard]] bool may_be_known(const ItemPair& pair) const;
 
     std::array<BoxTree, kLayers.size()> trees_;
@@ -69,6 +70,8 @@ class BroadPhase {
     std::vector<ItemPair> pairs_;
 
     OrderScratch order_scratch_;
+    RadixSort radix_;
+    std::vector<std::uint64_t> pair_keys_;
 };
 
 }  // namespace cairn::physics

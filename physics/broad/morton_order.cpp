@@ -1,9 +1,8 @@
-// Keys and their sort.
+// The keys.
 #include "broad/morton_order.h"
 
 #include <algorithm>
 #include <array>
-#include <utility>
 
 #include "base/assert.h"
 #include "base/slot_map.h"
@@ -12,9 +11,6 @@ namespace cairn::physics {
 namespace {
 
 constexpr int kAxisBits = 19;
-constexpr int kDigitBits = 11;
-// Below this many keys a comparing sort is faster than clearing the counters.
-constexpr std::size_t kRadixFrom = 256;
 
 struct Grid {
     double x, y;  // where cell (0, 0) begins, m
@@ -75,7 +71,7 @@ std::span<const std::uint64_t> MortonOrder::sort(std::span<const BoxGroup> group
                                                  std::span<const int> items) {
     CAIRN_ASSERT(items.size() < (std::size_t{1} << kPlaceBits), "too many boxes for one tree");
     make_keys(groups, items);
-    sort_keys();
+    radix_.sort(keys_);
     return keys_;
 }
 
@@ -93,28 +89,6 @@ void MortonOrder::make_keys(std::span<const BoxGroup> groups, std::span<const in
         keys_[taken++] = on_curve << kPlaceBits | place;
     }
     keys_.resize(taken);
-}
-
-void MortonOrder::sort_keys() {
-    if (keys_.size() < kRadixFrom) {
-        std::sort(keys_.begin(), keys_.end());
-        return;
-    }
-    // Digits in which all keys agree are passed over: in a world of the usual size, half of them.
-    std::uint64_t varying = 0;
-    for (const std::uint64_t key : keys_) varying |= key ^ keys_.front();
-    other_.resize(keys_.size());
-    starts_.resize(std::size_t{1} << kDigitBits);
-    constexpr std::uint64_t kDigit = (1u << kDigitBits) - 1;
-    for (int shift = kPlaceBits; shift < 64 && varying >> shift != 0; shift += kDigitBits) {
-        if ((varying >> shift & kDigit) == 0) continue;
-        std::fill(starts_.begin(), starts_.end(), 0);
-        for (const std::uint64_t key : keys_) ++starts_[key >> shift & kDigit];
-        std::uint32_t start = 0;
-        for (std::uint32_t& s : starts_) start += std::exchange(s, start);
-        for (const std::uint64_t key : keys_) other_[starts_[key >> shift & kDigit]++] = key;
-        keys_.swap(other_);
-    }
 }
 
 }  // namespace cairn::physics

@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "base/radix_sort.h"
 #include "broad/box_group.h"
 
 namespace cairn::physics {
@@ -27,11 +28,9 @@ class MortonOrder {
     static constexpr int kPlaceBits = 26;
 
     void make_keys(std::span<const BoxGroup> groups, std::span<const int> items);
-    void sort_keys();
 
     std::vector<std::uint64_t> keys_;
-    std::vector<std::uint64_t> other_;  // the sort goes to and fro
-    std::vector<std::uint32_t> starts_;
+    RadixSort radix_;
 };
 
 }  // namespace cairn::physics

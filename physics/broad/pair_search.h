@@ -1,9 +1,8 @@
 // The search for pairs of boxes that overlap now and did not before.
 // One walk of the trees serves a whole group of eight boxes: a node is entered when it overlaps the union of
 // those that moved, and only at the bottom are boxes compared one with eight. Of two boxes that moved, the
-// one in the earlier group (by layer, then place) looks for the other, so each pair is found once, in the
-// order of the walks. Source: the traversal by groups of Wald et al. 2008 ("packets"), applied to a tree
-// against itself.
+// one in the earlier group (by layer, then place) looks for the other, so each pair is found once. Source:
+// the traversal by groups of Wald et al. 2008 ("packets"), applied to a tree against itself.
 #pragma once
 
 #include <array>

@@ -237,17 +237,43 @@ TEST_CASE("a box that was elsewhere between two searches is no new pair") {
     CHECK(found(broad).size() == 1);
 }
 
-TEST_CASE("the order of the report follows from the calls, and parts give what the whole gives") {
+TEST_CASE("pairs are sorted, whatever the order in which boxes were added") {
+    Random random(2);
+    std::vector<Aabb> boxes;
+    std::vector<int> order;
+    for (int i = 0; i < 300; ++i) {
+        boxes.push_back(random_box(random, 10));
+        order.push_back(i);
+    }
+    std::vector<Pair> first;
+    for (int round = 0; round < 20; ++round) {
+        BroadPhase broad;
+        for (const int i : order) broad.add(i, kLayers[i % 3], boxes[i]);
+        std::vector<Pair> pairs;
+        for (const ItemPair& pair : broad.find_new_pairs()) pairs.emplace_back(pair.a, pair.b);
+        REQUIRE(std::is_sorted(pairs.begin(), pairs.end()));
+        if (round == 0) first = pairs;
+        REQUIRE(pairs == first);
+        for (int i = 299; i > 0; --i) std::swap(order[i], order[random.below(i + 1)]);
+    }
+    CHECK(first.size() > 300);
+}
+
+TEST_CASE("searching in parts gives what the whole gives") {
     const auto report = [](int parts) {
         Random random(3);
         BroadPhase broad;
         std::vector<ItemPair> all;
+        std::vector<ItemPair> found_now;
         for (int i = 0; i < 400; ++i) broad.add(i, random_layer(random), random_box(random, 10));
         for (int round = 0; round < 30; ++round) {
             const int groups = broad.start_search();
-            for (int part = 0; part < parts; ++part)
-                broad.search(groups * part / parts, groups * (part + 1) / parts, all);
-            broad.end_search();
+            found_now.clear();
+            // The last part first: threads end in any order.
+            for (int part = parts - 1; part >= 0; --part)
+                broad.search(groups * part / parts, groups * (part + 1) / parts, found_now);
+            broad.end_search(found_now);
+            all.insert(all.end(), found_now.begin(), found_now.end());
             for (int i = 0; i < 100; ++i) broad.move(random.below(400), random_box(random, 10));
         }
         std::vector<Pair> pairs;
@@ -256,7 +282,6 @@ TEST_CASE("the order of the report follows from the calls, and parts give what t
     };
     const std::vector<Pair> whole = report(1);
     CHECK(whole.size() > 1'000);
-    CHECK(report(1) == whole);
     CHECK(report(7) == whole);
 }
 
@@ -301,12 +326,12 @@ TEST_CASE("a world in which nothing moved is searched without looking at a group
         return sum;
     };
     const std::int64_t before = ordered();
+    std::vector<ItemPair> none;
     CHECK(broad.start_search() == 0);
-    broad.end_search();
+    broad.end_search(none);
     CHECK(ordered() == before);
     broad.move(7, {{100, 100}, {101, 101}});
     CHECK(broad.start_search() == 1);
-    broad.end_search();
 }
 
 }  // namespace cairn::physics
