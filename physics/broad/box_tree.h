@@ -157,6 +157,7 @@ void BoxTree::cast_box(Position center, Vec2 half_extents, Vec2 translation, flo
     std::array<Ahead, kMaxStack> stack;
     int depth = 0;
     stack[depth++] = {root(), 0};
+    Aabb reach = cast.bounds(fraction);
     while (depth > 0) {
         const Ahead ahead = stack[--depth];
         if (ahead.enter > static_cast<double>(fraction)) continue;
@@ -164,7 +165,7 @@ void BoxTree::cast_box(Position center, Vec2 half_extents, Vec2 translation, flo
         // Children that the segment meets, sorted by where; the nearest ends on top of the stack.
         std::array<Ahead, kGroupSize> met;
         int met_count = 0;
-        for (LaneMask lanes = overlapping(group, cast.bounds(fraction)); lanes != 0; lanes &= lanes - 1) {
+        for (LaneMask lanes = overlapping(group, reach); lanes != 0; lanes &= lanes - 1) {
             const int lane = std::countr_zero(lanes);
             const double enter = cast.enter(group.box(lane));
             if (!(enter <= static_cast<double>(fraction))) continue;
@@ -177,7 +178,10 @@ void BoxTree::cast_box(Position center, Vec2 half_extents, Vec2 translation, flo
             continue;
         }
         for (int i = met_count - 1; i >= 0; --i) {
-            if (met[i].enter <= static_cast<double>(fraction)) fraction = visit(items_[met[i].node.index]);
+            if (met[i].enter > static_cast<double>(fraction)) break;
+            const float old_fraction = fraction;
+            fraction = visit(items_[met[i].node.index]);
+            if (fraction != old_fraction) reach = cast.bounds(fraction);
         }
     }
 }
