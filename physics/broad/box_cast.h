@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -14,7 +15,11 @@ namespace cairn::physics {
 class BoxCast {
   public:
     BoxCast(Position center, Vec2 half_extents, Vec2 translation)
-        : center_(center), half_extents_(half_extents), translation_(translation) {}
+        : center_(center),
+          half_extents_(half_extents),
+          translation_(translation),
+          inverse_x_(1 / static_cast<double>(translation.x)),
+          inverse_y_(1 / static_cast<double>(translation.y)) {}
 
     /// Encloses all that is swept up to the fraction, and is finite.
     [[nodiscard]] Aabb bounds(float fraction) const {
@@ -30,8 +35,8 @@ class BoxCast {
         double enter = 0;
         double leave = 1;
         const bool met =
-            clip(center_.x, half_extents_.x, translation_.x, box.lower.x, box.upper.x, enter, leave) &&
-            clip(center_.y, half_extents_.y, translation_.y, box.lower.y, box.upper.y, enter, leave);
+            clip(center_.x, half_extents_.x, inverse_x_, box.lower.x, box.upper.x, enter, leave) &&
+            clip(center_.y, half_extents_.y, inverse_y_, box.lower.y, box.upper.y, enter, leave);
         return met ? enter : std::numeric_limits<double>::infinity();
     }
 
@@ -42,13 +47,13 @@ class BoxCast {
                 from + std::max(way, 0.0) + static_cast<double>(half_extent)};
     }
 
-    static bool clip(double from, float half_extent, float along, float low, float high, double& enter,
+    static bool clip(double from, float half_extent, double inverse, float low, float high, double& enter,
                      double& leave) {
         const double first = (static_cast<double>(low) - static_cast<double>(half_extent)) - from;
         const double last = (static_cast<double>(high) + static_cast<double>(half_extent)) - from;
-        if (along == 0) return first <= 0 && last >= 0;
-        double t1 = first / static_cast<double>(along);
-        double t2 = last / static_cast<double>(along);
+        if (std::isinf(inverse)) return first <= 0 && last >= 0;
+        double t1 = first * inverse;
+        double t2 = last * inverse;
         if (t1 > t2) std::swap(t1, t2);
         enter = std::max(enter, t1);
         leave = std::min(leave, t2);
@@ -58,6 +63,8 @@ class BoxCast {
     Position center_;
     Vec2 half_extents_;
     Vec2 translation_;
+    double inverse_x_;  // of the translation; infinite where that is 0
+    double inverse_y_;
 };
 
 }  // namespace cairn::physics

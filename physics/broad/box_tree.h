@@ -67,8 +67,14 @@ class BoxTree {
     template <class Visit>
     void cast_box(Position center, Vec2 half_extents, Vec2 translation, float fraction, Visit&& visit) const;
 
-    /// Walks down from the root: lanes_of(group) tells which of eight boxes to enter, visit(group, lanes)
-    /// gets those of the groups at the bottom.
+    /// Of a group of boxes, and the level it is on (0: its lanes are items).
+    struct Node {
+        int level;
+        int index;
+    };
+
+    /// Walks down from the root: lanes_of(node, boxes) tells which of a node's eight boxes to enter,
+    /// visit(group, lanes) gets those of the groups at the bottom.
     template <class LanesOf, class Visit>
     void walk(LanesOf&& lanes_of, Visit&& visit) const;
 
@@ -85,11 +91,6 @@ class BoxTree {
     [[nodiscard]] bool is_valid() const;
 
   private:
-    // Of a node, and the level it is on (0: its lanes are items).
-    struct Node {
-        int level;
-        int index;
-    };
     // A walk holds at most seven siblings per level, and the eight children of the last.
     static constexpr int kMaxStack = (kGroupSize - 1) * kMaxLevels + 1;
 
@@ -118,7 +119,7 @@ void BoxTree::walk(LanesOf&& lanes_of, Visit&& visit) const {
     stack[depth++] = root();
     while (depth > 0) {
         const Node node = stack[--depth];
-        LaneMask lanes = lanes_of(levels_[node.level][node.index]);
+        LaneMask lanes = lanes_of(node, levels_[node.level][node.index]);
         if (node.level == 0) {
             if (lanes != 0) visit(node.index, lanes);
             continue;
@@ -138,7 +139,7 @@ void BoxTree::query(const Aabb& box, Visit&& visit) const {
     constexpr float kMost = std::numeric_limits<float>::max();
     const Aabb finite{{std::max(box.lower.x, -kMost), std::max(box.lower.y, -kMost)},
                       {std::min(box.upper.x, kMost), std::min(box.upper.y, kMost)}};
-    walk([&](const BoxGroup& group) { return overlapping(group, finite); },
+    walk([&](Node, const BoxGroup& boxes) { return overlapping(boxes, finite); },
          [&](int group, LaneMask lanes) {
              for (; lanes != 0; lanes &= lanes - 1)
                  visit(items_[kGroupSize * group + std::countr_zero(lanes)]);
@@ -157,6 +158,7 @@ void BoxTree::cast_box(Position center, Vec2 half_extents, Vec2 translation, flo
     std::array<Ahead, kMaxStack> stack;
     int depth = 0;
     stack[depth++] = {root(), 0};
+    Aabb reach = cast.bounds(fraction);
     while (depth > 0) {
         const Ahead ahead = stack[--depth];
         if (ahead.enter > static_cast<double>(fraction)) continue;
@@ -164,7 +166,7 @@ void BoxTree::cast_box(Position center, Vec2 half_extents, Vec2 translation, flo
         // Children that the segment meets, sorted by where; the nearest ends on top of the stack.
         std::array<Ahead, kGroupSize> met;
         int met_count = 0;
-        for (LaneMask lanes = overlapping(group, cast.bounds(fraction)); lanes != 0; lanes &= lanes - 1) {
+        for (LaneMask lanes = overlapping(group, reach); lanes != 0; lanes &= lanes - 1) {
             const int lane = std::countr_zero(lanes);
             const double enter = cast.enter(group.box(lane));
             if (!(enter <= static_cast<double>(fraction))) continue;
@@ -177,7 +179,10 @@ void BoxTree::cast_box(Position center, Vec2 half_extents, Vec2 translation, flo
             continue;
         }
         for (int i = met_count - 1; i >= 0; --i) {
-            if (met[i].enter <= static_cast<double>(fraction)) fraction = visit(items_[met[i].node.index]);
+            if (met[i].enter > static_cast<double>(fraction)) break;
+            const float old_fraction = fraction;
+            fraction = visit(items_[met[i].node.index]);
+            if (fraction != old_fraction) reach = cast.bounds(fraction);
         }
     }
 }

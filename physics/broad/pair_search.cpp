@@ -27,19 +27,29 @@ class GroupSearch {
         for (const Layer layer : kLayers) {
             if (own_.layer == Layer::Static && layer == Layer::Static) continue;
             const SearchedLayer& searched = layers_[static_cast<std::size_t>(layer)];
-            searched.tree->walk([&](const BoxGroup& group) { return overlapping(group, reach); },
-                                [&](int group, LaneMask lanes) { compare(searched, group, lanes); });
+            searched.tree->walk(
+                [&](BoxTree::Node node, const BoxGroup& boxes) {
+                    const bool is_done =
+                        node.level == 0 && looks_by_itself(searched, node.index) == kAllLanes;
+                    return is_done ? 0 : overlapping(boxes, reach);
+                },
+                [&](int group, LaneMask lanes) { compare(searched, group, lanes); });
         }
     }
 
   private:
+    // The lanes of an earlier group that moved: they look for those of this one.
+    [[nodiscard]] LaneMask looks_by_itself(const SearchedLayer& searched, int group) const {
+        const int moved = searched.moved_index.empty() ? kNone : searched.moved_index[group];
+        return moved != kNone && moved < index_ ? moved_[moved].lanes : 0;
+    }
+
     // With the boxes of another group, or of this one.
     void compare(const SearchedLayer& searched, int group, LaneMask lanes) {
         const int moved = searched.moved_index.empty() ? kNone : searched.moved_index[group];
         const BoxGroup& now = searched.tree->level(0)[group];
         const BoxGroup& before = moved == kNone ? now : moved_[moved].before;
-        // What moved in an earlier group looks by itself.
-        if (moved != kNone && moved < index_) lanes &= ~moved_[moved].lanes;
+        lanes &= ~looks_by_itself(searched, group);
         for (; lanes != 0; lanes &= lanes - 1) {
             const int lane = std::countr_zero(lanes);
             LaneMask found = overlapping(now_, now.box(lane)) & own_.lanes;

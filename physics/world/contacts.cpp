@@ -203,14 +203,16 @@ class Update {
         const PreparedLanes prepared =
             prepare_block(places_.poses, manifold_, scratch_.motions.velocity.data(),
                           scratch_.motions.pose.data(), pairs.features, block);
+        unsigned gone = 0;
         for (unsigned moved = places_.boxes_moved; moved != 0; moved &= moved - 1) {
-            (void)is_gone(pairs, std::countr_zero(moved));
+            if (is_gone(pairs, std::countr_zero(moved))) gone |= moved & ~(moved - 1);
         }
-        for (unsigned apart = prepared.apart & lanes; apart != 0; apart &= apart - 1) {
+        for (unsigned apart = prepared.apart & lanes & ~gone; apart != 0; apart &= apart - 1) {
             part(pairs.contact[std::countr_zero(apart)], std::countr_zero(apart));
         }
         const unsigned loose = places_.turn_far & prepared.swings & ~prepared.apart;
-        for (unsigned plain = (pairs.reports | loose) & ~prepared.apart; plain != 0; plain &= plain - 1) {
+        for (unsigned plain = (pairs.reports | loose) & ~prepared.apart & ~gone; plain != 0;
+             plain &= plain - 1) {
             const int lane = std::countr_zero(plain);
             add_plain(pairs, block, lane);
             if ((loose >> lane & 1) == 0) continue;

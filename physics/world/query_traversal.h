@@ -32,7 +32,7 @@ void visit_along_ray(const Stores& stores, Position origin_m, Vec2 translation_m
                      Visit&& visit) {
     float fraction = 1;
     for (const Layer layer : kLayers) {
-        stores.broad.tree(layer).cast_ray(origin_m, translation_m, [&](int shape) {
+        stores.broad.tree(layer).cast_box(origin_m, {}, translation_m, fraction, [&](int shape) {
             if (sees(stores, filter, shape)) fraction = visit(shape);
             return fraction;
         });

@@ -20,7 +20,7 @@ struct ShapeRecord {
     ShapeDef def;
     Aabb fat_box;
     float margin_m = 0;
-    int sensor = kNone;  // place among the sensors; they have neither box nor proxy
+    int sensor = kNone;  // place among the sensors; they have no box
 };
 
 using ShapeStore = SlotMap<ShapeRecord, ShapeId>;

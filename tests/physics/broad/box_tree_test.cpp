@@ -78,9 +78,9 @@ BoxTree row_of(int count, OrderScratch& scratch) {
 int visited_groups(const BoxTree& tree, const Aabb& box) {
     int visited = 0;
     tree.walk(
-        [&](const BoxGroup& group) {
+        [&](BoxTree::Node, const BoxGroup& boxes) {
             ++visited;
-            return overlapping(group, box);
+            return overlapping(boxes, box);
         },
         [](int, LaneMask) {});
     return visited;

@@ -15,8 +15,9 @@ inline constexpr float kSpeculativeDistance_m = 4 * kLinearSlop_m;
 /// leave it alone. Between 2 and 10 cm the time of a step hardly changes.
 inline constexpr float kAabbMargin_m = 0.05f;
 
-/// m. What bounds in the tree keep free around their shape at least: with half of the speculative distance on both
-/// sides, shapes near enough for a contact point have bounds that overlap. Smaller: contacts start and end late.
+/// m. What bounds in the tree keep free around their shape at least: with half of the speculative distance on
+/// both sides, shapes near enough for a contact point have bounds that overlap. Smaller: contacts start and
+/// end late.
 inline constexpr float kAabbReach_m = 0.5f * kSpeculativeDistance_m;
 
 /// Hz, and ratio. Stiffness of contacts. Higher frequencies approach what `substeps` can resolve and jitter;
