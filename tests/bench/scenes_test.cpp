@@ -95,6 +95,16 @@ TEST_CASE("a scene ends in the same state at every SIMD level") {
     CHECK(hashes.size() == 1);
 }
 
+TEST_CASE("a scene ends in the same state on any number of threads") {
+    std::set<std::uint64_t> hashes;
+    for (const int threads : {1, 2, 3, 8}) {
+        for (const std::string name : {"scale_1k", "tumbler"}) {
+            hashes.insert(measure(scene_named(name), make_cairn, threads, 20).state_hash);
+        }
+    }
+    CHECK(hashes.size() == 2);
+}
+
 TEST_CASE("each peer that is there builds and steps the same scenes") {
     for (const EngineKind& peer : peers()) {
         for (const std::string name : {"compounds", "smash", "tumbler"}) {

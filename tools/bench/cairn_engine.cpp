@@ -10,7 +10,9 @@ using physics::Vec2;
 class CairnEngine final : public Engine {
   public:
     explicit CairnEngine(const WorldSetting& setting)
-        : world_({.gravity_m_s2 = setting.gravity_m_s2, .enable_sleep = setting.enable_sleep}) {}
+        : world_({.gravity_m_s2 = setting.gravity_m_s2,
+                  .enable_sleep = setting.enable_sleep,
+                  .threads = setting.threads}) {}
 
     BodyRef add_body(const physics::BodyDef& def) override {
         return {world_.create_body(def).value().bits()};

@@ -112,8 +112,6 @@ int list() {
 }
 
 int execute(const CommandLine& line) {
-    if (line.threads > 1)
-        return fail("--threads is " + std::to_string(line.threads) + ", but worlds have one thread");
     if (const auto forced = cairn::physics::force_simd_level(line.simd); !forced) {
         return fail(forced.error().message);
     }
