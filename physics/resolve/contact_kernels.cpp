@@ -146,6 +146,7 @@ HWY_INLINE void solve_lanes(ContactBlock& block, int lane, float* velocity, cons
 struct PointLanes {
     V arm_a;
     V arm_b;
+    V mass;
     V bias;
     V old;  // impulse so far
 };
@@ -172,53 +173,59 @@ HWY_INLINE V coupling(const Pair<kKind>& pair, const PointLanes& p, const PointL
     return k;
 }
 
+// How two points answer to each other: K x = b has the solution inverse (k11 b0 - k01 b1, k00 b1 - k01 b0).
+struct Coupled {
+    V k00, k11, k01;
+    V inverse;
+    M regular;  // else there is one point, or the two are too near each other to be told apart
+};
+
+template <BlockKind kKind>
+HWY_INLINE Coupled couple(const Pair<kKind>& pair, const std::array<PointLanes, 2>& p) {
+    Coupled c{coupling(pair, p[0], p[0]), coupling(pair, p[1], p[1]), coupling(pair, p[0], p[1])};
+    const V product = hn::Mul(c.k00, c.k11);
+    const V determinant = hn::Sub(product, hn::Mul(c.k01, c.k01));
+    c.inverse = hn::Div(set(1), determinant);
+    c.regular = hn::And(hn::Gt(determinant, hn::Mul(set(1e-3f), product)), hn::Gt(p[1].mass, hn::Zero(D())));
+    return c;
+}
+
 struct Impulses {
     V first;
     V second;
-    M regular;  // else there is one point, or the two are too near each other to be told apart
 };
 
 // As solve_both in contact_constraint.cpp: the case that fits is selected, from the last to the first.
 template <BlockKind kKind>
-HWY_INLINE Impulses solve_both(const Pair<kKind>& pair, const std::array<PointLanes, 2>& p, V second_mass) {
+HWY_INLINE Impulses solve_both(const Pair<kKind>& pair, const Coupled& c,
+                               const std::array<PointLanes, 2>& p) {
     const V zero = hn::Zero(D());
-    const V one = hn::Set(D(), 1);
-    const V k00 = coupling(pair, p[0], p[0]);
-    const V k11 = coupling(pair, p[1], p[1]);
-    const V k01 = coupling(pair, p[0], p[1]);
-    const V product = hn::Mul(k00, k11);
-    const V determinant = hn::Sub(product, hn::Mul(k01, k01));
-    const V r0 = hn::Sub(residual(pair, p[0]), hn::Add(hn::Mul(k00, p[0].old), hn::Mul(k01, p[1].old)));
-    const V r1 = hn::Sub(residual(pair, p[1]), hn::Add(hn::Mul(k01, p[0].old), hn::Mul(k11, p[1].old)));
+    const V r0 = hn::Sub(residual(pair, p[0]), hn::Add(hn::Mul(c.k00, p[0].old), hn::Mul(c.k01, p[1].old)));
+    const V r1 = hn::Sub(residual(pair, p[1]), hn::Add(hn::Mul(c.k01, p[0].old), hn::Mul(c.k11, p[1].old)));
 
-    const V inverse = hn::Div(one, determinant);
-    const V both0 = hn::Mul(inverse, hn::Sub(hn::Mul(k01, r1), hn::Mul(k11, r0)));
-    const V both1 = hn::Mul(inverse, hn::Sub(hn::Mul(k01, r0), hn::Mul(k00, r1)));
+    const V both0 = hn::Mul(c.inverse, hn::Sub(hn::Mul(c.k01, r1), hn::Mul(c.k11, r0)));
+    const V both1 = hn::Mul(c.inverse, hn::Sub(hn::Mul(c.k01, r0), hn::Mul(c.k00, r1)));
     const auto both = hn::And(hn::Ge(both0, zero), hn::Ge(both1, zero));
-    const V alone0 = hn::Neg(hn::Div(r0, k00));
-    const auto only0 = hn::And(hn::Ge(alone0, zero), hn::Ge(hn::Add(hn::Mul(k01, alone0), r1), zero));
-    const V alone1 = hn::Neg(hn::Div(r1, k11));
-    const auto only1 = hn::And(hn::Ge(alone1, zero), hn::Ge(hn::Add(hn::Mul(k01, alone1), r0), zero));
+    const V alone0 = hn::Neg(hn::Mul(r0, p[0].mass));
+    const auto only0 = hn::And(hn::Ge(alone0, zero), hn::Ge(hn::Add(hn::Mul(c.k01, alone0), r1), zero));
+    const V alone1 = hn::Neg(hn::Mul(r1, p[1].mass));
+    const auto only1 = hn::And(hn::Ge(alone1, zero), hn::Ge(hn::Add(hn::Mul(c.k01, alone1), r0), zero));
 
-    const V first = hn::IfThenElse(both, both0, hn::IfThenElseZero(only0, alone0));
-    const V second =
-        hn::IfThenElse(both, both1, hn::IfThenZeroElse(only0, hn::IfThenElseZero(only1, alone1)));
-    const M apart = hn::Gt(determinant, hn::Mul(hn::Set(D(), 1e-3f), product));
-    return {first, second, hn::And(apart, hn::Gt(second_mass, zero))};
+    return {hn::IfThenElse(both, both0, hn::IfThenElseZero(only0, alone0)),
+            hn::IfThenElse(both, both1, hn::IfThenZeroElse(only0, hn::IfThenElseZero(only1, alone1)))};
 }
 
 // Brings both points to their targets at once, since sweeping would leave a part of the push-out velocity.
 // The result is by how much the sum of their impulses changed; `old` holds the new ones.
 template <BlockKind kKind>
-HWY_INLINE V relax_normals(Pair<kKind>& pair, std::array<PointLanes, 2>& points, V first_mass,
-                           V second_mass) {
+HWY_INLINE V relax_normals(Pair<kKind>& pair, const Coupled& coupled, std::array<PointLanes, 2>& points) {
     const V zero = hn::Zero(D());
-    const Impulses together = solve_both(pair, points, second_mass);
-    const V first_swept = hn::Sub(points[0].old, hn::Mul(first_mass, residual(pair, points[0])));
-    const V first = hn::IfThenElse(together.regular, together.first, hn::Max(first_swept, zero));
+    const Impulses together = solve_both(pair, coupled, points);
+    const V first_swept = hn::Sub(points[0].old, hn::Mul(points[0].mass, residual(pair, points[0])));
+    const V first = hn::IfThenElse(coupled.regular, together.first, hn::Max(first_swept, zero));
     const V first_change = push(pair, points[0], first);
-    const V second_swept = hn::Sub(points[1].old, hn::Mul(second_mass, residual(pair, points[1])));
-    const V second = hn::IfThenElse(together.regular, together.second, hn::Max(second_swept, zero));
+    const V second_swept = hn::Sub(points[1].old, hn::Mul(points[1].mass, residual(pair, points[1])));
+    const V second = hn::IfThenElse(coupled.regular, together.second, hn::Max(second_swept, zero));
     const V second_change = push(pair, points[1], second);
     points[0].old = first;
     points[1].old = second;
@@ -249,18 +256,18 @@ HWY_INLINE void relax_lanes(ContactBlock& block, int lane, float* velocity, cons
         p.old = load(stored.impulse, lane);
         p.arm_a = load(stored.arm_a, lane);
         p.arm_b = load(stored.arm_b, lane);
+        p.mass = load(stored.mass, lane);
         V s = hn::Add(load(stored.start_separation, lane), hn::Add(moved, hn::Mul(p.arm_b, pose_b.z)));
         if constexpr (reads_a(kKind)) s = hn::Sub(s, hn::Mul(p.arm_a, pose_a.z));
         store(s, stored.separation, lane);
         p.bias = hn::IfThenElseZero(is_apart(s, base_of(load(stored.static_impulse, lane), p.old)),
                                     hn::Mul(s, hn::Set(D(), time.inverse_h_1_s)));
     }
-    const V first_mass = load(block.points[0].mass, lane);
-    const V second_mass = load(block.points[1].mass, lane);
-    V normal_change = relax_normals(pair, points, first_mass, second_mass);
+    const Coupled coupled = couple(pair, points);
+    V normal_change = relax_normals(pair, coupled, points);
     const V tangent_change = solve_friction(block, lane, pair, hn::Add(points[0].old, points[1].old));
     // Again, since friction turns the bodies and what comes last is satisfied best.
-    normal_change = hn::Add(normal_change, relax_normals(pair, points, first_mass, second_mass));
+    normal_change = hn::Add(normal_change, relax_normals(pair, coupled, points));
     for (std::size_t i = 0; i < points.size(); ++i) {
         store(points[i].old, block.points[i].impulse, lane);
         if (block.reports) {

@@ -29,6 +29,7 @@ void copy_pair(PairBlock& to, int to_lane, const PairBlock& from, int from_lane)
         t = static_cast<std::uint8_t>((t & ~(1 << to_lane)) | bit << to_lane);
     };
     copy_bit(to.reports, from.reports);
+    copy_bit(to.impacts, from.impacts);
     copy_bit(to.remembers, from.remembers);
 }
 
@@ -51,6 +52,7 @@ void write_pair(PairBlock& to, int lane, const PairLane& from) {
         bits = static_cast<std::uint8_t>((bits & ~(1 << lane)) | (on ? 1 : 0) << lane);
     };
     put_bit(to.reports, from.reports);
+    put_bit(to.impacts, from.impacts);
     put_bit(to.remembers, from.remembers);
 }
 
@@ -94,20 +96,20 @@ void clear_lane(ContactBlock& block, int lane) {
     block.friction[lane] = block.friction_impulse[lane] = 0;
 }
 
-// A new, empty block.
 void clear_pairs(PairBlock& pairs) {
     for (int lane = 0; lane < kLanes; ++lane) write_pair(pairs, lane, PairLane{});
-    pairs.used = 0;
-    pairs.previous = pairs.next = kNone;
 }
+
+// Room that the pool begins with: the contacts of small worlds, which fill their blocks badly, allocate once.
+constexpr std::size_t kFirstBlocks = 32;
 
 }  // namespace
 
 int ContactLanes::add(int bucket, const PairLane& pair) {
     if (!is_colored(bucket)) return add_near(geometry_of(bucket), pair);
     int block = chains_[bucket].last;
-    if (block == kNone || pairs_[block].used == kLanes) block = open_block(bucket);
-    const int lane = pairs_[block].used++;
+    if (block == kNone || links_[block].used == kLanes) block = open_block(bucket);
+    const int lane = links_[block].used++;
     write_pair(pairs_[block], lane, pair);
     return block * kLanes + lane;
 }
@@ -117,7 +119,7 @@ int ContactLanes::remove(int bucket, int lane) {
     const int last_block = chains_[bucket].last;
     PairBlock& from = pairs_[last_block];
     PairBlock& to = pairs_[lane / kLanes];
-    const int last = --from.used;
+    const int last = --links_[last_block].used;
     copy_pair(to, lane % kLanes, from, last);
     copy_lane(blocks_[lane / kLanes], lane % kLanes, blocks_[last_block], last);
     clear_lane(blocks_[last_block], last);
@@ -152,8 +154,14 @@ int ContactLanes::remove_near(PairGeometry geometry, int lane) {
 int ContactLanes::open_block(int bucket) {
     int block = static_cast<int>(pairs_.size());
     if (free_.empty()) {
+        if (pairs_.empty()) {
+            pairs_.reserve(kFirstBlocks);
+            blocks_.reserve(kFirstBlocks);
+            links_.reserve(kFirstBlocks);
+        }
         pairs_.emplace_back();
         blocks_.emplace_back();
+        links_.emplace_back();
         for (int lane = 0; lane < kLanes; ++lane) clear_lane(blocks_.back(), lane);
         free_.reserve(pairs_.capacity());
         order_.reserve(pairs_.capacity());
@@ -162,26 +170,29 @@ int ContactLanes::open_block(int bucket) {
         free_.pop_back();
     }
     clear_pairs(pairs_[block]);
-    pairs_[block].bucket = bucket;
     Chain& chain = chains_[bucket];
-    pairs_[block].previous = chain.last;
-    (chain.last == kNone ? chain.first : pairs_[chain.last].next) = block;
+    links_[block] = {bucket, 0, chain.last, kNone};
+    (chain.last == kNone ? chain.first : links_[chain.last].next) = block;
     chain.last = block;
+    is_arranged_ = false;
     return block;
 }
 
 void ContactLanes::close_block(int bucket) {
     Chain& chain = chains_[bucket];
     free_.push_back(chain.last);
-    chain.last = pairs_[chain.last].previous;
-    (chain.last == kNone ? chain.first : pairs_[chain.last].next) = kNone;
+    chain.last = links_[chain.last].previous;
+    (chain.last == kNone ? chain.first : links_[chain.last].next) = kNone;
+    is_arranged_ = false;
 }
 
 void ContactLanes::arrange() {
+    if (is_arranged_) return;
+    is_arranged_ = true;
     order_.clear();
     for (int bucket = kFirstColored; bucket < kBuckets; ++bucket) {
         ranges_[bucket] = order_.size();
-        for (int block = chains_[bucket].first; block != kNone; block = pairs_[block].next) {
+        for (int block = chains_[bucket].first; block != kNone; block = links_[block].next) {
             order_.push_back(block);
         }
     }

@@ -31,12 +31,16 @@ struct alignas(32) PairBlock {
     Lanes<std::int32_t> shape_b;
     BoxLanes boxes;  // of general shapes only the offsets are used: of the body's origin
     FeatureLanes features;
-    std::uint8_t reports = 0;  // bits: restitution or events want the plain form of the contact too
+    std::uint8_t reports = 0;    // bits: touching is told, which takes the plain form of the contact too
+    std::uint8_t impacts = 0;    // bits: impacts bounce or are told; they take that form as well
     std::uint8_t remembers = 0;  // bits: it had points in the last step, though it is not in a colour
-    // Of blocks in colours:
+};
+
+/// Where a block in a colour stands.
+struct BlockLink {
     int bucket = kNone;
-    int used = 0;          // lanes
-    int previous = kNone;  // block of the same bucket
+    int used = 0;  // lanes
+    int previous = kNone;
     int next = kNone;
 };
 
@@ -52,6 +56,7 @@ struct PairLane {
     Vec2 offset_a;
     Vec2 offset_b;
     bool reports = false;
+    bool impacts = false;
     bool remembers = false;
 };
 
@@ -105,7 +110,7 @@ class ContactLanes {
     [[nodiscard]] ContactBlock& block(int block) { return blocks_[block]; }
     [[nodiscard]] const ContactBlock& block(int block) const { return blocks_[block]; }
 
-    /// Of a bucket in colours; kNone when it is empty. PairBlock::next leads on.
+    /// Of a bucket in colours; kNone when it is empty. BlockLink::next leads on.
     [[nodiscard]] int first_block(int bucket) const { return chains_[bucket].first; }
     /// Lists the blocks of all buckets in colours, for the stages of a step. Adding and removing ends that.
     void arrange();
@@ -114,7 +119,7 @@ class ContactLanes {
     [[nodiscard]] std::span<const int> blocks(int bucket) const {
         return std::span(order_).subspan(ranges_[bucket], ranges_[bucket + 1] - ranges_[bucket]);
     }
-    [[nodiscard]] int bucket_of(int block) const { return pairs_[block].bucket; }
+    [[nodiscard]] const BlockLink& link(int block) const { return links_[block]; }
 
     /// Of lanes in colours.
     [[nodiscard]] ContactMemory memory(int lane) const;
@@ -143,9 +148,11 @@ class ContactLanes {
     std::array<std::vector<PairBlock>, 2> near_;
     std::array<int, 2> near_count_{};
     std::vector<PairBlock> pairs_;
+    std::vector<BlockLink> links_;      // beside the pairs
     std::vector<ContactBlock> blocks_;  // beside the pairs
     std::vector<int> free_;
     std::array<Chain, kBuckets> chains_;
+    bool is_arranged_ = true;
     std::vector<int> order_;
     std::array<std::size_t, kBuckets + 1> ranges_{};
 };

@@ -72,6 +72,7 @@ void update_mass(Stores& stores, int body) {
 
     BodyRows& rows = stores.bodies.rows_of(body);
     stores.bodies.places[body].center = transform_point(xf, record.mass.center_m);
+    rows.box_slack[record.row] = 0;
     rows.velocity[record.row] += without_locked(
         cross(rows.spin[record.row], rotate(xf.q, record.mass.center_m - old_center)), locked_axes(record));
     for_each_edge(stores.contacts.slots, record.first_contact,
@@ -160,7 +161,7 @@ int create_shape(Stores& stores, int body, const Convex& convex, const ShapeDef&
     // Small shapes take small margins, or a heap of grains would be one heap of pairs.
     if (owner.type != BodyType::Static)
         record.margin_m +=
-            std::min(tuning::kAabbMargin_m - tuning::kAabbReach_m, 0.25f * half_perimeter(box));
+            std::min(tuning::kAabbMargin_m - tuning::kAabbReach_m, 0.025f * half_perimeter(box));
     record.fat_box = grown(box, record.margin_m);
 
     const int shape = stores.shapes.insert(record);

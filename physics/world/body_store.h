@@ -61,11 +61,12 @@ struct BodyRows {
     std::vector<Vec2> force;  // for the next step
     std::vector<float> torque;
     std::vector<float> rest_time;  // s since the body last moved
+    std::vector<float> box_slack;  // m that the body may yet move before one of its boxes must be made anew
     std::vector<int> body;
 
     [[nodiscard]] int size() const { return static_cast<int>(body.size()); }
     auto columns() {
-        return std::tie(moved, rotation_before, velocity, spin, force, torque, rest_time, body);
+        return std::tie(moved, rotation_before, velocity, spin, force, torque, rest_time, box_slack, body);
     }
 };
 

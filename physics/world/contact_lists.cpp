@@ -35,7 +35,8 @@ PairLane make_lane(const Stores& stores, int contact) {
         lane.offset_a += a.centroid;
         lane.offset_b += b.centroid;
     }
-    lane.reports = c.restitution > 0 || c.reports_touch || c.reports_hit;
+    lane.reports = c.reports_touch;
+    lane.impacts = c.restitution > 0 || c.reports_hit;
     lane.remembers = c.has_points;
     return lane;
 }

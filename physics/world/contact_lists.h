@@ -29,9 +29,9 @@ template <class Visit>
 void for_each_acting(const ContactStore& contacts, Visit&& visit) {
     for (int bucket = kFirstColored; bucket < kBuckets; ++bucket) {
         for (int block = contacts.lanes.first_block(bucket); block != kNone;
-             block = contacts.lanes.pairs(block).next) {
+             block = contacts.lanes.link(block).next) {
             const PairBlock& pairs = contacts.lanes.pairs(block);
-            for (int lane = 0; lane < pairs.used; ++lane) visit(pairs.contact[lane]);
+            for (int lane = 0; lane < contacts.lanes.link(block).used; ++lane) visit(pairs.contact[lane]);
         }
     }
     for (const int contact : contacts.loose) visit(contact);

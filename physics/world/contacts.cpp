@@ -83,7 +83,12 @@ void remove_gone(Stores& stores, Events& events, StepScratch& scratch) {
 class Update {
   public:
     Update(WorldState& world, const StepTime& time, const ContactRules& rules)
-        : world_(world), stores_(world.stores), scratch_(world.scratch), time_(time), rules_(rules) {}
+        : world_(world),
+          stores_(world.stores),
+          scratch_(world.scratch),
+          time_(time),
+          rules_(rules),
+          impact_speed_(std::min(world.def.hit_speed_m_s, world.def.restitution_speed_m_s)) {}
 
     void run() {
         scratch_.contacts.clear();
@@ -194,15 +199,15 @@ class Update {
     void update_block(int block_index) {
         PairBlock& pairs = stores_.contacts.lanes.pairs(block_index);
         ContactBlock& block = stores_.contacts.lanes.block(block_index);
-        const unsigned lanes = (1u << pairs.used) - 1;
+        const unsigned lanes = (1u << stores_.contacts.lanes.link(block_index).used) - 1;
         load_places(stores_.bodies, pairs, lanes, places_);
-        collide_block(stores_, pairs, geometry_of(pairs.bucket), lanes, places_.poses, manifold_);
+        collide_block(stores_, pairs, geometry_of(stores_.contacts.lanes.link(block_index).bucket), lanes,
+                      places_.poses, manifold_);
         block.a = places_.row_a;
         block.b = places_.row_b;
-        block.reports = pairs.reports != 0;
         const PreparedLanes prepared =
             prepare_block(places_.poses, manifold_, scratch_.motions.velocity.data(),
-                          scratch_.motions.pose.data(), pairs.features, block);
+                          scratch_.motions.pose.data(), pairs.features, impact_speed_, block);
         unsigned gone = 0;
         for (unsigned moved = places_.boxes_moved; moved != 0; moved &= moved - 1) {
             if (is_gone(pairs, std::countr_zero(moved))) gone |= moved & ~(moved - 1);
@@ -211,8 +216,9 @@ class Update {
             part(pairs.contact[std::countr_zero(apart)], std::countr_zero(apart));
         }
         const unsigned loose = places_.turn_far & prepared.swings & ~prepared.apart;
-        for (unsigned plain = (pairs.reports | loose) & ~prepared.apart & ~gone; plain != 0;
-             plain &= plain - 1) {
+        const unsigned told = (pairs.reports | (pairs.impacts & prepared.closing)) & ~prepared.apart & ~gone;
+        block.reports = told != 0;
+        for (unsigned plain = told | (loose & ~gone); plain != 0; plain &= plain - 1) {
             const int lane = std::countr_zero(plain);
             add_plain(pairs, block, lane);
             if ((loose >> lane & 1) == 0) continue;
@@ -325,6 +331,7 @@ class Update {
     StepScratch& scratch_;
     const StepTime& time_;
     const ContactRules& rules_;
+    float impact_speed_;  // m/s; slower contacts neither bounce nor tell of a hit
     BlockPlaces places_;
     ManifoldLanes manifold_;
     PairBlock single_{};  // a loose contact, in the first lane

@@ -16,6 +16,9 @@ namespace {
 // m. Sweeps end with this gap: near enough to be a contact, wide enough for the distance to have a direction.
 constexpr float kImpactGap_m = 0.25f * tuning::kLinearSlop_m;
 
+// Of what is solid about the thinnest shape: moving further than this in a step is fast.
+constexpr float kFastShare = 0.5f;
+
 // The mean velocity over the step if nothing is met.
 Vec2 expected_velocity(const BodyStore& bodies, int body, Vec2 gravity, float dt_s) {
     const BodyRecord& record = bodies.slots[body];
@@ -31,7 +34,14 @@ bool is_fast(const BodyStore& bodies, int body, Vec2 gravity, float dt_s) {
     const float spin = bodies.rows(RowSet::Awake).spin[record.row];
     const float reach =
         length(expected_velocity(bodies, body, gravity, dt_s)) + std::fabs(spin) * record.extent_m;
-    return dt_s * reach > 0.5f * record.inner_radius_m;
+    return dt_s * reach > kFastShare * record.inner_radius_m;
+}
+
+// Of the point that turning moves most, m/s.
+float turning_speed(const BodyStore& bodies, int body) {
+    const BodyRecord& record = bodies.slots[body];
+    const float spin = bodies.rows_of(body).spin[record.row];
+    return spin == 0 ? 0 : std::fabs(spin) * record.extent_m;
 }
 
 Sweep make_sweep(const Stores& stores, int shape, Position origin, Vec2 gravity, float dt_s) {
@@ -54,8 +64,9 @@ Vec2 moved(const Sweep& sweep, Vec2 arm, float time_s) {
 }
 
 // The way of a point during the last step against another shape, as seen from that shape: what moved along
-// with the point, or was pushed ahead of it, was not passed.
-std::optional<LocalRayHit> cast_relative_way(const Stores& stores, int shape, Position from, Vec2 way) {
+// with the point, or was pushed ahead of it, was not passed. Ways up to the least one are not looked at.
+std::optional<LocalRayHit> cast_relative_way(const Stores& stores, int shape, Position from, Vec2 way,
+                                             float least_way) {
     const int body = stores.shapes[shape].body;
     const BodyRecord& record = stores.bodies.slots[body];
     const Transform now = stores.bodies.transform(body);
@@ -66,32 +77,72 @@ std::optional<LocalRayHit> cast_relative_way(const Stores& stores, int shape, Po
     const Rotation q = awake.rotation_before[record.row];
     const Position center = stores.bodies.places[body].center + -awake.moved[record.row];
     const Vec2 start = inverse_transform_point({center + -rotate(q, record.mass.center_m), q}, from);
-    return cast_ray(convex, start, inverse_transform_point(now, from + way) - start);
+    const Vec2 relative_way = inverse_transform_point(now, from + way) - start;
+    if (length(relative_way) <= least_way) return {};
+    return cast_ray(convex, start, relative_way);
 }
 
-// How much of its last way a body could go before the centre of one of its shapes met the surface of another
-// body's shape, less the thickness of its own; 1 when nothing was met.
+// How much of its last way a shape could go before its centre met the surface of the other shape, less its
+// own thickness; 1 when it met nothing.
+class Way {
+  public:
+    Way(const Stores& stores, int shape)
+        : stores_(stores), convex_(stores.shapes[shape].convex), shape_(shape) {
+        const int body = stores.shapes[shape].body;
+        const BodyRecord& record = stores.bodies.slots[body];
+        const BodyRows& awake = stores.bodies.rows(RowSet::Awake);
+        const Vec2 arm = convex_.centroid - record.mass.center_m;
+        from_ = stores.bodies.places[body].center + -awake.moved[record.row] +
+                rotate(awake.rotation_before[record.row], arm);
+        way_ = transform_point(stores.bodies.transform(body), convex_.centroid) - from_;
+        length_ = length(way_);
+        least_way_ = kFastShare * record.inner_radius_m;
+    }
+
+    [[nodiscard]] int shape() const { return shape_; }
+    [[nodiscard]] Position from() const { return from_; }
+    [[nodiscard]] Vec2 way() const { return way_; }
+
+    [[nodiscard]] float free_share(int other) const {
+        if (length_ <= least_way_) return 1;
+        const auto hit = cast_relative_way(stores_, other, from_, way_, least_way_);
+        return hit ? std::max(hit->fraction - inner_radius(convex_) / length_, 0.0f) : 1;
+    }
+
+  private:
+    const Stores& stores_;
+    const Convex& convex_;
+    int shape_;
+    Position from_;
+    Vec2 way_;
+    float length_ = 0;
+    float least_way_ = 0;  // shorter ones take the centre through nothing
+};
+
+// While a body stays in the boxes that it had when contacts were updated, all that it could pass through has
+// a contact with it. One that was turned aside has to ask the trees.
 float free_share_of_way(const Stores& stores, int body) {
-    const BodyRows& awake = stores.bodies.rows(RowSet::Awake);
     const BodyRecord& record = stores.bodies.slots[body];
-    const Transform now = stores.bodies.transform(body);
-    const Vec2 moved = awake.moved[record.row];
-    const Rotation q_before = awake.rotation_before[record.row];
-    const Position center_before = stores.bodies.places[body].center + -moved;
     float share = 1;
+    std::optional<Way> way;
+    if ((stores.bodies.places[body].flags & place_flag::kBoxesMoved) == 0) {
+        for_each_edge(stores.contacts.slots, record.first_contact, [&](int contact, int side) {
+            const ContactRecord& c = stores.contacts.slots[contact];
+            if (special::has(c, special::kRefused | special::kPassing)) return;
+            const int own = side == 0 ? c.shape_a : c.shape_b;
+            if (!way || way->shape() != own) way.emplace(stores, own);
+            share = std::min(share, way->free_share(side == 0 ? c.shape_b : c.shape_a));
+        });
+        return share;
+    }
     for (int s = record.first_shape; s != kNone; s = stores.shapes[s].next_of_body) {
-        const Convex& convex = stores.shapes[s].convex;
-        const Position from = center_before + rotate(q_before, convex.centroid - record.mass.center_m);
-        const Vec2 way = transform_point(now, convex.centroid) - from;
-        const float long_way = length(way);
-        if (long_way == 0) continue;
+        way.emplace(stores, s);
         const auto visit = [&](int other) {
-            if (!may_collide(stores, s, other) || lets_pass(stores, s, other)) return 1.0f;
-            const auto hit = cast_relative_way(stores, other, from, way);
-            if (hit) share = std::min(share, std::max(hit->fraction - inner_radius(convex) / long_way, 0.0f));
+            if (may_collide(stores, s, other) && !lets_pass(stores, s, other))
+                share = std::min(share, way->free_share(other));
             return 1.0f;
         };
-        for (const Layer layer : kLayers) stores.broad.tree(layer).cast_ray(from, way, visit);
+        for (const Layer layer : kLayers) stores.broad.tree(layer).cast_ray(way->from(), way->way(), visit);
     }
     return share;
 }
@@ -140,18 +191,28 @@ void hold_fast_bodies(Stores& stores, std::span<const int> fast) {
     }
 }
 
-bool predict_contact(const Stores& stores, const ContactRecord& contact, const AxisGap& apart,
+bool predict_contact(const Stores& stores, const ContactRecord& contact, const AxisGap& seen,
                      Vec2 gravity_m_s2, float dt_s, ContactInput& input) {
-    const Sweep a =
-        make_sweep(stores, contact.shape_a, stores.bodies.places[contact.body_a].center, gravity_m_s2, dt_s);
-    const Sweep b =
-        make_sweep(stores, contact.shape_b, stores.bodies.places[contact.body_a].center, gravity_m_s2, dt_s);
-    if (apart.gap_m > 0) {
-        const float turning = std::fabs(a.spin) * stores.bodies.slots[contact.body_a].extent_m +
-                              std::fabs(b.spin) * stores.bodies.slots[contact.body_b].extent_m;
-        const float closing = turning - dot(b.velocity - a.velocity, apart.axis);
-        if (apart.gap_m - dt_s * closing > kImpactGap_m) return false;
+    const BodyStore& bodies = stores.bodies;
+    const BodyRecord& body_a = bodies.slots[contact.body_a];
+    const BodyRecord& body_b = bodies.slots[contact.body_b];
+    const Vec2 velocity = expected_velocity(bodies, contact.body_b, gravity_m_s2, dt_s) -
+                          expected_velocity(bodies, contact.body_a, gravity_m_s2, dt_s);
+    const float turning = turning_speed(bodies, contact.body_a) + turning_speed(bodies, contact.body_b);
+    // What moves along with the other cannot pass through it.
+    const float thinnest = std::min(body_a.inner_radius_m, body_b.inner_radius_m);
+    if (dt_s * (length(velocity) + turning) <= kFastShare * thinnest) return false;
+    AxisGap apart = seen;
+    if (apart.gap_m <= 0) {
+        const Vec2 between = bodies.center_offset(contact.body_a, contact.body_b);
+        apart = {normalized(between), length(between) - body_a.extent_m - body_b.extent_m};
     }
+    const float closing = turning - dot(velocity, apart.axis);
+    if (apart.gap_m > 0 && apart.gap_m - dt_s * closing > kImpactGap_m) return false;
+
+    const Position origin = bodies.places[contact.body_a].center;
+    const Sweep a = make_sweep(stores, contact.shape_a, origin, gravity_m_s2, dt_s);
+    const Sweep b = make_sweep(stores, contact.shape_b, origin, gravity_m_s2, dt_s);
     const std::optional<float> time = time_of_impact(a, b, dt_s, kImpactGap_m);
     if (!time) return false;
 

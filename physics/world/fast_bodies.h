@@ -25,7 +25,7 @@ struct AxisGap {
 
 /// The contact of a pair that is apart now but meets within the step, as seen from now; false when it does
 /// not.
-bool predict_contact(const Stores& stores, const ContactRecord& contact, const AxisGap& apart,
+bool predict_contact(const Stores& stores, const ContactRecord& contact, const AxisGap& seen,
                      Vec2 gravity_m_s2, float dt_s, ContactInput& input);
 
 }  // namespace cairn::physics

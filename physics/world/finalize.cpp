@@ -2,6 +2,7 @@
 #include "world/finalize.h"
 
 #include <algorithm>
+#include <limits>
 
 #include <cairn/physics/tuning.h>
 
@@ -22,6 +23,13 @@ bool is_finite(const Motions& motions, int row) {
     return std::isfinite(pose.d.x + pose.d.y + pose.theta + velocity.v.x + velocity.v.y + velocity.w);
 }
 
+// How far the inner box may move in any direction without leaving the outer one.
+float clearance(const Aabb& outer, const Aabb& inner) {
+    const Vec2 low = inner.lower - outer.lower;
+    const Vec2 high = outer.upper - inner.upper;
+    return std::min(std::min(low.x, low.y), std::min(high.x, high.y));
+}
+
 // A body whose motion is no number any more is put back to where the step found it, and stopped. Its box
 // would be found by nobody otherwise, and what it touches would follow it.
 void halt(Motions& motions, int row) {
@@ -38,17 +46,21 @@ void set_fat_box(Stores& stores, int shape, const Aabb& box) {
     record.fat_box = box;
     stores.broad.move(shape, box);
     note_moved_boxes(stores, record.body);
+    stores.bodies.rows_of(record.body).box_slack[stores.bodies.slots[record.body].row] = 0;
 }
 
 void update_boxes(Stores& stores, int body) {
     const Transform xf = stores.bodies.transform(body);
+    float slack = std::numeric_limits<float>::infinity();
     for (int shape = stores.bodies.slots[body].first_shape; shape != kNone;
          shape = stores.shapes[shape].next_of_body) {
         ShapeRecord& record = stores.shapes[shape];
         const Aabb box = bounds(record.convex, xf);
-        if (contains(record.fat_box, grown(box, tuning::kAabbReach_m))) continue;
-        set_fat_box(stores, shape, grown(box, record.margin_m));
+        const Aabb reach = grown(box, tuning::kAabbReach_m);
+        if (!contains(record.fat_box, reach)) set_fat_box(stores, shape, grown(box, record.margin_m));
+        slack = std::min(slack, clearance(record.fat_box, reach));
     }
+    stores.bodies.rows_of(body).box_slack[stores.bodies.slots[body].row] = slack;
 }
 
 void finalize_bodies(Stores& stores, StepScratch& scratch, float dt_s, bool sleep_enabled,
@@ -76,7 +88,10 @@ void finalize_bodies(Stores& stores, StepScratch& scratch, float dt_s, bool slee
         awake.rest_time[row] = sleep_enabled ? next_rest_time(stores.bodies.slots[body], velocity, spin,
                                                               awake.rest_time[row], dt_s)
                                              : 0;
-        update_boxes(stores, body);
+        const float way =
+            length(pose.d) + std::fabs(scratch.motions.angle(row + 1)) * stores.bodies.slots[body].extent_m;
+        awake.box_slack[row] -= way;
+        if (awake.box_slack[row] < 0) update_boxes(stores, body);
     }
 }
 

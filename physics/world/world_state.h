@@ -113,6 +113,11 @@ struct StaticsScratch {
 
 /// What a step works on. Kept from step to step for its memory only.
 struct StepScratch {
+    // Contacts that change their list are few in most steps, and may be many in one.
+    StepScratch() {
+        for (std::vector<int>* list : {&met, &parted, &gone}) list->reserve(64);
+    }
+
     Motions motions;  // row i + 1 is awake row i
     std::vector<Drive> drives;
     std::vector<ContactConstraint>

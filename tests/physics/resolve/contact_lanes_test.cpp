@@ -92,9 +92,9 @@ const PairBlock& pairs_of(const ContactLanes& lanes, int bucket, int block) {
 std::vector<std::pair<int, int>> blocks_of(const ContactLanes& lanes, int bucket) {
     std::vector<std::pair<int, int>> blocks;
     if (is_colored(bucket)) {
-        for (int block = lanes.first_block(bucket); block != kNone; block = lanes.pairs(block).next) {
-            REQUIRE(lanes.pairs(block).bucket == bucket);
-            blocks.emplace_back(block, lanes.pairs(block).used);
+        for (int block = lanes.first_block(bucket); block != kNone; block = lanes.link(block).next) {
+            REQUIRE(lanes.link(block).bucket == bucket);
+            blocks.emplace_back(block, lanes.link(block).used);
         }
     } else {
         const int count = lanes.near_count(geometry_of(bucket));
@@ -266,7 +266,7 @@ void prepare(Heap& heap) {
     heap.lanes.arrange();
     for (auto& [place, made] : found) {
         (void)prepare_block(made.first, made.second, heap.motions.velocity.data(), heap.motions.pose.data(),
-                            heap.lanes.pairs(place.second).features, heap.lanes.block(place.second));
+                            heap.lanes.pairs(place.second).features, 1, heap.lanes.block(place.second));
     }
 }
 

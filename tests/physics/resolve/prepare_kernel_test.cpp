@@ -113,8 +113,8 @@ void fill_memory(Random& random, Prepared& p, int lane) {
 void prepare(Prepared& p, const Motions& motions) {
     p.block = p.before;
     p.features = p.old_features;
-    p.bits =
-        prepare_block(p.poses, p.manifold, motions.velocity.data(), motions.pose.data(), p.features, p.block);
+    p.bits = prepare_block(p.poses, p.manifold, motions.velocity.data(), motions.pose.data(), p.features, 1,
+                           p.block);
 }
 
 // A block of which the lanes have two points, one, none, or are empty.

@@ -145,7 +145,7 @@ inline bool contact_is_listed(const ContactStore& contacts, int contact) {
     const PairBlock& pairs = is_colored(c.bucket)
                                  ? contacts.lanes.pairs(block)
                                  : contacts.lanes.near_pairs(geometry_of(c.bucket)).at(block);
-    if (is_colored(c.bucket)) REQUIRE(pairs.bucket == c.bucket);
+    if (is_colored(c.bucket)) REQUIRE(contacts.lanes.link(block).bucket == c.bucket);
     REQUIRE(pairs.contact[c.lane % kLanes] == contact);
     REQUIRE(pairs.body_a[c.lane % kLanes] == c.body_a);
     REQUIRE(pairs.body_b[c.lane % kLanes] == c.body_b);
@@ -159,10 +159,10 @@ inline int count_listed(const ContactStore& contacts) {
     }
     for (int bucket = kFirstColored; bucket < kBuckets; ++bucket) {
         for (int block = contacts.lanes.first_block(bucket); block != kNone;
-             block = contacts.lanes.pairs(block).next) {
-            const PairBlock& pairs = contacts.lanes.pairs(block);
-            REQUIRE((pairs.next == kNone ? pairs.used > 0 : pairs.used == kLanes));
-            count += pairs.used;
+             block = contacts.lanes.link(block).next) {
+            const BlockLink& link = contacts.lanes.link(block);
+            REQUIRE((link.next == kNone ? link.used > 0 : link.used == kLanes));
+            count += link.used;
         }
     }
     return count;
@@ -177,9 +177,9 @@ inline void check_colors(const Stores& stores) {
     };
     const ContactLanes& lanes = stores.contacts.lanes;
     for (int bucket = kFirstColored; bucket < kBuckets; ++bucket) {
-        for (int block = lanes.first_block(bucket); block != kNone; block = lanes.pairs(block).next) {
+        for (int block = lanes.first_block(bucket); block != kNone; block = lanes.link(block).next) {
             const PairBlock& pairs = lanes.pairs(block);
-            for (int lane = 0; lane < pairs.used; ++lane) {
+            for (int lane = 0; lane < lanes.link(block).used; ++lane) {
                 take(pairs.body_b[lane], color_of(bucket));
                 if (kind_of(bucket) == BlockKind::TwoBodies) take(pairs.body_a[lane], color_of(bucket));
             }

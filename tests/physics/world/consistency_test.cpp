@@ -111,6 +111,16 @@ class Operations {
     WorldState world_;
 };
 
+// What a step does after each search: contacts in use whose boxes have parted go.
+void end_parted_contacts(WorldState& world) {
+    for (const int contact : alive_in(world.stores.contacts.slots)) {
+        const ContactRecord& c = world.stores.contacts.slots[contact];
+        const Aabb& box_a = world.stores.shapes[c.shape_a].fat_box;
+        const Aabb& box_b = world.stores.shapes[c.shape_b].fat_box;
+        if (c.bucket != kNone && !overlap(box_a, box_b)) destroy_contact(world.stores, world.events, contact);
+    }
+}
+
 }  // namespace
 
 TEST_CASE("whatever is done to a world, its stores stay consistent") {
@@ -145,12 +155,12 @@ TEST_CASE(
         for (int i = 0; i < 3'000; ++i) {
             operations.one_of_many();
             if (i % 7 != 0) continue;
-            // The stage that ends contacts always follows.
-            step_world(operations.world(), 1e-6f);
-            find_new_pairs(operations.world().stores);
+            WorldState& world = operations.world();
+            find_new_pairs(world.stores);
             INFO("seed " << seed << ", operation " << i);
-            check_nothing_missed(operations.world().stores);
-            check_contacts(operations.world().stores);
+            check_nothing_missed(world.stores);
+            check_contacts(world.stores);
+            end_parted_contacts(world);
         }
     }
 }
