@@ -190,8 +190,10 @@ void ContactLanes::arrange() {
     if (is_arranged_) return;
     is_arranged_ = true;
     order_.clear();
+    used_count_ = 0;
     for (int bucket = kFirstColored; bucket < kBuckets; ++bucket) {
         ranges_[bucket] = order_.size();
+        if (chains_[bucket].first != kNone) used_[used_count_++] = bucket;
         for (int block = chains_[bucket].first; block != kNone; block = links_[block].next) {
             order_.push_back(block);
         }
@@ -233,25 +235,23 @@ void ContactLanes::blank(int lane) {
 }
 
 void ContactLanes::warm_start(Motions& motions, float step_ratio, float friction_ratio) {
-    for (int bucket = kFirstColored; bucket < kBuckets; ++bucket) {
-        if (blocks(bucket).empty()) continue;
+    for (const int bucket : buckets()) {
         warm_start_blocks(blocks_.data(), blocks(bucket), kind_of(bucket), motions.velocity.data(),
                           step_ratio, friction_ratio);
     }
 }
 
 void ContactLanes::solve(Motions& motions, const ContactRules& rules, float h_s, Pass pass) {
-    for (int bucket = kFirstColored; bucket < kBuckets; ++bucket) {
-        const std::span<const int> of_bucket = blocks(bucket);
-        if (of_bucket.empty()) continue;
+    for (const int bucket : buckets()) {
         const BlockKind kind = kind_of(bucket);
         const ContactPassTime time{
             kind == BlockKind::TwoBodies ? rules.dynamic_softness : rules.static_softness, 1 / h_s,
             rules.max_push_out_speed_m_s};
         if (pass == Pass::Biased) {
-            solve_blocks(blocks_.data(), of_bucket, kind, motions.velocity.data(), time);
+            solve_blocks(blocks_.data(), blocks(bucket), kind, motions.velocity.data(), time);
         } else {
-            relax_blocks(blocks_.data(), of_bucket, kind, motions.velocity.data(), motions.pose.data(), time);
+            relax_blocks(blocks_.data(), blocks(bucket), kind, motions.velocity.data(), motions.pose.data(),
+                         time);
         }
     }
 }

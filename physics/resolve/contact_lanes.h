@@ -79,7 +79,7 @@ constexpr int colored_bucket(int color, BlockKind kind, PairGeometry geometry) {
     return kFirstColored + (color * kBlockKinds + static_cast<int>(kind)) * 2 + static_cast<int>(geometry);
 }
 constexpr bool is_colored(int bucket) {
-    return bucket >= kFirstColored;
+    return bucket >= kFirstColored && bucket < kBuckets;
 }
 constexpr int color_of(int bucket) {
     return (bucket - kFirstColored) / (2 * kBlockKinds);
@@ -114,7 +114,8 @@ class ContactLanes {
     [[nodiscard]] int first_block(int bucket) const { return chains_[bucket].first; }
     /// Lists the blocks of all buckets in colours, for the stages of a step. Adding and removing ends that.
     void arrange();
-    /// As of the last `arrange`: bucket by bucket.
+    /// As of the last `arrange`: the buckets that hold contacts, and the blocks, bucket by bucket.
+    [[nodiscard]] std::span<const int> buckets() const { return {used_.data(), used_count_}; }
     [[nodiscard]] std::span<const int> blocks() const { return order_; }
     [[nodiscard]] std::span<const int> blocks(int bucket) const {
         return std::span(order_).subspan(ranges_[bucket], ranges_[bucket + 1] - ranges_[bucket]);
@@ -155,6 +156,8 @@ class ContactLanes {
     bool is_arranged_ = true;
     std::vector<int> order_;
     std::array<std::size_t, kBuckets + 1> ranges_{};
+    std::array<int, kBuckets> used_{};  // buckets
+    std::size_t used_count_ = 0;
 };
 
 }  // namespace cairn::physics

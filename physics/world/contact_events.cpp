@@ -61,7 +61,7 @@ bool is_touching(const ContactStore& contacts, int contact) {
     if (!c.has_points) return false;
     const ContactMemory memory = memory_of(contacts, contact);
     if (memory.impulse[0] > 0 || memory.impulse[1] > 0) return true;
-    if (c.bucket == kNone || c.bucket == kLooseBucket || !is_colored(c.bucket)) return false;
+    if (!is_colored(c.bucket)) return false;
     const ContactBlock& block = contacts.lanes.block(c.lane / kLanes);
     const auto gap = [&](int i) { return block.points[i].separation[c.lane % kLanes]; };
     return std::min(gap(0), gap(1)) < tuning::kLinearSlop_m;

@@ -94,7 +94,7 @@ void take_out(Stores& stores, int contact) {
 
 ContactMemory memory_of(const ContactStore& contacts, int contact) {
     const ContactRecord& c = contacts.slots[contact];
-    if (c.bucket == kNone || c.bucket == kLooseBucket || !is_colored(c.bucket)) return c.memory;
+    if (!is_colored(c.bucket)) return c.memory;
     return contacts.lanes.memory(c.lane);
 }
 

@@ -68,14 +68,22 @@ Vec2 moved(const Sweep& sweep, Vec2 arm, float time_s) {
 std::optional<LocalRayHit> cast_relative_way(const Stores& stores, int shape, Position from, Vec2 way,
                                              float least_way) {
     const int body = stores.shapes[shape].body;
+    const Place& place = stores.bodies.places[body];
+    if (place.row == kWorldRow) {
+        const Transform now = stores.bodies.transform(body);
+        return cast_ray(stores.shapes[shape].convex, inverse_transform_point(now, from),
+                        inverse_rotate(now.q, way));
+    }
+    const BodyRows& awake = stores.bodies.rows(RowSet::Awake);
+    const Vec2 moved = awake.moved[place.row - 1];
+    const Rotation q = awake.rotation_before[place.row - 1];
+    const Position center = place.center + -moved;
+    // Turning moves a point by the chord of the angle.
+    const float chord = length(Vec2{place.rotation.c - q.c, place.rotation.s - q.s});
+    if (length(way - moved) + chord * length(from - center) <= least_way) return {};
     const BodyRecord& record = stores.bodies.slots[body];
     const Transform now = stores.bodies.transform(body);
     const Convex& convex = stores.shapes[shape].convex;
-    if (record.set != RowSet::Awake)
-        return cast_ray(convex, inverse_transform_point(now, from), inverse_rotate(now.q, way));
-    const BodyRows& awake = stores.bodies.rows(RowSet::Awake);
-    const Rotation q = awake.rotation_before[record.row];
-    const Position center = stores.bodies.places[body].center + -awake.moved[record.row];
     const Vec2 start = inverse_transform_point({center + -rotate(q, record.mass.center_m), q}, from);
     const Vec2 relative_way = inverse_transform_point(now, from + way) - start;
     if (length(relative_way) <= least_way) return {};

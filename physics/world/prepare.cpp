@@ -124,7 +124,7 @@ void choose_movers(const Stores& stores, StepScratch& scratch) {
     }
     // What carries others moves with them.
     const ContactLanes& lanes = stores.contacts.lanes;
-    for (int bucket = kFirstColored; bucket < kBuckets; ++bucket) {
+    for (const int bucket : lanes.buckets()) {
         if (kind_of(bucket) != BlockKind::Carried) continue;
         for (const int block : lanes.blocks(bucket)) {
             for (const int row : lanes.block(block).a) mark_mover(scratch.motions, row, Mover::Substeps);
@@ -179,7 +179,7 @@ void store_contact_impulses(ContactStore& contacts, const StepScratch& scratch) 
             memory.impulse[i] = c.points[i].normal_impulse;
         }
         memory.friction_impulse = c.friction_impulse;
-        if (record.bucket != kLooseBucket && is_colored(record.bucket)) {
+        if (is_colored(record.bucket)) {
             contacts.lanes.set_memory(record.lane, memory);
         } else {
             record.memory = memory;
