@@ -22,8 +22,9 @@ VelocityRow accelerated(const VelocityRow& row, const Drive& drive, float k, flo
 // The impulses that contacts gave in the last substep are what its constraints added to the velocity, less
 // what joints did; contacts keep their normals and arms within a step, so their sum per body can be applied
 // without visiting them.
-void integrate_velocities(Motions& motions, std::span<const Drive> drives, float h_s, bool first_substep) {
-    for (int i = 0; i < motions.size(); ++i) {
+void integrate_velocities(Motions& motions, std::span<const Drive> drives, float h_s, bool first_substep,
+                          int first, int last) {
+    for (int i = first; i < last; ++i) {
         if (motions.mover[i] == Mover::Flight) continue;
         VelocityRow& row = motions.velocity[i];
         VelocityRow guess{};
@@ -39,8 +40,16 @@ void integrate_velocities(Motions& motions, std::span<const Drive> drives, float
     }
 }
 
+void integrate_velocities(Motions& motions, std::span<const Drive> drives, float h_s, bool first_substep) {
+    integrate_velocities(motions, drives, h_s, first_substep, 0, motions.size());
+}
+
 void integrate_positions(Motions& motions, float h_s) {
-    for (int i = 0; i < motions.size(); ++i) {
+    integrate_positions(motions, h_s, 0, motions.size());
+}
+
+void integrate_positions(Motions& motions, float h_s, int first, int last) {
+    for (int i = first; i < last; ++i) {
         if (motions.mover[i] == Mover::Flight) continue;
         motions.pose[i].d += h_s * motions.velocity[i].v;
         motions.pose[i].theta += h_s * motions.velocity[i].w;

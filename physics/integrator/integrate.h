@@ -11,9 +11,13 @@ namespace cairn::physics {
 /// v += h a, then damped by e^(-c h); from the second substep on the contacts' impulses of the last one are
 /// applied again, as the first guess. Bodies moved by constraints only.
 void integrate_velocities(Motions& motions, std::span<const Drive> drives, float h_s, bool first_substep);
+/// The same for rows from first up to, and without, last.
+void integrate_velocities(Motions& motions, std::span<const Drive> drives, float h_s, bool first_substep,
+                          int first, int last);
 
 /// Bodies moved by constraints only.
 void integrate_positions(Motions& motions, float h_s);
+void integrate_positions(Motions& motions, float h_s, int first, int last);
 
 /// The whole step at once for the others: x += dt (v + v')/2, exact under constant acceleration.
 void fly_freely(Motions& motions, std::span<const Drive> drives, float dt_s);

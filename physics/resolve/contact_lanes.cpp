@@ -100,6 +100,9 @@ void clear_pairs(PairBlock& pairs) {
     for (int lane = 0; lane < kLanes; ++lane) write_pair(pairs, lane, PairLane{});
 }
 
+// What a thread takes at once: enough to be worth a microsecond.
+constexpr int kBlocksPerChunk = 24;
+
 // Room that the pool begins with: the contacts of small worlds, which fill their blocks badly, allocate once.
 constexpr std::size_t kFirstBlocks = 32;
 
@@ -229,31 +232,60 @@ void ContactLanes::set_friction(int lane, float friction) {
 
 void ContactLanes::blank(int lane) {
     ContactBlock& block = blocks_[lane / kLanes];
-    const float friction = block.friction[lane % kLanes];
-    clear_lane(block, lane % kLanes);
-    block.friction[lane % kLanes] = friction;
+    const int at = lane % kLanes;
+    const std::int32_t a = block.a[at];
+    const std::int32_t b = block.b[at];
+    const float friction = block.friction[at];
+    clear_lane(block, at);
+    block.a[at] = a;
+    block.b[at] = b;
+    block.friction[at] = friction;
 }
 
-void ContactLanes::warm_start(Motions& motions, float step_ratio, float friction_ratio) {
+// Buckets follow one another, since their colours may share bodies; the blocks of one may go at once.
+template <class BlockPass>
+void ContactLanes::for_each_bucket(TaskPool& tasks, const BlockPass& pass) const {
+    struct Part {
+        const BlockPass* pass;
+        const ContactLanes* lanes;
+        int bucket;
+    };
+    const auto body = [](const void* context, const Chunk& chunk) {
+        const Part& part = *static_cast<const Part*>(context);
+        const auto first = static_cast<std::size_t>(chunk.begin);
+        const auto count = static_cast<std::size_t>(chunk.end - chunk.begin);
+        (*part.pass)(part.bucket, part.lanes->blocks(part.bucket).subspan(first, count));
+    };
+    std::array<Part, kBuckets> parts;
+    std::array<ParallelLoop, kBuckets> loops;
+    std::size_t count = 0;
     for (const int bucket : buckets()) {
-        warm_start_blocks(blocks_.data(), blocks(bucket), kind_of(bucket), motions.velocity.data(),
-                          step_ratio, friction_ratio);
+        parts[count] = {&pass, this, bucket};
+        loops[count] = {body, &parts[count], static_cast<int>(blocks(bucket).size()), kBlocksPerChunk};
+        ++count;
     }
+    tasks.run_in_order({loops.data(), count});
 }
 
-void ContactLanes::solve(Motions& motions, const ContactRules& rules, float h_s, Pass pass) {
-    for (const int bucket : buckets()) {
+void ContactLanes::warm_start(Motions& motions, float step_ratio, float friction_ratio, TaskPool& tasks) {
+    for_each_bucket(tasks, [&](int bucket, std::span<const int> blocks) {
+        warm_start_blocks(blocks_.data(), blocks, kind_of(bucket), motions.velocity.data(), step_ratio,
+                          friction_ratio);
+    });
+}
+
+void ContactLanes::solve(Motions& motions, const ContactRules& rules, float h_s, Pass pass, TaskPool& tasks) {
+    for_each_bucket(tasks, [&](int bucket, std::span<const int> blocks) {
         const BlockKind kind = kind_of(bucket);
         const ContactPassTime time{
             kind == BlockKind::TwoBodies ? rules.dynamic_softness : rules.static_softness, 1 / h_s,
             rules.max_push_out_speed_m_s};
         if (pass == Pass::Biased) {
-            solve_blocks(blocks_.data(), blocks(bucket), kind, motions.velocity.data(), time);
+            solve_blocks(blocks_.data(), blocks, kind, motions.velocity.data(), time);
         } else {
-            relax_blocks(blocks_.data(), blocks(bucket), kind, motions.velocity.data(), motions.pose.data(),
-                         time);
+            relax_blocks(blocks_.data(), blocks, kind, motions.velocity.data(), motions.pose.data(), time);
         }
-    }
+    });
 }
 
 }  // namespace cairn::physics

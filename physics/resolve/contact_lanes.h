@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/slot_map.h"
+#include "base/task_pool.h"
 #include "collide/box_lanes.h"
 #include "resolve/contact_block.h"
 #include "resolve/contact_constraint.h"
@@ -127,14 +128,19 @@ class ContactLanes {
     void set_memory(int lane, const ContactMemory& memory);
     void set_friction(int lane, float friction);
 
-    /// Leaves a lane out of the passes of this step: it points to the world and does nothing.
+    /// Leaves a lane out of the passes of this step: it keeps its bodies, so that nobody else writes them
+    /// meanwhile, and does nothing to them.
     void blank(int lane);
 
     /// Makes the first guesses of a step and applies them.
-    void warm_start(Motions& motions, float step_ratio, float friction_ratio);
-    void solve(Motions& motions, const ContactRules& rules, float h_s, Pass pass);
+    void warm_start(Motions& motions, float step_ratio, float friction_ratio, TaskPool& tasks);
+    void solve(Motions& motions, const ContactRules& rules, float h_s, Pass pass, TaskPool& tasks);
 
   private:
+    /// Runs pass(bucket, blocks) for all buckets, one after the other, each cut into parts for threads.
+    template <class BlockPass>
+    void for_each_bucket(TaskPool& tasks, const BlockPass& pass) const;
+
     struct Chain {
         int first = kNone;
         int last = kNone;

@@ -18,6 +18,10 @@
 namespace cairn::physics {
 namespace {
 
+// What a thread takes at once.
+constexpr int kGroupsPerChunk = 16;
+constexpr int kBlocksPerChunk = 8;
+
 // Whether contacts can move the body, now or later.
 bool is_immovable(const BodyStore& bodies, int body) {
     return bodies.slots[body].type != BodyType::Dynamic;
@@ -101,7 +105,7 @@ class Update {
         update_uncolored();  // those that found no colour
         remove_gone(stores_, world_.events, scratch_);
         stores_.contacts.lanes.arrange();
-        for (const int block : stores_.contacts.lanes.blocks()) update_block(block);
+        update_blocks();
         for (const int contact : scratch_.parted) forget_points(stores_, contact);
         scratch_.parted.clear();
         remove_gone(stores_, world_.events, scratch_);
@@ -196,32 +200,66 @@ class Update {
         return true;
     }
 
-    void update_block(int block_index) {
+    // All blocks, on several threads; then what they found that touches more than the block itself.
+    void update_blocks() {
+        const std::span<const int> blocks = stores_.contacts.lanes.blocks();
+        scratch_.findings.resize(blocks.size());
+        world_.tasks.parallel_for(static_cast<int>(blocks.size()), kBlocksPerChunk, [&](const Chunk& chunk) {
+            BlockPlaces places;
+            ManifoldLanes manifold;
+            for (int i = chunk.begin; i < chunk.end; ++i) {
+                scratch_.findings[i] = update_block(blocks[i], places, manifold);
+            }
+        });
+        for (std::size_t i = 0; i < blocks.size(); ++i) settle_block(blocks[i], scratch_.findings[i]);
+    }
+
+    [[nodiscard]] unsigned lanes_of(int block) const {
+        return (1u << stores_.contacts.lanes.link(block).used) - 1;
+    }
+
+    void collide(int block, BlockPlaces& places, ManifoldLanes& manifold) const {
+        const PairBlock& pairs = stores_.contacts.lanes.pairs(block);
+        load_places(stores_.bodies, pairs, lanes_of(block), places);
+        collide_block(stores_, pairs, geometry_of(stores_.contacts.lanes.link(block).bucket), lanes_of(block),
+                      places.poses, manifold);
+    }
+
+    BlockFindings update_block(int block_index, BlockPlaces& places, ManifoldLanes& manifold) {
         PairBlock& pairs = stores_.contacts.lanes.pairs(block_index);
         ContactBlock& block = stores_.contacts.lanes.block(block_index);
-        const unsigned lanes = (1u << stores_.contacts.lanes.link(block_index).used) - 1;
-        load_places(stores_.bodies, pairs, lanes, places_);
-        collide_block(stores_, pairs, geometry_of(stores_.contacts.lanes.link(block_index).bucket), lanes,
-                      places_.poses, manifold_);
-        block.a = places_.row_a;
-        block.b = places_.row_b;
+        collide(block_index, places, manifold);
+        block.a = places.row_a;
+        block.b = places.row_b;
         const PreparedLanes prepared =
-            prepare_block(places_.poses, manifold_, scratch_.motions.velocity.data(),
+            prepare_block(places.poses, manifold, scratch_.motions.velocity.data(),
                           scratch_.motions.pose.data(), pairs.features, impact_speed_, block);
+        const unsigned apart = prepared.apart & lanes_of(block_index);
+        const unsigned told = (pairs.reports | (pairs.impacts & prepared.closing)) & ~prepared.apart;
+        const unsigned loose = places.turn_far & prepared.swings & ~prepared.apart;
+        block.reports = told != 0;
+        return {static_cast<std::uint8_t>(apart), static_cast<std::uint8_t>(places.boxes_moved),
+                static_cast<std::uint8_t>(told), static_cast<std::uint8_t>(loose)};
+    }
+
+    void settle_block(int block_index, const BlockFindings& found) {
+        const PairBlock& pairs = stores_.contacts.lanes.pairs(block_index);
         unsigned gone = 0;
-        for (unsigned moved = places_.boxes_moved; moved != 0; moved &= moved - 1) {
+        places_.boxes_moved = found.boxes_moved;
+        for (unsigned moved = found.boxes_moved; moved != 0; moved &= moved - 1) {
             if (is_gone(pairs, std::countr_zero(moved))) gone |= moved & ~(moved - 1);
         }
-        for (unsigned apart = prepared.apart & lanes & ~gone; apart != 0; apart &= apart - 1) {
-            part(pairs.contact[std::countr_zero(apart)], std::countr_zero(apart));
+        const unsigned apart = found.apart & ~gone;
+        const unsigned plain = (found.told | found.loose) & ~gone;
+        if ((apart | plain) == 0) return;
+        collide(block_index, places_, manifold_);  // again: few blocks come here, and none keeps so much
+        for (unsigned rest = apart; rest != 0; rest &= rest - 1) {
+            part(pairs.contact[std::countr_zero(rest)], std::countr_zero(rest));
         }
-        const unsigned loose = places_.turn_far & prepared.swings & ~prepared.apart;
-        const unsigned told = (pairs.reports | (pairs.impacts & prepared.closing)) & ~prepared.apart & ~gone;
-        block.reports = told != 0;
-        for (unsigned plain = told | (loose & ~gone); plain != 0; plain &= plain - 1) {
-            const int lane = std::countr_zero(plain);
-            add_plain(pairs, block, lane);
-            if ((loose >> lane & 1) == 0) continue;
+        for (unsigned rest = plain; rest != 0; rest &= rest - 1) {
+            const int lane = std::countr_zero(rest);
+            add_plain(pairs, stores_.contacts.lanes.block(block_index), lane);
+            if ((found.loose >> lane & 1) == 0) continue;
             solve_as_scalar();
             stores_.contacts.lanes.blank(block_index * kLanes + lane);
         }
@@ -361,8 +399,21 @@ bool has_contact(const Stores& stores, int shape_a, int shape_b) {
     return false;
 }
 
-void find_new_pairs(Stores& stores) {
-    for (const ItemPair& pair : stores.broad.find_new_pairs()) {
+void find_new_pairs(Stores& stores, StepScratch& scratch, TaskPool& tasks) {
+    const int groups = stores.broad.start_search();
+    scratch.found_pairs.fit(groups, kGroupsPerChunk);
+    tasks.parallel_for(groups, kGroupsPerChunk, [&](const Chunk& chunk) {
+        std::vector<ItemPair>& found = scratch.found_pairs[chunk.index];
+        found.clear();
+        stores.broad.search(chunk.begin, chunk.end, found);
+    });
+    scratch.pairs.clear();
+    for (int chunk = 0; chunk < scratch.found_pairs.size(); ++chunk) {
+        const std::vector<ItemPair>& found = scratch.found_pairs[chunk];
+        scratch.pairs.insert(scratch.pairs.end(), found.begin(), found.end());
+    }
+    stores.broad.end_search(scratch.pairs);
+    for (const ItemPair& pair : scratch.pairs) {
         if (pair.may_be_known && has_contact(stores, pair.a, pair.b)) continue;
         if (may_collide(stores, pair.a, pair.b)) create_contact(stores, pair.a, pair.b);
     }

@@ -16,6 +16,9 @@ namespace {
 // m. Sweeps end with this gap: near enough to be a contact, wide enough for the distance to have a direction.
 constexpr float kImpactGap_m = 0.25f * tuning::kLinearSlop_m;
 
+// What a thread takes at once.
+constexpr int kBodiesPerChunk = 64;
+
 // Of what is solid about the thinnest shape: moving further than this in a step is fast.
 constexpr float kFastShare = 0.5f;
 
@@ -184,18 +187,27 @@ void cover_fast_ways(Stores& stores, Vec2 gravity_m_s2, float dt_s, std::vector<
     }
 }
 
-void hold_fast_bodies(Stores& stores, std::span<const int> fast) {
-    for (const int body : fast) {
-        if (!stores.bodies.is_awake(body) || stores.bodies.slots[body].type != BodyType::Dynamic) continue;
-        const float share = free_share_of_way(stores, body);
+void hold_fast_bodies(Stores& stores, StepScratch& scratch, TaskPool& tasks) {
+    const std::vector<int>& fast = scratch.fast;
+    scratch.free_shares.assign(fast.size(), 1.0f);
+    tasks.parallel_for(static_cast<int>(fast.size()), kBodiesPerChunk, [&](const Chunk& chunk) {
+        for (int i = chunk.begin; i < chunk.end; ++i) {
+            const int body = fast[i];
+            if (!stores.bodies.is_awake(body) || stores.bodies.slots[body].type != BodyType::Dynamic)
+                continue;
+            scratch.free_shares[i] = free_share_of_way(stores, body);
+        }
+    });
+    for (std::size_t i = 0; i < fast.size(); ++i) {
+        const float share = scratch.free_shares[i];
         if (share == 1) continue;
         BodyRows& awake = stores.bodies.rows(RowSet::Awake);
-        const int row = stores.bodies.slots[body].row;
+        const int row = stores.bodies.slots[fast[i]].row;
         const Vec2 moved = awake.moved[row];
-        Position& center = stores.bodies.places[body].center;
+        Position& center = stores.bodies.places[fast[i]].center;
         center = center + (share - 1) * moved;
         awake.moved[row] = share * moved;
-        update_boxes(stores, body);
+        update_boxes(stores, fast[i]);
     }
 }
 

@@ -15,7 +15,7 @@ void cover_fast_ways(Stores& stores, Vec2 gravity_m_s2, float dt_s, std::vector<
 /// Stage at the end of the step: a fast body whose centre passed into another shape, because something else
 /// turned it aside on its way, is put back to where it met that shape. It keeps its velocity, so that the
 /// next step sees them meet.
-void hold_fast_bodies(Stores& stores, std::span<const int> fast);
+void hold_fast_bodies(Stores& stores, StepScratch& scratch, TaskPool& tasks);
 
 /// An axis, from a to b, along which two shapes are at least this far apart; 0 says nothing.
 struct AxisGap {

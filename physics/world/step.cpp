@@ -1,6 +1,8 @@
 // The table of contents of a step: every stage in its order, and no logic. physics/README.md is the tour.
 #include "world/step.h"
 
+#include <optional>
+
 #include "base/stage_clock.h"
 #include "integrator/integrate.h"
 #include "world/contact_events.h"
@@ -18,16 +20,20 @@ namespace cairn::physics {
 void step_world(WorldState& world, float dt_s) {
     Stores& stores = world.stores;
     StepScratch& scratch = world.scratch;
+    TaskPool& tasks = world.tasks;
     const WorldDef& def = world.def;
     const StepTime time = make_step_time(dt_s, def.substeps, world.previous_h_s);
     const ContactRules rules =
         make_contact_rules(time.h_s, def.max_push_out_speed_m_s, def.restitution_speed_m_s);
 
+    // A world in which all sleeps wakes no threads.
+    std::optional<TaskPool::Region> together;
+    if (stores.bodies.rows(RowSet::Awake).size() > 0) together.emplace(tasks);
     StageClock clock(world.profiling ? &world.profile : nullptr);
     clock.enter(Stage::Pairs);
     start_events(world.events);
     cover_fast_ways(stores, def.gravity_m_s2, dt_s, scratch.fast);
-    find_new_pairs(stores);
+    find_new_pairs(stores, scratch, tasks);
     prepare_motions(stores.bodies, def.gravity_m_s2, dt_s, scratch);
     clock.enter(Stage::Contacts);
     update_contacts(world, time, rules);
@@ -38,12 +44,13 @@ void step_world(WorldState& world, float dt_s) {
     estimate_statics(stores.contacts.lanes, def.gravity_m_s2, time, scratch);
 
     clock.enter(Stage::Solve);
+    ContactLanes& lanes = stores.contacts.lanes;
     for (int substep = 0; substep < time.substeps; ++substep) {
-        integrate_velocities(scratch.motions, scratch.drives, time.h_s, substep == 0);
-        warm_start(stores.contacts.lanes, scratch, time, substep == 0);
-        solve(stores.contacts.lanes, scratch, rules, time.h_s, Pass::Biased);
-        integrate_positions(scratch.motions, time.h_s);
-        solve(stores.contacts.lanes, scratch, rules, time.h_s, Pass::Relax);
+        integrate_velocities(scratch, time.h_s, substep == 0, tasks);
+        warm_start(lanes, scratch, time, substep == 0, tasks);
+        solve(lanes, scratch, rules, time.h_s, Pass::Biased, tasks);
+        integrate_positions(scratch, time.h_s, tasks);
+        solve(lanes, scratch, rules, time.h_s, Pass::Relax, tasks);
     }
     clock.enter(Stage::Store);
     fly_freely(scratch.motions, scratch.drives, time.dt_s);
@@ -56,7 +63,7 @@ void step_world(WorldState& world, float dt_s) {
     clock.enter(Stage::Finalize);
     finalize_bodies(stores, scratch, time.dt_s, def.enable_sleep, world.events.quarantined);
     clock.enter(Stage::Continuous);
-    hold_fast_bodies(stores, scratch.fast);
+    hold_fast_bodies(stores, scratch, tasks);
     clock.enter(Stage::Sensors);
     update_sensors(stores, world.events);
     clock.enter(Stage::Sleep);

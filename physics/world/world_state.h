@@ -111,6 +111,14 @@ struct StaticsScratch {
     std::vector<float> shares;
 };
 
+/// What the narrow phase found in a block of contacts, as bits by lane.
+struct BlockFindings {
+    std::uint8_t apart = 0;        // no points any more
+    std::uint8_t boxes_moved = 0;  // the boxes may have parted
+    std::uint8_t told = 0;         // wanted in plain form beside the lane
+    std::uint8_t loose = 0;        // solved in plain form instead
+};
+
 /// What a step works on. Kept from step to step for its memory only.
 struct StepScratch {
     // Contacts that change their list are few in most steps, and may be many in one.
@@ -131,7 +139,11 @@ struct StepScratch {
     std::vector<int> resting;  // bodies of an island that goes to sleep
     Islands islands;
     StaticsScratch statics;
-    std::vector<int> fast;  // bodies that could pass through others in this step
+    std::vector<int> fast;                // bodies that could pass through others in this step
+    std::vector<float> free_shares;       // of their ways
+    std::vector<BlockFindings> findings;  // of blocks in colours, in their order
+    PerChunk<std::vector<ItemPair>> found_pairs;
+    std::vector<ItemPair> pairs;
 };
 
 struct WorldState {

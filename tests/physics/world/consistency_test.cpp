@@ -156,7 +156,7 @@ TEST_CASE(
             operations.one_of_many();
             if (i % 7 != 0) continue;
             WorldState& world = operations.world();
-            find_new_pairs(world.stores);
+            find_new_pairs(world.stores, world.scratch, world.tasks);
             INFO("seed " << seed << ", operation " << i);
             check_nothing_missed(world.stores);
             check_contacts(world.stores);

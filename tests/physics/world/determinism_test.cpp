@@ -53,6 +53,35 @@ TEST_CASE("every SIMD level gives the same bits in each scene") {
     force_simd_level(levels.back()).value();
 }
 
+TEST_CASE("every number of threads gives the same bits in each scene") {
+    for (std::size_t i = 0; i < all_scenes().size(); ++i) {
+        std::uint64_t alone = 0;
+        for (const int threads : {1, 2, 3, 8}) {
+            World world({.threads = threads});
+            const Scene scene = all_scenes()[i];
+            const std::uint64_t hash = hash_after(scene, 300, world);
+            if (threads == 1) alone = hash;
+            INFO(scene.name << " on " << threads << " threads");
+            CHECK(hash == alone);
+        }
+    }
+}
+
+TEST_CASE("a heap large enough for every loop to be cut has the same bits on every number of threads") {
+    std::uint64_t alone = 0;
+    for (const int threads : {1, 2, 5}) {
+        World world({.threads = threads});
+        build_pyramid(world, 60);
+        const BodyId ball = add(world, {.position_m = {-60, 20}, .linear_velocity_m_s = {90, 0}},
+                                Circle{{}, 2}, {.density_kg_m2 = 20});
+        for (int step = 0; step < 90; ++step) world.step(kStep_s).value();
+        REQUIRE(world.body(ball)->position().x > -20);  // it went through the pyramid
+        if (threads == 1) alone = world.state_hash();
+        INFO(threads << " threads");
+        CHECK(world.state_hash() == alone);
+    }
+}
+
 TEST_CASE("worlds that run in turn do not disturb each other") {
     World alone;
     const std::uint64_t expected = hash_after(all_scenes()[2], 120, alone);
