@@ -123,6 +123,19 @@ Result<Convex> make_convex(const Geometry& geometry) {
     return std::visit([](const auto& g) { return convert(g); }, geometry);
 }
 
+Convex make_chain_segment(std::optional<Vec2> before, Vec2 a, Vec2 b, std::optional<Vec2> after) {
+    Convex shape;
+    shape.outline.kind = ShapeKind::ChainSegment;
+    set_points(shape, std::array{a, b}, 0);
+    const Vec2 behind = left_perp(b - a);
+    const std::array<Vec2, 2> far{before.value_or(a + behind), after.value_or(b + behind)};
+    std::copy(far.begin(), far.end(), shape.outline.points_m.begin() + 2);
+    shape.normals[2] = normalized(right_perp(a - far[0]));
+    shape.normals[3] = normalized(right_perp(far[1] - b));
+    shape.owns_end = !after;
+    return shape;
+}
+
 Aabb bounds(const Convex& shape, const Transform& xf) {
     Vec2 lower = rotate(xf.q, shape.point(0));
     Vec2 upper = lower;
@@ -151,6 +164,7 @@ float inner_radius(const Convex& shape) {
 }
 
 bool contains_point(const Convex& shape, Vec2 point) {
+    if (shape.is_line()) return false;
     bool inside = shape.count() >= 3;
     float nearest_squared = length_squared(point - shape.point(0));
     for (int i = 0; i < shape.count(); ++i) {

@@ -19,6 +19,11 @@ RelativePose inverse(const RelativePose& pose) {
 
 Manifold collide(const Convex& a, const Convex& b, const RelativePose& b_in_a, float reach_m) {
     if (a.is_line() && b.is_line()) return {};
+    if (b.is_chained()) return swapped(collide(b, a, inverse(b_in_a), reach_m), b_in_a);
+    if (a.is_chained()) {
+        return b.outline.kind == ShapeKind::Circle ? collide_chain_and_circle(a, b, b_in_a, reach_m)
+                                                   : collide_chain_and_hull(a, b, b_in_a, reach_m);
+    }
     const bool circle_a = a.outline.kind == ShapeKind::Circle;
     const bool circle_b = b.outline.kind == ShapeKind::Circle;
     if (circle_a && circle_b) return collide_circles(a, b, b_in_a, reach_m);

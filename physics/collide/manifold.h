@@ -35,13 +35,20 @@ struct RelativePose {
 Manifold collide(const Convex& a, const Convex& b, const RelativePose& b_in_a, float reach_m);
 
 Manifold collide_circles(const Convex& a, const Convex& b, const RelativePose& b_in_a, float reach_m);
-/// A is a capsule, segment or polygon, B a circle.
+/// A is a capsule, segment (not of a chain) or polygon, B a circle.
 Manifold collide_hull_and_circle(const Convex& a, const Convex& b, const RelativePose& b_in_a, float reach_m);
 /// Both are boxes, which need no search for axes. Nothing when only the general routine can tell where they
 /// meet.
 std::optional<Manifold> collide_boxes(const Convex& a, const Convex& b, const RelativePose& b_in_a,
                                       float reach_m);
-/// Both are capsules, segments or polygons, and not both segments.
+/// Both are capsules, segments (not of a chain) or polygons, and not both segments.
 Manifold collide_hulls(const Convex& a, const Convex& b, const RelativePose& b_in_a, float reach_m);
+
+/// A is a segment of a chain. Of two neighbours that share a corner, only the one that begins there meets
+/// what touches the corner; nothing behind the chain meets it.
+Manifold collide_chain_and_circle(const Convex& a, const Convex& b, const RelativePose& b_in_a,
+                                  float reach_m);
+/// A is a segment of a chain, B a capsule or polygon.
+Manifold collide_chain_and_hull(const Convex& a, const Convex& b, const RelativePose& b_in_a, float reach_m);
 
 }  // namespace cairn::physics

@@ -1,5 +1,5 @@
 // The surface of a rounded convex shape is its edges, moved outward by the radius, and an arc at each corner:
-// the ray enters at the first of them that it meets from outside.
+// the ray enters at the first of them that it meets from outside. A segment of a chain has only its front.
 #include "collide/ray_cast.h"
 
 namespace cairn::physics {
@@ -40,6 +40,11 @@ void cast_at_disc(std::optional<LocalRayHit>& best, Vec2 center, float radius, V
 
 std::optional<LocalRayHit> cast_ray(const Convex& shape, Vec2 origin, Vec2 translation) {
     if (contains_point(shape, origin)) return {};
+    if (shape.is_chained()) {
+        std::optional<LocalRayHit> hit;
+        cast_at_edge(hit, shape.point(0), shape.point(1), shape.normals[0], origin, translation);
+        return hit;
+    }
     const auto count = static_cast<std::size_t>(shape.count());
     return cast_ray_at_outline(std::span(shape.outline.points_m).first(count),
                                std::span(shape.normals).first(count), shape.radius(), origin, translation);

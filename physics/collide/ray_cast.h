@@ -13,7 +13,8 @@ struct LocalRayHit {
     Vec2 normal;
 };
 
-/// First entry into the shape, all in the body's frame; nothing when the ray starts inside or passes by.
+/// First entry into the shape (of a chain's segment: from its front), all in the body's frame; nothing when
+/// the ray starts inside or passes by.
 std::optional<LocalRayHit> cast_ray(const Convex& shape, Vec2 origin, Vec2 translation);
 
 /// The same for any convex outline rounded by a radius, seen from outside: points anticlockwise, and the

@@ -2,13 +2,10 @@
 #include "world/bodies.h"
 
 #include <algorithm>
-#include <limits>
 #include <vector>
 
 #include <cairn/physics/tuning.h>
 
-#include "collide/mass.h"
-#include "world/contact_lists.h"
 #include "world/contacts.h"
 #include "world/filtering.h"
 #include "world/finalize.h"
@@ -33,52 +30,6 @@ RowSet initial_set(const BodyDef& def) {
     return def.awake ? RowSet::Awake : RowSet::Asleep;
 }
 
-MassData to_mass_data(const MassSum& sum) {
-    if (sum.mass <= 0) return {};
-    const double x = sum.moment_x / sum.mass;
-    const double y = sum.moment_y / sum.mass;
-    const double central = sum.inertia - sum.mass * (x * x + y * y);
-    return {static_cast<float>(sum.mass),
-            static_cast<float>(central),
-            {static_cast<float>(x), static_cast<float>(y)}};
-}
-
-// Mass, centre and extent from the shapes. The origin stays where it is, and the velocity of the material at
-// the new centre becomes the body's velocity.
-void update_mass(Stores& stores, int body) {
-    BodyRecord& record = stores.bodies.slots[body];
-    MassSum sum;
-    if (record.type == BodyType::Dynamic) {
-        for_each_shape(stores, body, [&](int shape) {
-            const ShapeRecord& s = stores.shapes[shape];
-            sum += mass_of(s.convex, static_cast<double>(s.def.density_kg_m2));
-        });
-    }
-    const Transform xf = stores.bodies.transform(body);
-    const Vec2 old_center = record.mass.center_m;
-    record.mass = to_mass_data(sum);
-    record.inverse_mass = record.mass.mass_kg > 0 ? 1 / record.mass.mass_kg : 0;
-    const bool turns = record.mass.inertia_kg_m2 > 0 && !turning_is_locked(record);
-    record.inverse_inertia = turns ? 1 / record.mass.inertia_kg_m2 : 0;
-    record.extent_m = 0;
-    record.inner_radius_m = std::numeric_limits<float>::infinity();
-    for_each_shape(stores, body, [&](int shape) {
-        const Convex& convex = stores.shapes[shape].convex;
-        record.extent_m = std::max(record.extent_m, farthest_distance(convex, record.mass.center_m));
-        // A line has no inside, but its contacts hold from the speculative distance on.
-        const float solid = convex.is_line() ? tuning::kSpeculativeDistance_m : inner_radius(convex);
-        record.inner_radius_m = std::min(record.inner_radius_m, solid);
-    });
-
-    BodyRows& rows = stores.bodies.rows_of(body);
-    stores.bodies.places[body].center = transform_point(xf, record.mass.center_m);
-    rows.box_slack[record.row] = 0;
-    rows.velocity[record.row] += without_locked(
-        cross(rows.spin[record.row], rotate(xf.q, record.mass.center_m - old_center)), locked_axes(record));
-    for_each_edge(stores.contacts.slots, record.first_contact,
-                  [&](int contact, int) { relist_contact(stores, contact); });
-}
-
 void destroy_contacts_of(WorldState& world, int shape) {
     Stores& stores = world.stores;
     for_each_edge(stores.contacts.slots, stores.bodies.slots[stores.shapes[shape].body].first_contact,
@@ -90,12 +41,12 @@ void destroy_contacts_of(WorldState& world, int shape) {
 }
 
 void unlink_shape(Stores& stores, int shape) {
-    BodyRecord& body = stores.bodies.slots[stores.shapes[shape].body];
-    int previous = kNone;
-    for (int s = body.first_shape; s != shape; s = stores.shapes[s].next_of_body) previous = s;
-    const int next = stores.shapes[shape].next_of_body;
+    const ShapeRecord& record = stores.shapes[shape];
+    BodyRecord& body = stores.bodies.slots[record.body];
+    const int previous = record.previous_of_body;
+    const int next = record.next_of_body;
     (previous == kNone ? body.first_shape : stores.shapes[previous].next_of_body) = next;
-    if (body.last_shape == shape) body.last_shape = previous;
+    (next == kNone ? body.last_shape : stores.shapes[next].previous_of_body) = previous;
 }
 
 }  // namespace
@@ -112,6 +63,7 @@ int create_body(Stores& stores, const BodyDef& def) {
     record.user_data = def.user_data;
     const int body = stores.bodies.slots.insert(record);
     stores.bodies.add_row(body, initial_set(def));
+    start_mass(stores, body);
 
     BodyRows& rows = stores.bodies.rows_of(body);
     Place& place = stores.bodies.places[body];
@@ -136,6 +88,8 @@ void destroy_body(WorldState& world, int body) {
     for_each_edge(stores.contacts.slots, record.first_contact,
                   [&](int contact, int) { destroy_contact(stores, world.events, contact); });
     for_each_shape(stores, body, [&](int shape) {
+        const int chain = stores.shapes[shape].chain;
+        if (chain != kNone && stores.chains.alive(chain)) stores.chains.erase(chain);
         stores.broad.remove(shape);
         stores.shapes.erase(shape);
     });
@@ -147,13 +101,13 @@ void destroy_body(WorldState& world, int body) {
     stores.bodies.slots.erase(body);
 }
 
-int create_shape(Stores& stores, int body, const Convex& convex, const ShapeDef& def) {
-    if (def.sensor) return create_sensor(stores, body, convex, def);
+int add_shape(Stores& stores, int body, const Convex& convex, const ShapeDef& def) {
     stores.sensors.outdated = true;
     BodyRecord& owner = stores.bodies.slots[body];
     const Aabb box = bounds(convex, stores.bodies.transform(body));
     ShapeRecord record;
     record.body = body;
+    record.previous_of_body = owner.last_shape;
     record.convex = convex;
     record.def = def;
     record.margin_m = tuning::kAabbReach_m;
@@ -168,21 +122,32 @@ int create_shape(Stores& stores, int body, const Convex& convex, const ShapeDef&
     stores.broad.add(shape, layer_of(owner.set), record.fat_box);
     (owner.last_shape == kNone ? owner.first_shape : stores.shapes[owner.last_shape].next_of_body) = shape;
     owner.last_shape = shape;
-    update_mass(stores, body);
+    stores.bodies.rows_of(body).box_slack[owner.row] = 0;
+    return shape;
+}
+
+void remove_shape(Stores& stores, int shape) {
+    stores.sensors.outdated = true;
+    unlink_shape(stores, shape);
+    stores.broad.remove(shape);
+    stores.shapes.erase(shape);
+}
+
+int create_shape(Stores& stores, int body, const Convex& convex, const ShapeDef& def) {
+    if (def.sensor) return create_sensor(stores, body, convex, def);
+    const int shape = add_shape(stores, body, convex, def);
+    add_mass(stores, body, convex, def.density_kg_m2);
     return shape;
 }
 
 void destroy_shape(WorldState& world, int shape) {
     Stores& stores = world.stores;
     if (stores.shapes[shape].def.sensor) return destroy_sensor(world, shape);
-    stores.sensors.outdated = true;
     const int body = stores.shapes[shape].body;
     wake_body(stores, body);
     destroy_contacts_of(world, shape);
-    unlink_shape(stores, shape);
-    stores.broad.remove(shape);
-    stores.shapes.erase(shape);
-    update_mass(stores, body);
+    remove_shape(stores, shape);
+    lose_mass(stores, body);
 }
 
 void refilter_shape(WorldState& world, int shape) {
@@ -208,7 +173,7 @@ void set_locks(Stores& stores, int body, AxisLocks locks) {
     BodyRows& rows = stores.bodies.rows_of(body);
     rows.velocity[record.row] = without_locked(rows.velocity[record.row], locked_axes(record));
     if (turning_is_locked(record)) rows.spin[record.row] = 0;
-    update_mass(stores, body);
+    renew_mass(stores, body);
 }
 
 void teleport(Stores& stores, int body, Position origin_m, double angle_rad) {

@@ -11,6 +11,10 @@ void destroy_body(WorldState& world, int body);
 int create_shape(Stores& stores, int body, const Convex& convex, const ShapeDef& def);
 void destroy_shape(WorldState& world, int shape);
 
+/// A shape in the lists and the broad phase, without its mass; and out of both, when it has no contacts left.
+int add_shape(Stores& stores, int body, const Convex& convex, const ShapeDef& def);
+void remove_shape(Stores& stores, int shape);
+
 /// Ends the shape's contacts that its filter no longer allows, and looks for those that it now does.
 void refilter_shape(WorldState& world, int shape);
 

@@ -19,6 +19,7 @@ struct Row {
 Row row_of(WorldState& world, BodyId id) {
     const int body = world.stores.bodies.slots.find(id);
     CAIRN_ASSERT(body != kNone, "a Body view was used after its body was destroyed");
+    settle_mass(world.stores, body);
     BodyRecord& record = world.stores.bodies.slots[body];
     return {record, world.stores.bodies.rows(record.set), world.stores.bodies.places[body], record.row, body};
 }

@@ -15,7 +15,9 @@ namespace cairn::physics {
 
 struct ShapeRecord {
     int body = kNone;
+    int previous_of_body = kNone;
     int next_of_body = kNone;
+    int chain = kNone;  // whose segment it is
     Convex convex;
     ShapeDef def;
     Aabb fat_box;

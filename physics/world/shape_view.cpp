@@ -23,6 +23,10 @@ ShapeRecord& record_of(WorldState& world, ShapeId id) {
 BodyId Shape::body() const {
     return world_->stores.bodies.slots.id(record_of(*world_, id_).body);
 }
+ChainId Shape::chain() const {
+    const int chain = record_of(*world_, id_).chain;
+    return chain == kNone ? ChainId{} : world_->stores.chains.id(chain);
+}
 const Outline& Shape::outline() const {
     return record_of(*world_, id_).convex.outline;
 }

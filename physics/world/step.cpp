@@ -32,6 +32,7 @@ void step_world(WorldState& world, float dt_s) {
     StageClock clock(world.profiling ? &world.profile : nullptr);
     clock.enter(Stage::Pairs);
     start_events(world.events);
+    settle_reshaped(stores);
     cover_fast_ways(stores, def.gravity_m_s2, dt_s, scratch.fast);
     find_new_pairs(stores, scratch, tasks);
     prepare_motions(stores.bodies, def.gravity_m_s2, dt_s, scratch);

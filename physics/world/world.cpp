@@ -5,6 +5,8 @@
 
 #include "collide/convex.h"
 #include "world/bodies.h"
+#include "world/chain_rules.h"
+#include "world/chains.h"
 #include "world/contact_events.h"
 #include "world/joints.h"
 #include "world/measures.h"
@@ -119,6 +121,9 @@ Result<void> World::destroy_shape(ShapeId id) {
     if (auto fault = refuse_within_step(*state_)) return *fault;
     const Result<int> shape = find(state_->stores.shapes, id, "shape");
     if (!shape) return shape.error();
+    if (state_->stores.shapes[*shape].chain != kNone) {
+        return Error{"the shape is a segment of a chain: remove points of the chain, or destroy the chain"};
+    }
     physics::destroy_shape(*state_, *shape);
     return {};
 }
@@ -137,6 +142,40 @@ Result<const Shape> World::shape(ShapeId id) const {
 
 bool World::contains(ShapeId id) const {
     return state_->stores.shapes.find(id) != kNone;
+}
+
+Result<ChainId> World::create_chain(BodyId body_id, const ChainDef& def) {
+    if (auto fault = refuse_within_step(*state_)) return *fault;
+    const Result<int> body = find(state_->stores.bodies.slots, body_id, "body");
+    if (!body) return body.error();
+    if (auto fault = validate(def)) return *fault;
+    if (state_->stores.shapes.room() < def.points_m.size()) return full("shapes");
+    if (state_->stores.chains.full()) return full("chains");
+    return state_->stores.chains.id(physics::create_chain(*state_, *body, def));
+}
+
+Result<void> World::destroy_chain(ChainId id) {
+    if (auto fault = refuse_within_step(*state_)) return *fault;
+    const Result<int> chain = find(state_->stores.chains, id, "chain");
+    if (!chain) return chain.error();
+    physics::destroy_chain(*state_, *chain);
+    return {};
+}
+
+Result<Chain> World::chain(ChainId id) {
+    const Result<int> chain = find(state_->stores.chains, id, "chain");
+    if (!chain) return chain.error();
+    return Chain(*state_, id);
+}
+
+Result<const Chain> World::chain(ChainId id) const {
+    const Result<int> chain = find(state_->stores.chains, id, "chain");
+    if (!chain) return chain.error();
+    return Chain(*state_, id);
+}
+
+bool World::contains(ChainId id) const {
+    return state_->stores.chains.find(id) != kNone;
 }
 
 Result<JointId> World::create_joint(const RevoluteJointDef& def) {
@@ -248,6 +287,7 @@ std::uint64_t World::step_count() const {
     return state_->step_count;
 }
 std::uint64_t World::state_hash() const {
+    settle_masses(state_->stores);
     return hash_state(*state_);
 }
 

@@ -7,6 +7,7 @@
 namespace cairn::physics {
 Result<void> World::explode(const ExplosionDef& def) {
     if (auto fault = check::first_of({refuse_within_step(*state_), validate(def)})) return *fault;
+    settle_reshaped(state_->stores);
     for (const SurfaceForce& impulse : explosion_impulses(state_->stores, def)) {
         Body met = body(impulse.body).value();
         if (auto done = met.apply_impulse_to_center(impulse.linear); !done) return done;
@@ -18,6 +19,7 @@ Result<void> World::explode(const ExplosionDef& def) {
 Result<void> World::apply_wind(const WindDef& def, float dt_s) {
     if (auto fault = check::first_of({refuse_within_step(*state_), validate(def), validate_step(dt_s)}))
         return *fault;
+    settle_reshaped(state_->stores);
     // Into the rows, and not by Body::apply_force, which would keep awake what a breeze cannot move.
     BodyRows& awake = state_->stores.bodies.rows(RowSet::Awake);
     for (int row = 0; row < awake.size(); ++row) {

@@ -13,7 +13,9 @@
 #include "resolve/contact_constraint.h"
 #include "resolve/joints/distance.h"
 #include "resolve/joints/revolute.h"
+#include "world/body_mass.h"
 #include "world/body_store.h"
+#include "world/chain_store.h"
 #include "world/contact_store.h"
 #include "world/joint_store.h"
 #include "world/material_mixing.h"
@@ -42,14 +44,16 @@ inline Layer layer_of(RowSet set) {
 
 /// The objects of a world and how they hang together.
 struct Stores {
-    explicit Stores(std::uint16_t tag) : bodies(tag), shapes(tag), contacts(tag), joints(tag) {}
+    explicit Stores(std::uint16_t tag) : bodies(tag), shapes(tag), chains(tag), contacts(tag), joints(tag) {}
 
     BodyStore bodies;
     ShapeStore shapes;
+    ChainStore chains;
     ContactStore contacts;
     JointStore joints;
     BroadPhase broad;
     std::vector<int> boxes_moved;  // bodies of which a box was made anew since contacts were updated last
+    MassLedger masses;
     PairRules rules;
     SensorStore sensors;
 };

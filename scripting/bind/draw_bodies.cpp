@@ -39,6 +39,11 @@ Color shaded(Color color, float factor) {
     return {color.r * factor, color.g * factor, color.b * factor, color.a};
 }
 
+/// A segment: there is nothing to fill.
+bool is_line(const physics::Outline& outline) {
+    return outline.count == 2 && outline.radius_m == 0;
+}
+
 /// The true outline, with its rounded parts as many short edges: what a polygon of it looks like.
 std::vector<Vec2> rounded_corners(const physics::Outline& outline) {
     std::vector<Vec2> corners;
@@ -96,7 +101,7 @@ void draw_plain(engine::Renderer& renderer, const physics::Outline& outline, Col
         renderer.draw_line(a, a + Vec2{outline.radius_m, 0}, rim, rim_color, engine::LineCap::Butt);
         return;
     }
-    if (outline.kind == physics::ShapeKind::Segment) {
+    if (is_line(outline)) {
         renderer.draw_line(a, to_engine(outline.points_m[1]), 2 * rim, rim_color);
         return;
     }
@@ -165,7 +170,7 @@ void draw_body(lua_State* L, Context& context, const BodyObject& object, physics
     for (const physics::ShapeId id : body.shapes()) {
         const auto shape = object.world->world->shape(id);
         if (!shape) continue;
-        if (!texture.is_null() && shape->outline().kind != physics::ShapeKind::Segment) {
+        if (!texture.is_null() && !is_line(shape->outline())) {
             draw_textured(renderer, shape->outline(), texture, has_color ? color : Color{});
         } else {
             draw_plain(renderer, shape->outline(), color, rim);

@@ -23,6 +23,8 @@ std::string_view kind(ShapeRef self) {
             return "polygon";
         case physics::ShapeKind::Segment:
             return "segment";
+        case physics::ShapeKind::ChainSegment:
+            return "chain_segment";
     }
     return "";
 }

@@ -53,6 +53,8 @@ inline void check_shapes(const Stores& stores) {
             REQUIRE(stores.shapes.alive(shape));
             const ShapeRecord& s = stores.shapes[shape];
             REQUIRE(s.body == body);
+            REQUIRE(s.previous_of_body == last);
+            REQUIRE((s.chain == kNone || stores.chains.alive(s.chain)));
             const Aabb box = bounds(s.convex, stores.bodies.transform(body));
             // Boxes are made when the shape was a rounding error away from where it is.
             REQUIRE(contains(s.fat_box, grown(box, 0.999f * tuning::kAabbReach_m)));
@@ -71,6 +73,15 @@ inline void check_shapes(const Stores& stores) {
             REQUIRE(s.def.sensor);
             REQUIRE(stores.sensors.all.at(s.sensor).shape == sensor);
             ++sensors;
+        }
+    }
+    for (int chain = 0; chain < stores.chains.end_index(); ++chain) {
+        if (!stores.chains.alive(chain)) continue;
+        const ChainRecord& record = stores.chains[chain];
+        REQUIRE(record.segments.size() + (record.closed ? 0 : 1) == record.points_m.size());
+        for (const int shape : record.segments) {
+            REQUIRE(stores.shapes.alive(shape));
+            REQUIRE((stores.shapes[shape].chain == chain && stores.shapes[shape].body == record.body));
         }
     }
     REQUIRE(listed + sensors == stores.shapes.size());

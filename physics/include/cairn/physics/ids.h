@@ -37,6 +37,7 @@ struct Handle {
 
 using BodyId = Handle<struct BodyTag>;
 using ShapeId = Handle<struct ShapeTag>;
+using ChainId = Handle<struct ChainTag>;
 using JointId = Handle<struct JointTag>;
 
 }  // namespace cairn::physics

@@ -52,7 +52,7 @@ struct Polygon {
 
 using Geometry = std::variant<Circle, Capsule, Box, Polygon, Segment>;
 
-enum class ShapeKind : std::uint8_t { Circle, Capsule, Polygon, Segment };
+enum class ShapeKind : std::uint8_t { Circle, Capsule, Polygon, Segment, ChainSegment };
 
 inline constexpr int kMaterialKinds = 64;
 
@@ -100,7 +100,7 @@ struct ShapeDef {
     std::uint64_t user_data = 0;
 };
 
-/// A shape as the world keeps it: the hull of `count` points (1: circle, 2: capsule or segment, else
+/// A shape as the world keeps it: the hull of `count` points (1: circle, 2: capsule or segments, else
 /// polygon, anticlockwise), rounded by radius_m, in the body's frame.
 struct Outline {
     ShapeKind kind = ShapeKind::Circle;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <cairn/physics/body.h>
+#include <cairn/physics/chain.h>
 #include <cairn/physics/events.h>
 #include <cairn/physics/explosion.h>
 #include <cairn/physics/ids.h>
@@ -50,6 +51,7 @@ class Shape {
   public:
     [[nodiscard]] ShapeId id() const { return id_; }
     [[nodiscard]] BodyId body() const;
+    [[nodiscard]] ChainId chain() const;  ///< null unless the shape is a segment of a chain
     [[nodiscard]] const Outline& outline() const;
     [[nodiscard]] float density() const;
     [[nodiscard]] Material material() const;
@@ -105,10 +107,18 @@ class World {
 
     /// A sleeping body stays asleep.
     Result<ShapeId> create_shape(BodyId body, const Geometry& geometry, const ShapeDef& def = {});
+    /// Not for segments of chains: remove points of the chain, or destroy it.
     Result<void> destroy_shape(ShapeId id);
     Result<Shape> shape(ShapeId id);
     Result<const Shape> shape(ShapeId id) const;
     [[nodiscard]] bool contains(ShapeId id) const;
+
+    /// On a body of any type; a chain has no mass. 10^5 points are made in a moment.
+    Result<ChainId> create_chain(BodyId body, const ChainDef& def);
+    Result<void> destroy_chain(ChainId id);
+    Result<Chain> chain(ChainId id);
+    Result<const Chain> chain(ChainId id) const;
+    [[nodiscard]] bool contains(ChainId id) const;
 
     Result<JointId> create_joint(const RevoluteJointDef& def);
     Result<JointId> create_joint(const DistanceJointDef& def);
