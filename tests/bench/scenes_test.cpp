@@ -38,6 +38,7 @@ const std::map<std::string, Content> kContents{
     {"large_pyramid", {5051, 5051, 0}},
     {"many_pyramids", {22001, 22020, 0}},
     {"smash", {9601, 9601, 0}},
+    {"spinner", {6078, 6077 + 360, 1}},
     {"tumbler", {2027, 2029, 1}},
     {"washer", {8101, 8140, 0}},
     {"falling_1k", {1003, 1003, 0}},

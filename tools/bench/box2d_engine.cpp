@@ -72,6 +72,18 @@ class Box2dEngine final : public Engine {
         std::visit([&](const auto& shape) { add(made(shape)); }, geometry);
     }
 
+    void add_closed_chain(BodyRef body, std::span<const Vec2> points_m, physics::Material material) override {
+        std::vector<b2Vec2> points;
+        for (const Vec2 p : points_m) points.push_back(vec(p));
+        b2ChainShape chain;
+        chain.CreateLoop(points.data(), static_cast<int>(points.size()));
+        b2FixtureDef fixture;
+        fixture.shape = &chain;
+        fixture.friction = material.friction;
+        fixture.restitution = material.restitution;
+        body_of(body)->CreateFixture(&fixture);
+    }
+
     void add_motor(const MotorSetting& setting) override {
         b2RevoluteJointDef joint;
         joint.bodyA = body_of(setting.body_a);

@@ -20,6 +20,12 @@ class CairnEngine final : public Engine {
     void add_shape(BodyRef body, const physics::Geometry& geometry, const physics::ShapeDef& def) override {
         world_.create_shape(id(body), geometry, def).value();
     }
+    void add_closed_chain(BodyRef body, std::span<const Vec2> points_m, physics::Material material) override {
+        world_
+            .create_chain(id(body),
+                          {.points_m = points_m, .closed = true, .materials = std::span(&material, 1)})
+            .value();
+    }
     void add_motor(const MotorSetting& setting) override {
         world_
             .create_joint(physics::RevoluteJointDef{.body_a = id(setting.body_a),

@@ -127,6 +127,13 @@ class ChipmunkEngine final : public Engine {
         shapes_.push_back(cpSpaceAddShape(space_, shape));
     }
 
+    void add_closed_chain(BodyRef body, std::span<const Vec2> points_m, physics::Material material) override {
+        for (std::size_t i = 0; i < points_m.size(); ++i) {
+            const Vec2 next = points_m[(i + 1) % points_m.size()];
+            add_shape(body, physics::Segment{points_m[i], next}, {.material = material});
+        }
+    }
+
     void add_motor(const MotorSetting& setting) override {
         cpBody* a = body_of(setting.body_a);
         cpBody* b = body_of(setting.body_b);

@@ -54,6 +54,10 @@ class Engine {
 
     virtual BodyRef add_body(const physics::BodyDef& def) = 0;
     virtual void add_shape(BodyRef body, const physics::Geometry& geometry, const physics::ShapeDef& def) = 0;
+    /// Segments from point to point and back to the first, solid on the right of that way where the engine
+    /// knows sides.
+    virtual void add_closed_chain(BodyRef body, std::span<const physics::Vec2> points_m,
+                                  physics::Material material) = 0;
     virtual void add_motor(const MotorSetting& setting) = 0;
     virtual void set_linear_velocity(BodyRef body, physics::Vec2 velocity_m_s) = 0;
     [[nodiscard]] virtual physics::Position position(BodyRef body) const = 0;

@@ -45,6 +45,7 @@ Scene junkyard();
 Scene large_pyramid();
 Scene many_pyramids();
 Scene smash();
+Scene spinner();
 Scene tumbler();
 Scene washer();
 Scene settled_10k();
