@@ -14,6 +14,9 @@
 namespace cairn::physics {
 namespace {
 
+// In lengths of the segment between a corner's neighbours. Flatter corners are of no use to the solver.
+constexpr double kLeastProminence = 1e-4;
+
 // Twice the signed area of (o, a, b), in double so that slivers are judged rightly.
 double turn(Vec2 o, Vec2 a, Vec2 b) {
     const double ax = static_cast<double>(a.x) - static_cast<double>(o.x);
@@ -68,9 +71,29 @@ void drop_flat_corners(std::vector<Vec2>& hull) {
         for (std::size_t i = 1; i < hull.size(); ++i) {
             if (prominence(hull, i) < prominence(hull, flattest)) flattest = i;
         }
-        if (prominence(hull, flattest) > 1e-4) return;
+        if (prominence(hull, flattest) > kLeastProminence) return;
         hull.erase(hull.begin() + static_cast<std::ptrdiff_t>(flattest));
     }
+}
+
+// Points about the segment from a to b, without an area.
+Error sliver(const std::vector<Vec2>& points, Vec2 a, Vec2 b) {
+    const double x = static_cast<double>(b.x) - static_cast<double>(a.x);
+    const double y = static_cast<double>(b.y) - static_cast<double>(a.y);
+    const double length = std::sqrt(x * x + y * y);
+    double right = 0;
+    double left = 0;
+    for (const Vec2 p : points) {
+        const double across = turn(a, b, p) / length;
+        right = std::min(right, across);
+        left = std::max(left, across);
+    }
+    const auto text = [](double value) {
+        return check::number(static_cast<double>(static_cast<float>(value))) + " m";
+    };
+    return Error{"polygon.points_m lie on one line: they are " + text(length) + " long and " +
+                 text(left - right) + " wide, but must be at least " + text(kLeastProminence * length) +
+                 " wide"};
 }
 
 }  // namespace
@@ -99,7 +122,7 @@ Result<Hull> make_hull(std::span<const Vec2> points) {
     append_chain(hull, ordered);
     drop_flat_corners(hull);
 
-    if (hull.size() < 3) return Error{"polygon.points_m lie on one line, but must enclose an area"};
+    if (hull.size() < 3) return sliver(ordered, hull[0], hull[1]);
     if (hull.size() > kMaxPolygonVertices) {
         return Error{"polygon.points_m has a hull of " + std::to_string(hull.size()) +
                      " corners, but at most " + std::to_string(kMaxPolygonVertices) + " are possible"};

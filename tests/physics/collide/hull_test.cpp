@@ -131,6 +131,8 @@ TEST_CASE("points that enclose no area give an error that says why") {
     CHECK_THAT(error_of({{0, 0}, {1, 0}, {1, 0}, {0.0001f, 0}}), Contains("2 distinct points"));
     CHECK_THAT(error_of({{0, 0}, {1, 1}, {2, 2}}), Contains("one line"));
     CHECK_THAT(error_of({{0, 0}, {1, 1.00001f}, {2, 2}, {3, 3}}), Contains("one line"));
+    CHECK_THAT(error_of({{0, 0}, {4, 0}, {8, 0}, {5, 0.000244140625f}}),
+               Contains("8 m long") && Contains("0.000244") && Contains("at least 8e-04 m wide"));
 }
 
 TEST_CASE("too many corners and points that are not numbers give an error that names them") {
