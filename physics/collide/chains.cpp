@@ -56,7 +56,8 @@ struct Surface {
     // Nearer to the back of the surface than to its front.
     [[nodiscard]] bool has_behind(Vec2 p) const {
         if (height(p) >= 0) return false;
-        return !a_juts_out || dot(normal_before, p - a) < 0;
+        if (a_juts_out && dot(normal_before, p - a) >= 0) return false;
+        return !owns_b || dot(normal_after, p - b) < 0;
     }
 };
 
@@ -145,6 +146,10 @@ Manifold face_manifold(const Surface& surface, const CoreEdges& other, const Fro
 }
 
 }  // namespace
+
+bool is_behind(const Convex& shape, Vec2 point) {
+    return shape.is_chained() && Surface(shape).has_behind(point);
+}
 
 Manifold collide_chain_and_circle(const Convex& a, const Convex& b, const RelativePose& b_in_a,
                                   float reach_m) {

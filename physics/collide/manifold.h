@@ -51,4 +51,8 @@ Manifold collide_chain_and_circle(const Convex& a, const Convex& b, const Relati
 /// A is a segment of a chain, B a capsule or polygon.
 Manifold collide_chain_and_hull(const Convex& a, const Convex& b, const RelativePose& b_in_a, float reach_m);
 
+/// Whether a point, in the shape's frame, is behind a segment of a chain: nearer to the back of the chain
+/// than to its front there. Other shapes have no back.
+bool is_behind(const Convex& shape, Vec2 point);
+
 }  // namespace cairn::physics

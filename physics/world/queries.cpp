@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <tuple>
 
+#include <cairn/physics/tuning.h>
+
 #include "collide/ray_cast.h"
 #include "collide/shape_cast.h"
 #include "world/query_traversal.h"
@@ -84,32 +86,82 @@ std::optional<RayHit> ray_hit(const Stores& stores, int shape, Position origin, 
                   rotate(xf.q, hit->normal), hit->fraction};
 }
 
+// m. Of two points of a contact whose depths differ by less neither is the deeper one.
+constexpr float kAboutEqual_m = 0.1f * tuning::kLinearSlop_m;
+
+// What a segment of a chain has to do with a shape is for the rules of contacts to say: from which side, and
+// with which normals, so that nothing hits the joins. The deeper of the points stands for both.
+struct Meeting {
+    Vec2 point;  // on the chain
+    Vec2 normal;
+    float separation = 0;
+};
+
+std::optional<Meeting> meeting(const Convex& segment, const Convex& other, const RelativePose& pose,
+                               float reach) {
+    const bool is_circle = other.outline.kind == ShapeKind::Circle;
+    const Manifold m = is_circle ? collide_chain_and_circle(segment, other, pose, reach)
+                                 : collide_chain_and_hull(segment, other, pose, reach);
+    if (m.count == 0) return {};
+    const auto on_chain = [&](int i) {
+        return m.points[i].point + -0.5f * m.points[i].separation * m.normal;
+    };
+    const float first = m.points[0].separation;
+    const float second = m.points[1].separation;
+    if (m.count == 1 || first <= second - kAboutEqual_m) return Meeting{on_chain(0), m.normal, first};
+    if (second <= first - kAboutEqual_m) return Meeting{on_chain(1), m.normal, second};
+    // The other lies along the segment.
+    return Meeting{0.5f * (on_chain(0) + on_chain(1)), m.normal, std::min(first, second)};
+}
+
+// The hit at a segment as if both its sides were solid is the one at its front, or none.
+std::optional<LocalShapeHit> at_chain(const Convex& segment, const Convex& moving, const RelativePose& start,
+                                      Vec2 way, const LocalShapeHit& hit) {
+    const RelativePose there{start.p + hit.fraction * way, start.q};
+    // Much more than the rounding of a long way, and little against what can be seen of a short one.
+    const float reach = tuning::kLinearSlop_m + 1e-5f * length(way);
+    const auto met = meeting(segment, moving, there, reach);
+    if (!met) return {};
+    const float overlap = hit.overlap > 0 ? std::max(0.0f, -met->separation) : 0;
+    if (overlap == 0 && dot(way, met->normal) >= 0) return {};
+    return LocalShapeHit{hit.fraction, overlap, met->normal, met->point};
+}
+
 std::optional<ShapeHit> shape_hit(const Stores& stores, int shape, const Convex& moving,
                                   const Transform& start, Vec2 translation) {
     const ShapeRecord& record = stores.shapes[shape];
     const Transform xf = stores.bodies.transform(record.body);
-    const auto hit =
-        cast_shape(record.convex, moving, relative_pose(start, xf), inverse_rotate(xf.q, translation));
+    const RelativePose relative = relative_pose(start, xf);
+    const Vec2 way = inverse_rotate(xf.q, translation);
+    auto hit = cast_shape(record.convex, moving, relative, way);
+    if (hit && record.convex.is_chained()) hit = at_chain(record.convex, moving, relative, way, *hit);
     if (!hit) return {};
     return ShapeHit{stores.shapes.id(shape),   body_of(stores, shape), transform_point(xf, hit->point),
                     rotate(xf.q, hit->normal), hit->fraction,          hit->overlap};
 }
 
-SurfacePoint surface_point(const Stores& stores, int shape, Position point) {
+// Nothing for a segment of a chain that the point is behind of.
+std::optional<SurfacePoint> surface_point(const Stores& stores, int shape, Position point) {
     const ShapeRecord& record = stores.shapes[shape];
     const Transform xf = stores.bodies.transform(record.body);
     const Convex speck = disc(0);
     const RelativePose pose{inverse_transform_point(xf, point), {}};
+    if (is_behind(record.convex, pose.p)) return {};
     const Clearance at = clearance(minkowski_difference(record.convex, speck, pose));
     const Vec2 nearest = meeting_point(record.convex, speck, pose, at);
-    return {stores.shapes.id(shape), body_of(stores, shape), transform_point(xf, nearest),
-            rotate(xf.q, at.normal), at.distance};
+    return SurfacePoint{stores.shapes.id(shape), body_of(stores, shape), transform_point(xf, nearest),
+                        rotate(xf.q, at.normal), at.distance};
 }
 
 // The normals of the two edges at the corner that reaches farthest along the normal; the normal itself where
 // the surface is flat there, or a circle.
 std::pair<Vec2, Vec2> edge_normals(const Convex& shape, Vec2 normal) {
     constexpr float kCosineOfFlat = 0.9998f;  // of 1 degree
+    if (shape.is_chained()) {
+        if (dot(shape.normals[0], normal) > kCosineOfFlat) return {normal, normal};
+        const bool at_start = dot(left_perp(shape.normals[0]), normal) < 0;
+        return {shape.normals[at_start ? 2 : 0], shape.normals[at_start ? 0 : 3]};
+    }
     int corner = 0;
     for (int i = 0; i < shape.count(); ++i) {
         if (shape.count() > 1 && dot(shape.normals[i], normal) > kCosineOfFlat) return {normal, normal};
@@ -119,25 +171,37 @@ std::pair<Vec2, Vec2> edge_normals(const Convex& shape, Vec2 normal) {
     return {shape.normals[corner == 0 ? shape.count() - 1 : corner - 1], shape.normals[corner]};
 }
 
-CollisionPlane collision_plane(const Stores& stores, int shape, const Convex& moving, const Transform& pose) {
+// Nothing when they are farther apart.
+std::optional<CollisionPlane> collision_plane(const Stores& stores, int shape, const Convex& moving,
+                                              const Transform& pose, float reach) {
     const ShapeRecord& record = stores.shapes[shape];
     const Transform xf = stores.bodies.transform(record.body);
     const RelativePose relative = relative_pose(pose, xf);
-    const Clearance at = clearance(minkowski_difference(record.convex, moving, relative));
-    const auto [before, after] = edge_normals(record.convex, at.normal);
-    return {stores.shapes.id(shape),
-            body_of(stores, shape),
-            transform_point(xf, meeting_point(record.convex, moving, relative, at)),
-            rotate(xf.q, at.normal),
-            at.distance,
-            rotate(xf.q, before),
-            rotate(xf.q, after),
-            stores.bodies.slots[record.body].type == BodyType::Dynamic};
+    Meeting met;
+    if (record.convex.is_chained()) {
+        const auto at_front = meeting(record.convex, moving, relative, reach);
+        if (!at_front) return {};
+        met = *at_front;
+    } else {
+        const Clearance at = clearance(minkowski_difference(record.convex, moving, relative));
+        if (at.distance > reach) return {};
+        met = {meeting_point(record.convex, moving, relative, at), at.normal, at.distance};
+    }
+    const auto [before, after] = edge_normals(record.convex, met.normal);
+    return CollisionPlane{stores.shapes.id(shape),
+                          body_of(stores, shape),
+                          transform_point(xf, met.point),
+                          rotate(xf.q, met.normal),
+                          met.separation,
+                          rotate(xf.q, before),
+                          rotate(xf.q, after),
+                          stores.bodies.slots[record.body].type == BodyType::Dynamic};
 }
 
 bool overlaps(const Stores& stores, int shape, const Convex& other, const Transform& pose) {
     const ShapeRecord& record = stores.shapes[shape];
     const RelativePose relative = relative_pose(pose, stores.bodies.transform(record.body));
+    if (is_behind(record.convex, relative.p + rotate(relative.q, other.centroid))) return false;
     return clearance(minkowski_difference(record.convex, other, relative)).distance <= 0;
 }
 
@@ -146,6 +210,8 @@ bool overlaps(const Stores& stores, int shape, const Convex& other, const Transf
 bool overlaps_box(const Stores& stores, int shape, Position lower, Position upper) {
     const ShapeRecord& record = stores.shapes[shape];
     const Transform xf = stores.bodies.transform(record.body);
+    const Position middle{0.5 * lower.x + 0.5 * upper.x, 0.5 * lower.y + 0.5 * upper.y};
+    if (is_behind(record.convex, inverse_transform_point(xf, middle))) return false;
     const Extent own = extent(record.convex, xf.q);
     const auto low = [](double box, double center, float bound) {
         return static_cast<float>(std::max(box - center, static_cast<double>(bound)));
@@ -174,8 +240,8 @@ void visit_near(const Stores& stores, Position point, float radius, const QueryF
                 Visit&& visit) {
     const Aabb box = make_aabb(point, {-radius, -radius}, {radius, radius});
     visit_in_box(stores, box, filter, [&](int shape) {
-        const SurfacePoint found = surface_point(stores, shape, point);
-        if (found.distance_m <= radius) visit(found);
+        const auto found = surface_point(stores, shape, point);
+        if (found && found->distance_m <= radius) visit(*found);
     });
 }
 
@@ -276,8 +342,7 @@ std::vector<CollisionPlane> collision_planes(const Stores& stores, const Convex&
     const Extent own = extent(shape, pose.q);
     const Vec2 reach{reach_m, reach_m};
     visit_in_box(stores, make_aabb(pose.p, own.lower - reach, own.upper + reach), filter, [&](int other) {
-        const CollisionPlane plane = collision_plane(stores, other, shape, pose);
-        if (plane.separation_m <= reach_m) planes.push_back(plane);
+        if (const auto plane = collision_plane(stores, other, shape, pose, reach_m)) planes.push_back(*plane);
     });
     return sorted(std::move(planes));
 }

@@ -9,12 +9,16 @@
 namespace cairn::physics {
 namespace {
 
+// A sensor sees a segment of a chain from its front only.
 bool overlap(const Stores& stores, int shape_a, int shape_b) {
     const ShapeRecord& a = stores.shapes[shape_a];
     const ShapeRecord& b = stores.shapes[shape_b];
     const Transform xf_a = stores.bodies.transform(a.body);
     const Transform xf_b = stores.bodies.transform(b.body);
     const RelativePose b_in_a{inverse_rotate(xf_a.q, xf_b.p - xf_a.p), inverse(xf_a.q) * xf_b.q};
+    if (is_behind(b.convex, inverse_transform_point(xf_b, transform_point(xf_a, a.convex.centroid)))) {
+        return false;
+    }
     return distance_between(a.convex, b.convex, b_in_a).distance <= 0;
 }
 

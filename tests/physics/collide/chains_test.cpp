@@ -206,6 +206,15 @@ TEST_CASE("a free end is solid round its corner, but not from behind") {
     REQUIRE(beside.count >= 1);
     CHECK(beside.normal.x == Approx(1).margin(1e-6));
     CHECK(beside.points[0].separation == Approx(-0.01).margin(1e-6));
+    // The two ends are alike, also for what is lower than the segment but reaches above it.
+    for (const float height : {0.2f, -0.2f, -0.6f}) {
+        const Manifold first = collide(segment, box, {{1.49f, height}, {}}, kReach_m);
+        const Manifold last = collide(segment, box, {{-1.49f, height}, {}}, kReach_m);
+        INFO("height " << height);
+        REQUIRE(first.count == last.count);
+        CHECK(first.normal.x == Approx(-last.normal.x).margin(1e-6));
+        CHECK(first.count == (height > -0.5f ? 1 : 0));
+    }
 }
 
 TEST_CASE("a ray meets a chain from its front only") {

@@ -148,7 +148,7 @@ class World {
     // Queries. Between steps any number of threads may ask at once, as long as none changes the world. Each
     // gives an error for NaN and infinity, for places beyond 1e12 m and lengths beyond 1e9 m, and for
     // geometry that `create_shape` would refuse. Lists are ordered by fraction or distance, then by slot of
-    // the shape.
+    // the shape. Chains are met from their front only; a shape or box is where its middle is.
 
     /// The first shape met from origin_m to origin_m + translation_m. A ray without length meets nothing.
     Result<std::optional<RayHit>> cast_ray(Position origin_m, Vec2 translation_m,
