@@ -7,6 +7,7 @@
 #include "physics/support/random_shapes.h"
 #include "world/bodies.h"
 #include "world/contacts.h"
+#include "world/fracture.h"
 #include "world/joints.h"
 #include "world/sleep.h"
 #include "world/step.h"
@@ -52,10 +53,21 @@ class Operations {
         if (choice < 66) return put_island_to_sleep(stores, world_.scratch, body);
         if (choice < 72 && !shapes.empty()) return refilter(pick(shapes));
         if (choice < 80) return push(body);
+        if (choice < 83 && bodies.size() < 100) return divide(body);
         step_world(world_, 1.0f / 60);
     }
 
   private:
+    void divide(int body) {
+        Stores& stores = world_.stores;
+        if (validate_divisible(stores, body)) return;
+        const RingPoint at{random_.real(-0.5, 0.5), random_.real(-0.5, 0.5)};
+        const FractureDef def{.pieces = 2 + random_.below(4), .seed = random_.bits()};
+        const FracturePlan plan = random_.chance(0.5) ? plan_break(stores, body, at, def)
+                                                      : plan_cut(stores, body, {{{-9, at.y}, {1, 0}}, 20});
+        if (!plan.empty()) divide_body(world_, body, plan);
+    }
+
     int pick(const std::vector<int>& from) { return from[random_.below(static_cast<int>(from.size()))]; }
 
     void create() {

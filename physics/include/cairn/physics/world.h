@@ -11,6 +11,7 @@
 #include <cairn/physics/chain.h>
 #include <cairn/physics/events.h>
 #include <cairn/physics/explosion.h>
+#include <cairn/physics/fracture.h>
 #include <cairn/physics/ids.h>
 #include <cairn/physics/joint.h>
 #include <cairn/physics/profile.h>
@@ -197,6 +198,22 @@ class World {
     Result<void> apply_wind(const WindDef& def, float dt_s);
     /// The same for one body, which wakes.
     Result<void> apply_wind(BodyId body, const WindDef& def, float dt_s);
+
+    // Fracture: see fracture.h. Bodies of any type whose shapes all have an area, sensors aside, can be
+    // divided; with a segment or a chain gives an error. Awake or asleep, what touches the body wakes, and so
+    // do the pieces. When pieces are made, the handles of the body and its shapes are stale afterwards.
+
+    /// Cuts the body along the segment. Each shape that the segment crosses from side to side is divided; one
+    /// in which it begins or ends is not. The pieces, at least two; of one convex shape first that on the
+    /// left of the way. An empty list when the body still hangs together: then nothing has changed.
+    Result<std::vector<BodyId>> cut_body(BodyId body, Position from_m, Position to_m);
+    /// Breaks the body about the impact (beside the body: the nearest point of its outline). The pieces, or
+    /// an empty list when it is too small for two of them: then nothing has changed.
+    Result<std::vector<BodyId>> break_body(BodyId body, Position impact_m, const FractureDef& def = {});
+    /// The bodies that lie on the segment, in the order in which it enters them, and what `cut_body` would
+    /// make of each. For swords, lasers, and lines to show to the player. Changes nothing; sensors are not
+    /// seen.
+    Result<std::vector<CutHit>> cuts_along(Position from_m, Position to_m, QueryFilter filter = {}) const;
 
     [[nodiscard]] Vec2 gravity() const;
     Result<void> set_gravity(Vec2 gravity_m_s2);  ///< wakes every body
