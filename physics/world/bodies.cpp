@@ -83,8 +83,8 @@ void destroy_body(WorldState& world, int body) {
     wake_body(stores, body);
     wake_neighbours(stores, body);
     const BodyRecord& record = stores.bodies.slots[body];
-    for_each_edge(stores.joints.slots, record.first_joint,
-                  [&](int joint, int) { destroy_joint(stores, joint); });
+    // One by one: gears go with their joints.
+    while (record.first_joint != kNone) destroy_joint(stores, edge_record(record.first_joint));
     for_each_edge(stores.contacts.slots, record.first_contact,
                   [&](int contact, int) { destroy_contact(stores, world.events, contact); });
     for_each_shape(stores, body, [&](int shape) {

@@ -4,10 +4,11 @@
 // angular velocity takes up.
 #include "world/fracture.h"
 
-#include <variant>
-
 #include "collide/distance.h"
 #include "world/bodies.h"
+#include "world/joint_frames.h"
+#include "world/joint_rules.h"
+#include "world/joints.h"
 #include "world/sleep.h"
 
 namespace cairn::physics {
@@ -151,28 +152,18 @@ void hand_over_sensors(Stores& stores, int body, const FracturePlan& plan, const
     }
 }
 
-// The joint, with all that it remembers, holds to another body from now on.
-void move_joint_end(Stores& stores, int joint, int side, int body) {
-    auto& joints = stores.joints.slots;
-    JointRecord& record = joints[joint];
-    int& end = side == 0 ? record.body_a : record.body_b;
-    unlink_edge(joints, stores.bodies.slots[end].first_joint, joint, side);
-    end = body;
-    link_edge(joints, stores.bodies.slots[end].first_joint, joint, side);
-    const BodyId id = stores.bodies.slots.id(body);
-    std::visit([&](auto& def) { (side == 0 ? def.body_a : def.body_b) = id; }, record.def);
-    if (stores.bodies.is_awake(record.body_a) || stores.bodies.is_awake(record.body_b)) {
-        stores.joints.active.add(joints, joint);
-    }
-}
-
+// Gears come last: they go where their joints went.
 void hand_over_joints(Stores& stores, int body, const FracturePlan& plan, const std::vector<int>& pieces) {
     const auto& joints = stores.joints.slots;
     for_each_edge(joints, stores.bodies.slots[body].first_joint, [&](int joint, int side) {
-        const Vec2 anchor = std::visit(
-            [&](const auto& def) { return side == 0 ? def.local_anchor_a_m : def.local_anchor_b_m; },
-            joints[joint].def);
-        move_joint_end(stores, joint, side, pieces[piece_at(plan, anchor)]);
+        if (kind_of(joints[joint]) == JointKind::Gear) return;
+        const JointFrames frames = frames_of(joints[joint].def);
+        const Vec2 anchor = side == 0 ? frames.anchor_a_m : frames.anchor_b_m;
+        rehang_joint(stores, joint, side, pieces[piece_at(plan, anchor)]);
+    });
+    for_each_edge(joints, stores.bodies.slots[body].first_joint, [&](int gear, int side) {
+        const JointBodies bodies = bodies_of(joints[gear].def, stores);
+        rehang_joint(stores, gear, side, side == 0 ? bodies.a : bodies.b);
     });
 }
 

@@ -1,8 +1,11 @@
 // The public Joint view.
+#include <string>
+
 #include <cairn/physics/joint.h>
 
+#include "world/joint_frames.h"
+#include "world/joint_rules.h"
 #include "world/joints.h"
-#include "world/validation.h"
 
 namespace cairn::physics {
 namespace {
@@ -17,15 +20,25 @@ JointRecord& record_of(WorldState& world, JointId id) {
     return world.stores.joints.slots[slot_of(world, id)];
 }
 
-Error wrong_kind(const char* what, const char* kind) {
-    return {"joint." + std::string(what) + " belongs to " + kind + " joints, and this is another kind"};
+// Changes a copy of the definition and takes it when it is good. `change` returns whether the kind has the
+// part.
+template <class Change>
+Result<void> edit(WorldState& world, JointId id, const char* what, const char* kinds, Change&& change) {
+    const int joint = slot_of(world, id);
+    JointDef def = world.stores.joints.slots[joint].def;
+    if (!std::visit(change, def)) {
+        return Error{"joint." + std::string(what) + " belongs to " + kinds + " joints, and this is a " +
+                     name_of(static_cast<JointKind>(def.index()))};
+    }
+    if (auto fault = validate(def, world.stores)) return *fault;
+    redefine_joint(world, joint, std::move(def));
+    return {};
 }
 
 }  // namespace
 
 JointKind Joint::kind() const {
-    return std::holds_alternative<RevoluteJointDef>(record_of(*world_, id_).def) ? JointKind::Revolute
-                                                                                 : JointKind::Distance;
+    return kind_of(record_of(*world_, id_));
 }
 
 BodyId Joint::body_a() const {
@@ -34,19 +47,12 @@ BodyId Joint::body_a() const {
 BodyId Joint::body_b() const {
     return world_->stores.bodies.slots.id(record_of(*world_, id_).body_b);
 }
-
 Position Joint::anchor_a() const {
-    const JointRecord& record = record_of(*world_, id_);
-    const Vec2 local = std::visit([](const auto& def) { return def.local_anchor_a_m; }, record.def);
-    return transform_point(world_->stores.bodies.transform(record.body_a), local);
+    return physics::anchor_a(world_->stores.bodies, record_of(*world_, id_));
 }
-
 Position Joint::anchor_b() const {
-    const JointRecord& record = record_of(*world_, id_);
-    const Vec2 local = std::visit([](const auto& def) { return def.local_anchor_b_m; }, record.def);
-    return transform_point(world_->stores.bodies.transform(record.body_b), local);
+    return physics::anchor_b(world_->stores.bodies, record_of(*world_, id_));
 }
-
 Vec2 Joint::reaction_force() const {
     return record_of(*world_, id_).reaction_force;
 }
@@ -57,64 +63,149 @@ std::uint64_t Joint::user_data() const {
     return record_of(*world_, id_).user_data;
 }
 void Joint::set_user_data(std::uint64_t data) {
-    record_of(*world_, id_).user_data = data;
+    JointRecord& record = record_of(*world_, id_);
+    record.user_data = data;
+    std::visit([&](auto& def) { def.user_data = data; }, record.def);
 }
 
 float Joint::joint_angle() const {
     const JointRecord& record = record_of(*world_, id_);
-    const auto* def = std::get_if<RevoluteJointDef>(&record.def);
-    if (!def) return 0;
-    const Rotation a = world_->stores.bodies.transform(record.body_a).q;
-    const Rotation b = world_->stores.bodies.transform(record.body_b).q;
-    return (inverse(Rotation::from_angle(def->reference_angle_rad)) * (inverse(a) * b)).angle_rad();
+    switch (kind_of(record)) {
+        case JointKind::Revolute:
+        case JointKind::Prismatic:
+        case JointKind::Weld:
+        case JointKind::Wheel:
+        case JointKind::Motor:
+        case JointKind::Friction:
+            return static_cast<float>(physics::joint_angle(world_->stores.bodies, record));
+        case JointKind::Distance:
+        case JointKind::Mouse:
+        case JointKind::Gear:
+        case JointKind::Pulley:
+        case JointKind::Filter:
+            return 0;
+    }
+    return 0;
+}
+
+float Joint::translation() const {
+    const JointRecord& record = record_of(*world_, id_);
+    const JointKind kind = kind_of(record);
+    if (kind != JointKind::Prismatic && kind != JointKind::Wheel) return 0;
+    return joint_translation(world_->stores.bodies, record);
 }
 
 float Joint::current_length() const {
     return length(anchor_b() - anchor_a());
 }
 
-Result<void> Joint::set_motor(bool enabled, float speed_rad_s, float max_torque_nm) {
-    auto* def = std::get_if<RevoluteJointDef>(&record_of(*world_, id_).def);
-    if (!def) return wrong_kind("set_motor", "revolute");
-    if (auto fault = validate_motor(speed_rad_s, max_torque_nm)) return *fault;
-    def->enable_motor = enabled;
-    def->motor_speed_rad_s = speed_rad_s;
-    def->max_motor_torque_nm = max_torque_nm;
-    wake_joint_bodies(world_->stores, slot_of(*world_, id_));
+const JointDef& Joint::definition() const {
+    return record_of(*world_, id_).def;
+}
+
+Result<void> Joint::redefine(const JointDef& def) {
+    const int joint = slot_of(*world_, id_);
+    const JointRecord& record = world_->stores.joints.slots[joint];
+    if (def.index() != record.def.index()) {
+        return Error{std::string("joint.redefine was given a ") +
+                     name_of(static_cast<JointKind>(def.index())) + ", and this is a " +
+                     name_of(kind_of(record))};
+    }
+    if (auto fault = validate(def, world_->stores)) return *fault;
+    const JointBodies bodies = bodies_of(def, world_->stores);
+    if (bodies.a != record.body_a || bodies.b != record.body_b) {
+        return Error{std::string(name_of(kind_of(record))) +
+                     ".body_a and .body_b cannot be changed: make another joint"};
+    }
+    redefine_joint(*world_, joint, def);
     return {};
 }
 
-Result<void> Joint::set_limits(bool enabled, float lower_rad, float upper_rad) {
-    auto* def = std::get_if<RevoluteJointDef>(&record_of(*world_, id_).def);
-    if (!def) return wrong_kind("set_limits", "revolute");
-    if (auto fault = validate_limits(lower_rad, upper_rad)) return *fault;
-    def->enable_limit = enabled;
-    def->lower_rad = lower_rad;
-    def->upper_rad = upper_rad;
-    wake_joint_bodies(world_->stores, slot_of(*world_, id_));
-    return {};
+Result<void> Joint::set_motor(bool enabled, float speed, float max_effort) {
+    return edit(*world_, id_, "set_motor", "revolute, prismatic and wheel", [&](auto& def) {
+        if constexpr (requires { def.max_motor_torque_nm; }) {
+            def.motor_speed_rad_s = speed;
+            def.max_motor_torque_nm = max_effort;
+            def.enable_motor = enabled;
+            return true;
+        } else if constexpr (requires { def.max_motor_force_n; }) {
+            def.motor_speed_m_s = speed;
+            def.max_motor_force_n = max_effort;
+            def.enable_motor = enabled;
+            return true;
+        } else {
+            return false;
+        }
+    });
 }
 
-Result<void> Joint::set_length(float length_m) {
-    auto* def = std::get_if<DistanceJointDef>(&record_of(*world_, id_).def);
-    if (!def) return wrong_kind("set_length", "distance");
-    DistanceJointDef changed = *def;
-    changed.length_m = length_m;
-    if (auto fault = validate(changed, world_->stores)) return *fault;
-    *def = changed;
-    wake_joint_bodies(world_->stores, slot_of(*world_, id_));
-    return {};
+Result<void> Joint::set_limits(bool enabled, float lower, float upper) {
+    return edit(*world_, id_, "set_limits", "revolute, prismatic and wheel", [&](auto& def) {
+        if constexpr (requires { def.lower_rad; }) {
+            def.lower_rad = lower;
+            def.upper_rad = upper;
+            def.enable_limit = enabled;
+            return true;
+        } else if constexpr (requires { def.lower_m; }) {
+            def.lower_m = lower;
+            def.upper_m = upper;
+            def.enable_limit = enabled;
+            return true;
+        } else {
+            return false;
+        }
+    });
 }
 
 Result<void> Joint::set_spring(bool enabled, float frequency_hz, float damping_ratio) {
-    auto* def = std::get_if<DistanceJointDef>(&record_of(*world_, id_).def);
-    if (!def) return wrong_kind("set_spring", "distance");
-    if (auto fault = validate_spring(frequency_hz, damping_ratio)) return *fault;
-    def->enable_spring = enabled;
-    def->frequency_hz = frequency_hz;
-    def->damping_ratio = damping_ratio;
-    wake_joint_bodies(world_->stores, slot_of(*world_, id_));
-    return {};
+    return edit(*world_, id_, "set_spring", "distance, revolute, prismatic and wheel", [&](auto& def) {
+        if constexpr (requires { def.enable_spring; }) {
+            def.enable_spring = enabled;
+            def.frequency_hz = frequency_hz;
+            def.damping_ratio = damping_ratio;
+            return true;
+        } else {
+            return false;
+        }
+    });
+}
+
+Result<void> Joint::set_target(float target) {
+    return edit(*world_, id_, "set_target", "revolute, prismatic and wheel", [&](auto& def) {
+        if constexpr (requires { def.target_rad; }) {
+            def.target_rad = target;
+            return true;
+        } else if constexpr (requires { def.target_m; }) {
+            def.target_m = target;
+            return true;
+        } else {
+            return false;
+        }
+    });
+}
+
+Result<void> Joint::set_target(Position target_m) {
+    if (auto fault = check::finite("mouse_joint.target_m", target_m)) return *fault;
+    const Transform frame = world_->stores.bodies.transform(record_of(*world_, id_).body_a);
+    return edit(*world_, id_, "set_target", "mouse", [&](auto& def) {
+        if constexpr (requires { def.local_target_m; }) {
+            def.local_target_m = inverse_transform_point(frame, target_m);
+            return true;
+        } else {
+            return false;
+        }
+    });
+}
+
+Result<void> Joint::set_length(float length_m) {
+    return edit(*world_, id_, "set_length", "distance and pulley", [&](auto& def) {
+        if constexpr (requires { def.length_m; }) {
+            def.length_m = length_m;
+            return true;
+        } else {
+            return false;
+        }
+    });
 }
 
 }  // namespace cairn::physics

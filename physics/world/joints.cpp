@@ -1,7 +1,9 @@
-// Joints: creation and removal.
+// Joints: creation, change and removal.
 #include "world/joints.h"
 
 #include "world/contacts.h"
+#include "world/joint_frames.h"
+#include "world/joint_rules.h"
 #include "world/sleep.h"
 
 namespace cairn::physics {
@@ -25,36 +27,117 @@ void look_for_pairs(Stores& stores, int body) {
     }
 }
 
-}  // namespace
-
-int create_joint(WorldState& world, std::variant<RevoluteJointDef, DistanceJointDef> def) {
-    Stores& stores = world.stores;
-    JointRecord record;
-    std::visit(
-        [&](const auto& d) {
-            record.body_a = stores.bodies.slots.find(d.body_a);
-            record.body_b = stores.bodies.slots.find(d.body_b);
-            record.collide_connected = d.collide_connected;
-            record.user_data = d.user_data;
+bool collides_connected(const JointDef& def) {
+    return std::visit(
+        [](const auto& d) {
+            if constexpr (requires { d.collide_connected; }) {
+                return d.collide_connected;
+            } else {
+                return false;
+            }
         },
         def);
-    record.def = def;
+}
+
+void settle_pulley(const Stores& stores, JointRecord& record) {
+    auto* pulley = std::get_if<PulleyJointDef>(&record.def);
+    if (!pulley || pulley->length_m > 0) return;
+    pulley->length_m = length(anchor_a(stores.bodies, record) - pulley->wheel_a_m) +
+                       pulley->ratio * length(anchor_b(stores.bodies, record) - pulley->wheel_b_m);
+}
+
+void settle_gear(const Stores& stores, JointRecord& record) {
+    const auto* gear = std::get_if<GearJointDef>(&record.def);
+    if (!gear) return;
+    const auto coordinate = [&](JointId id) {
+        return gear_coordinate(stores.bodies, stores.joints.slots[stores.joints.slots.find(id)]);
+    };
+    record.geared_sum =
+        coordinate(gear->joint_1) + static_cast<double>(gear->ratio) * coordinate(gear->joint_2);
+}
+
+// A gear on the joint, or kNone. It is on one of the bodies of the joint.
+int find_gear_on(const Stores& stores, int joint) {
+    const JointId id = stores.joints.slots.id(joint);
+    const JointRecord& record = stores.joints.slots[joint];
+    int found = kNone;
+    for (const int body : {record.body_a, record.body_b}) {
+        for_each_edge(stores.joints.slots, stores.bodies.slots[body].first_joint, [&](int other, int) {
+            const auto* gear = std::get_if<GearJointDef>(&stores.joints.slots[other].def);
+            if (gear && (gear->joint_1 == id || gear->joint_2 == id)) found = other;
+        });
+    }
+    return found;
+}
+
+void activate_if_awake(Stores& stores, int joint) {
+    const JointRecord& record = stores.joints.slots[joint];
+    if (takes_part(record) &&
+        (stores.bodies.is_awake(record.body_a) || stores.bodies.is_awake(record.body_b))) {
+        stores.joints.active.add(stores.joints.slots, joint);
+    }
+}
+
+}  // namespace
+
+int create_joint(WorldState& world, JointDef def) {
+    Stores& stores = world.stores;
+    JointRecord record;
+    const JointBodies bodies = bodies_of(def, stores);
+    record.body_a = bodies.a;
+    record.body_b = bodies.b;
+    record.collide_connected = collides_connected(def);
+    record.user_data = std::visit([](const auto& d) { return d.user_data; }, def);
+    record.def = std::move(def);
+    record.angle_rad = joint_angle(stores.bodies, record);
+    settle_pulley(stores, record);
+    settle_gear(stores, record);
     const int joint = stores.joints.slots.insert(record);
     link_edge(stores.joints.slots, stores.bodies.slots[record.body_a].first_joint, joint, 0);
     link_edge(stores.joints.slots, stores.bodies.slots[record.body_b].first_joint, joint, 1);
     wake_joint_bodies(stores, joint);
-    if (stores.bodies.is_awake(record.body_a) || stores.bodies.is_awake(record.body_b)) {
-        stores.joints.active.add(stores.joints.slots, joint);
-    }
+    activate_if_awake(stores, joint);
     if (!record.collide_connected) destroy_contacts_between(world, record.body_a, record.body_b);
     return joint;
 }
 
+void redefine_joint(WorldState& world, int joint, JointDef def) {
+    Stores& stores = world.stores;
+    JointRecord& record = stores.joints.slots[joint];
+    const bool collided = record.collide_connected;
+    record.collide_connected = collides_connected(def);
+    record.user_data = std::visit([](const auto& d) { return d.user_data; }, def);
+    record.def = std::move(def);
+    settle_pulley(stores, record);
+    settle_gear(stores, record);
+    wake_joint_bodies(stores, joint);
+    if (collided && !record.collide_connected) destroy_contacts_between(world, record.body_a, record.body_b);
+    if (!collided && record.collide_connected) look_for_pairs(stores, record.body_a);
+}
+
+void rehang_joint(Stores& stores, int joint, int side, int body) {
+    auto& joints = stores.joints.slots;
+    JointRecord& record = joints[joint];
+    int& end = side == 0 ? record.body_a : record.body_b;
+    unlink_edge(joints, stores.bodies.slots[end].first_joint, joint, side);
+    end = body;
+    link_edge(joints, stores.bodies.slots[end].first_joint, joint, side);
+    const BodyId id = stores.bodies.slots.id(body);
+    std::visit(
+        [&](auto& def) {
+            if constexpr (requires { def.body_a; }) (side == 0 ? def.body_a : def.body_b) = id;
+        },
+        record.def);
+    activate_if_awake(stores, joint);
+}
+
 void destroy_joint(Stores& stores, int joint) {
     wake_joint_bodies(stores, joint);
+    for (int gear = find_gear_on(stores, joint); gear != kNone; gear = find_gear_on(stores, joint)) {
+        destroy_joint(stores, gear);
+    }
     const JointRecord& record = stores.joints.slots[joint];
-    const int body_a = record.body_a;
-    if (!record.collide_connected) look_for_pairs(stores, body_a);
+    if (!record.collide_connected) look_for_pairs(stores, record.body_a);
     stores.joints.active.remove(stores.joints.slots, joint);
     unlink_edge(stores.joints.slots, stores.bodies.slots[record.body_a].first_joint, joint, 0);
     unlink_edge(stores.joints.slots, stores.bodies.slots[record.body_b].first_joint, joint, 1);
@@ -64,6 +147,10 @@ void destroy_joint(Stores& stores, int joint) {
 void wake_joint_bodies(Stores& stores, int joint) {
     wake_body(stores, stores.joints.slots[joint].body_a);
     wake_body(stores, stores.joints.slots[joint].body_b);
+}
+
+bool takes_part(const JointRecord& joint) {
+    return kind_of(joint) != JointKind::Filter;
 }
 
 }  // namespace cairn::physics

@@ -18,60 +18,6 @@ void mark_mover(Motions& motions, int row, Mover mover) {
     if (motions.mover[row] < mover) motions.mover[row] = mover;
 }
 
-JointAnchors make_anchors(const BodyStore& bodies, const JointRecord& j, Vec2 local_a, Vec2 local_b) {
-    const auto arm = [&](int body, Vec2 local) {
-        return rotate(bodies.places[body].rotation, local - bodies.slots[body].mass.center_m);
-    };
-    return {bodies.places[j.body_a].row, bodies.places[j.body_b].row, arm(j.body_a, local_a),
-            arm(j.body_b, local_b), bodies.center_offset(j.body_a, j.body_b)};
-}
-
-Softness joint_softness(const StepTime& time) {
-    const float frequency = std::min(tuning::kJointFrequency_hz, tuning::kMaxFrequencyShare / time.h_s);
-    return make_soft(frequency, tuning::kJointDampingRatio, time.h_s);
-}
-
-float angle_between(const BodyStore& bodies, int a, int b, double reference_rad) {
-    const Rotation turn = inverse(bodies.places[a].rotation) * bodies.places[b].rotation;
-    return (inverse(Rotation::from_angle(reference_rad)) * turn).angle_rad();
-}
-
-RevoluteConstraint pack(const Stores& stores, const JointRecord& j, const RevoluteJointDef& def,
-                        const StepTime& time) {
-    RevoluteConstraint c;
-    c.anchors = make_anchors(stores.bodies, j, def.local_anchor_a_m, def.local_anchor_b_m);
-    c.softness = joint_softness(time);
-    c.limit = def.enable_limit;
-    c.lower_rad = def.lower_rad;
-    c.upper_rad = def.upper_rad;
-    if (c.limit) c.angle_rad = angle_between(stores.bodies, j.body_a, j.body_b, def.reference_angle_rad);
-    c.motor = def.enable_motor;
-    c.motor_speed_rad_s = def.motor_speed_rad_s;
-    c.max_motor_impulse = def.max_motor_torque_nm * time.h_s;
-    c.impulse = time.impulse_ratio * j.impulse;
-    c.motor_impulse = time.impulse_ratio * j.motor_impulse;
-    c.lower_impulse = time.impulse_ratio * j.lower_impulse;
-    c.upper_impulse = time.impulse_ratio * j.upper_impulse;
-    return c;
-}
-
-DistanceConstraint pack(const Stores& stores, const JointRecord& j, const DistanceJointDef& def,
-                        const StepTime& time) {
-    DistanceConstraint c;
-    c.anchors = make_anchors(stores.bodies, j, def.local_anchor_a_m, def.local_anchor_b_m);
-    c.softness = joint_softness(time);
-    c.spring = def.enable_spring;
-    c.limit = def.enable_spring && (def.min_length_m > 0 || std::isfinite(def.max_length_m));
-    if (c.spring) c.spring_softness = make_soft(def.frequency_hz, def.damping_ratio, time.h_s);
-    c.length_m = def.length_m;
-    c.min_length_m = def.min_length_m;
-    c.max_length_m = def.max_length_m;
-    c.impulse = time.impulse_ratio * j.impulse.x;
-    c.lower_impulse = time.impulse_ratio * j.lower_impulse;
-    c.upper_impulse = time.impulse_ratio * j.upper_impulse;
-    return c;
-}
-
 }  // namespace
 
 StepTime make_step_time(float dt_s, int substeps, float previous_h_s) {
@@ -132,29 +78,6 @@ void choose_movers(const Stores& stores, StepScratch& scratch) {
     }
 }
 
-void prepare_joints(const Stores& stores, const StepTime& time, StepScratch& scratch) {
-    scratch.revolutes.clear();
-    scratch.distances.clear();
-    for (const int joint : stores.joints.active) {
-        const JointRecord& record = stores.joints.slots[joint];
-        if (const auto* revolute = std::get_if<RevoluteJointDef>(&record.def)) {
-            RevoluteConstraint c = pack(stores, record, *revolute, time);
-            c.joint = joint;
-            prepare_revolute(c, scratch.motions);
-            mark_mover(scratch.motions, c.anchors.a, Mover::Turning);
-            mark_mover(scratch.motions, c.anchors.b, Mover::Turning);
-            scratch.revolutes.push_back(c);
-        } else if (const auto* distance = std::get_if<DistanceJointDef>(&record.def)) {
-            DistanceConstraint c = pack(stores, record, *distance, time);
-            c.joint = joint;
-            prepare_distance(c);
-            mark_mover(scratch.motions, c.anchors.a, Mover::Turning);
-            mark_mover(scratch.motions, c.anchors.b, Mover::Turning);
-            scratch.distances.push_back(c);
-        }
-    }
-}
-
 void collect_outcomes(const ContactStore& contacts, StepScratch& scratch) {
     for (ContactConstraint& c : scratch.contacts) {
         if (!c.in_lane) continue;
@@ -184,25 +107,6 @@ void store_contact_impulses(ContactStore& contacts, const StepScratch& scratch) 
         } else {
             record.memory = memory;
         }
-    }
-}
-
-void store_joint_impulses(JointStore& joints, const StepTime& time, const StepScratch& scratch) {
-    for (const RevoluteConstraint& c : scratch.revolutes) {
-        JointRecord& record = joints.slots[c.joint];
-        record.impulse = c.impulse;
-        record.motor_impulse = c.motor_impulse;
-        record.lower_impulse = c.lower_impulse;
-        record.upper_impulse = c.upper_impulse;
-        record.reaction_force = (1 / time.h_s) * c.impulse;
-        record.reaction_torque = (c.motor_impulse + c.lower_impulse - c.upper_impulse) / time.h_s;
-    }
-    for (const DistanceConstraint& c : scratch.distances) {
-        JointRecord& record = joints.slots[c.joint];
-        record.impulse = {c.impulse, 0};
-        record.lower_impulse = c.lower_impulse;
-        record.upper_impulse = c.upper_impulse;
-        record.reaction_force = ((c.impulse + c.lower_impulse - c.upper_impulse) / time.h_s) * c.axis;
     }
 }
 

@@ -22,15 +22,11 @@ void prepare_motions(BodyStore& bodies, Vec2 gravity_m_s2, float dt_s, StepScrat
 void extend_motions(BodyStore& bodies, Vec2 gravity_m_s2, float dt_s, StepScratch& scratch);
 /// Stage: who moves each body, now that all contacts are known.
 void choose_movers(const Stores& stores, StepScratch& scratch);
-/// Stage: active joints.
-void prepare_joints(const Stores& stores, const StepTime& time, StepScratch& scratch);
 
 /// Stage: what the lanes hold, for contacts that impact or are told about.
 void collect_outcomes(const ContactStore& contacts, StepScratch& scratch);
 
 /// Stage: impulses of contacts in plain form, to start the next step from.
 void store_contact_impulses(ContactStore& contacts, const StepScratch& scratch);
-/// Stage: the same for joints, and their reactions.
-void store_joint_impulses(JointStore& joints, const StepTime& time, const StepScratch& scratch);
 
 }  // namespace cairn::physics

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "integrator/integrate.h"
+#include "resolve/joints/joint_solver.h"
 #include "world/prepare.h"
 
 namespace cairn::physics {
@@ -28,8 +29,7 @@ inline void integrate_positions(StepScratch& scratch, float h_s, TaskPool& tasks
 /// integrate_velocities carries them on.
 inline void warm_start(ContactLanes& lanes, StepScratch& scratch, const StepTime& time, bool first_substep,
                        TaskPool& tasks) {
-    for (const RevoluteConstraint& c : scratch.revolutes) warm_start_revolute(c, scratch.motions);
-    for (const DistanceConstraint& c : scratch.distances) warm_start_distance(c, scratch.motions);
+    warm_start_joints(scratch.joints, scratch.motions);
     if (!first_substep) return;
     for (const int i : scratch.scalar_contacts) {
         warm_start_contact(scratch.contacts[i], scratch.motions, time.step_ratio, time.impulse_ratio);
@@ -39,8 +39,7 @@ inline void warm_start(ContactLanes& lanes, StepScratch& scratch, const StepTime
 
 inline void solve(ContactLanes& lanes, StepScratch& scratch, const ContactRules& rules, float h_s, Pass pass,
                   TaskPool& tasks) {
-    for (RevoluteConstraint& c : scratch.revolutes) solve_revolute(c, scratch.motions, h_s, pass);
-    for (DistanceConstraint& c : scratch.distances) solve_distance(c, scratch.motions, h_s, pass);
+    solve_joints(scratch.joints, scratch.motions, h_s, pass);
     for (const int i : scratch.scalar_contacts) {
         solve_contact(scratch.contacts[i], scratch.motions, rules, h_s, pass);
     }

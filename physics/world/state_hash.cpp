@@ -33,9 +33,8 @@ void add_contact(StateHash& hash, const ContactStore& contacts, int contact) {
 
 void add_joint(StateHash& hash, const JointRecord& j) {
     hash.add(static_cast<std::uint64_t>(j.body_a) << 32 | static_cast<std::uint32_t>(j.body_b));
-    hash.add(j.impulse);
-    hash.add(j.motor_impulse, j.lower_impulse);
-    hash.add(j.upper_impulse, 0);
+    hash.add(j.angle_rad);
+    for (std::size_t i = 0; i < j.impulse.size(); i += 2) hash.add(j.impulse[i], j.impulse[i + 1]);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "world/contacts.h"
 #include "world/fast_bodies.h"
 #include "world/finalize.h"
+#include "world/joint_constraints.h"
 #include "world/prepare.h"
 #include "world/sensors.h"
 #include "world/sleep.h"
@@ -47,6 +48,7 @@ void step_world(WorldState& world, float dt_s) {
     clock.enter(Stage::Solve);
     ContactLanes& lanes = stores.contacts.lanes;
     for (int substep = 0; substep < time.substeps; ++substep) {
+        note_spring_speeds(scratch.joints, scratch.motions);
         integrate_velocities(scratch, time.h_s, substep == 0, tasks);
         warm_start(lanes, scratch, time, substep == 0, tasks);
         solve(lanes, scratch, rules, time.h_s, Pass::Biased, tasks);
@@ -65,6 +67,7 @@ void step_world(WorldState& world, float dt_s) {
     finalize_bodies(stores, scratch, time.dt_s, def.enable_sleep, world.events.quarantined);
     clock.enter(Stage::Continuous);
     hold_fast_bodies(stores, scratch, tasks);
+    break_joints(stores, scratch, world.events);
     clock.enter(Stage::Sensors);
     update_sensors(stores, world.events);
     clock.enter(Stage::Sleep);

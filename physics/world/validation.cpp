@@ -10,22 +10,6 @@ double d(float x) {
     return static_cast<double>(x);
 }
 
-check::Fault validate_joint_bodies(const char* kind, BodyId a, BodyId b, const Stores& stores) {
-    const std::string name = kind;
-    const std::uint64_t tag = stores.bodies.slots.world_tag();
-    for (const auto& [field, id] : {std::pair{".body_a", a}, std::pair{".body_b", b}}) {
-        if (stores.bodies.slots.find(id) == kNone) {
-            return Error{name + field + ": " + bad_handle("body", id.index1, id.world, tag).message};
-        }
-    }
-    if (a == b) return Error{name + ".body_a and .body_b are the same body, but must be two bodies"};
-    const auto type = [&](BodyId id) { return stores.bodies.slots[stores.bodies.slots.find(id)].type; };
-    if (type(a) != BodyType::Dynamic && type(b) != BodyType::Dynamic) {
-        return Error{name + ".body_a and .body_b are both immovable, but one must be dynamic"};
-    }
-    return {};
-}
-
 check::Fault validate_tasks(const TaskSystem* tasks) {
     if (tasks == nullptr) return {};
     if (!tasks->enqueue) return Error{"world.tasks.enqueue is null, but must be a function"};
@@ -87,55 +71,8 @@ check::Fault validate(const ShapeDef& def) {
                             check::finite("shape.one_way_normal", def.one_way_normal)});
 }
 
-check::Fault validate(const RevoluteJointDef& def, const Stores& stores) {
-    return check::first_of({validate_joint_bodies("revolute_joint", def.body_a, def.body_b, stores),
-                            check::finite("revolute_joint.local_anchor_a_m", def.local_anchor_a_m),
-                            check::finite("revolute_joint.local_anchor_b_m", def.local_anchor_b_m),
-                            check::finite("revolute_joint.reference_angle_rad", def.reference_angle_rad),
-                            validate_limits(def.lower_rad, def.upper_rad),
-                            validate_motor(def.motor_speed_rad_s, def.max_motor_torque_nm)});
-}
-
-check::Fault validate(const DistanceJointDef& def, const Stores& stores) {
-    const auto at_least_slop = [](const char* field, float length_m) {
-        return check::require(std::isfinite(length_m) && length_m > tuning::kLinearSlop_m, field, d(length_m),
-                              "finite and greater than 0.005 m");
-    };
-    return check::first_of({validate_joint_bodies("distance_joint", def.body_a, def.body_b, stores),
-                            check::finite("distance_joint.local_anchor_a_m", def.local_anchor_a_m),
-                            check::finite("distance_joint.local_anchor_b_m", def.local_anchor_b_m),
-                            at_least_slop("distance_joint.length_m", def.length_m),
-                            validate_spring(def.frequency_hz, def.damping_ratio),
-                            check::not_negative("distance_joint.min_length_m", d(def.min_length_m)),
-                            check::require(def.min_length_m <= def.length_m, "distance_joint.min_length_m",
-                                           d(def.min_length_m), "at most length_m"),
-                            check::require(def.max_length_m >= def.length_m, "distance_joint.max_length_m",
-                                           d(def.max_length_m), "at least length_m")});
-}
-
 check::Fault validate_step(float dt_s) {
     return check::require(dt_s > 0 && dt_s <= 1, "step.dt_s", d(dt_s), "greater than 0 and at most 1 s");
-}
-
-check::Fault validate_limits(float lower_rad, float upper_rad) {
-    const auto inside = [](const char* field, float angle) {
-        return check::require(angle > -kPi && angle < kPi, field, d(angle), "between -pi and pi");
-    };
-    return check::first_of({inside("revolute_joint.lower_rad", lower_rad),
-                            inside("revolute_joint.upper_rad", upper_rad),
-                            check::require(lower_rad <= upper_rad, "revolute_joint.lower_rad", d(lower_rad),
-                                           "at most upper_rad")});
-}
-
-check::Fault validate_motor(float speed_rad_s, float max_torque_nm) {
-    return check::first_of({check::finite("revolute_joint.motor_speed_rad_s", d(speed_rad_s)),
-                            check::require(max_torque_nm >= 0, "revolute_joint.max_motor_torque_nm",
-                                           d(max_torque_nm), "at least 0")});
-}
-
-check::Fault validate_spring(float frequency_hz, float damping_ratio) {
-    return check::first_of({check::positive("distance_joint.frequency_hz", d(frequency_hz)),
-                            check::not_negative("distance_joint.damping_ratio", d(damping_ratio))});
 }
 
 check::Fault refuse_within_step(const WorldState& world) {

@@ -10,14 +10,9 @@ check::Fault validate(const WorldDef& def);
 check::Fault validate(const BodyDef& def);
 check::Fault validate(const ShapeDef& def);
 check::Fault validate(const Material& material);
-check::Fault validate(const RevoluteJointDef& def, const Stores& stores);
-check::Fault validate(const DistanceJointDef& def, const Stores& stores);
 check::Fault validate(const MaterialRule& rule);
 check::Fault validate_material_kinds(int kind_a, int kind_b);
 check::Fault validate_step(float dt_s);
-check::Fault validate_limits(float lower_rad, float upper_rad);
-check::Fault validate_motor(float speed_rad_s, float max_torque_nm);
-check::Fault validate_spring(float frequency_hz, float damping_ratio);
 
 /// While a step runs, only what the host was asked could call: it must not change the world.
 check::Fault refuse_within_step(const WorldState& world);

@@ -8,6 +8,7 @@
 #include "world/chain_rules.h"
 #include "world/chains.h"
 #include "world/contact_events.h"
+#include "world/joint_rules.h"
 #include "world/joints.h"
 #include "world/measures.h"
 #include "world/sleep.h"
@@ -40,14 +41,6 @@ std::vector<Id> ids(const Slots& slots) {
 template <class Slots, class Id>
 Result<int> find(const Slots& slots, Id id, const char* kind) {
     return find_slot(slots, id, kind, slots.world_tag());
-}
-
-template <class Def>
-Result<JointId> create_checked_joint(WorldState& state, const Def& def) {
-    if (auto fault = refuse_within_step(state)) return *fault;
-    if (auto fault = validate(def, state.stores)) return *fault;
-    if (state.stores.joints.slots.full()) return full("joints");
-    return state.stores.joints.slots.id(create_joint(state, def));
 }
 
 }  // namespace
@@ -178,11 +171,11 @@ bool World::contains(ChainId id) const {
     return state_->stores.chains.find(id) != kNone;
 }
 
-Result<JointId> World::create_joint(const RevoluteJointDef& def) {
-    return create_checked_joint(*state_, def);
-}
-Result<JointId> World::create_joint(const DistanceJointDef& def) {
-    return create_checked_joint(*state_, def);
+Result<JointId> World::create_joint(const JointDef& def) {
+    if (auto fault = refuse_within_step(*state_)) return *fault;
+    if (auto fault = validate(def, state_->stores)) return *fault;
+    if (state_->stores.joints.slots.full()) return full("joints");
+    return state_->stores.joints.slots.id(physics::create_joint(*state_, def));
 }
 
 Result<void> World::destroy_joint(JointId id) {
@@ -217,6 +210,9 @@ std::span<const ContactEnd> World::contact_ends() const {
 }
 std::span<const ContactHit> World::contact_hits() const {
     return state_->events.hits;
+}
+std::span<const JointBreak> World::joint_breaks() const {
+    return state_->events.joint_breaks;
 }
 std::span<const SensorBegin> World::sensor_begins() const {
     return state_->events.sensor_begins;

@@ -11,8 +11,7 @@
 #include "broad/broad_phase.h"
 #include "islands/islands.h"
 #include "resolve/contact_constraint.h"
-#include "resolve/joints/distance.h"
-#include "resolve/joints/revolute.h"
+#include "resolve/joints/joint_constraint.h"
 #include "world/body_mass.h"
 #include "world/body_store.h"
 #include "world/chain_store.h"
@@ -70,6 +69,7 @@ struct Events {
     std::vector<ContactBegin> begins;
     std::vector<ContactEnd> ends;
     std::vector<ContactHit> hits;
+    std::vector<JointBreak> joint_breaks;
     std::vector<SensorBegin> sensor_begins;
     std::vector<SensorEnd> sensor_ends;
     std::vector<BodyId> quarantined;
@@ -84,6 +84,7 @@ std::uint64_t hash_state(const WorldState& world);
 inline void start_events(Events& events) {
     events.begins.clear();
     events.hits.clear();
+    events.joint_breaks.clear();
     events.quarantined.clear();
     events.ends.clear();
     events.ends.swap(events.pending_ends);
@@ -134,9 +135,9 @@ struct StepScratch {
     std::vector<Drive> drives;
     std::vector<ContactConstraint>
         contacts;  // in plain form: solved as scalars, or wanted for restitution or events
-    std::vector<int> scalar_contacts;  // those of them
-    std::vector<RevoluteConstraint> revolutes;
-    std::vector<DistanceConstraint> distances;
+    std::vector<int> scalar_contacts;     // those of them
+    std::vector<JointConstraint> joints;  // the active ones, in their order
+    std::vector<double> spring_loads;
     std::vector<int> met;      // contacts that were near and have points now
     std::vector<int> parted;   // contacts that have none any more
     std::vector<int> gone;     // contacts whose boxes no longer overlap

@@ -296,8 +296,7 @@ physics::RevoluteJointDef read_revolute_joint(lua_State* L, const FieldReader& r
     def.body_b = b.id;
     def.local_anchor_a_m = physics::inverse_transform_point(a.transform, pin);
     def.local_anchor_b_m = physics::inverse_transform_point(b.transform, pin);
-    def.reference_angle_rad =
-        static_cast<double>((physics::inverse(a.transform.q) * b.transform.q).angle_rad());
+    def.local_angle_a_rad = (physics::inverse(a.transform.q) * b.transform.q).angle_rad();
     if (const auto limits = read_pair(L, reader, kLower, kUpper)) {
         def.enable_limit = true;
         def.lower_rad = static_cast<float>(limits->first);

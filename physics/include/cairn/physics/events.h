@@ -2,6 +2,8 @@
 // destroyed since): ask the world.
 #pragma once
 
+#include <cstdint>
+
 #include <cairn/physics/ids.h>
 #include <cairn/physics/math.h>
 
@@ -35,6 +37,17 @@ struct ContactHit {
     Vec2 normal{};       ///< unit, from a to b
     float approach_speed_m_s = 0;
     float impulse_ns = 0;  ///< sum of the normal impulses of the contact over the step
+};
+
+/// A joint was loaded beyond its strength, and destroyed at the end of the step.
+struct JointBreak {
+    JointId joint{};
+    BodyId body_a{};
+    BodyId body_b{};
+    Position point_m{};  ///< anchor b
+    Vec2 force_n{};      ///< on body b, the mean over the step
+    float torque_nm = 0;
+    std::uint64_t user_data = 0;
 };
 
 /// A shape came to overlap a sensor.

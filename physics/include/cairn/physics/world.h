@@ -121,8 +121,8 @@ class World {
     Result<const Chain> chain(ChainId id) const;
     [[nodiscard]] bool contains(ChainId id) const;
 
-    Result<JointId> create_joint(const RevoluteJointDef& def);
-    Result<JointId> create_joint(const DistanceJointDef& def);
+    /// Of any kind; its bodies wake.
+    Result<JointId> create_joint(const JointDef& def);
     Result<void> destroy_joint(JointId id);
     Result<Joint> joint(JointId id);
     Result<const Joint> joint(JointId id) const;
@@ -133,6 +133,8 @@ class World {
     [[nodiscard]] std::span<const ContactBegin> contact_begins() const;
     [[nodiscard]] std::span<const ContactEnd> contact_ends() const;
     [[nodiscard]] std::span<const ContactHit> contact_hits() const;
+    /// Joints that the last step loaded beyond their strength, and that are gone now.
+    [[nodiscard]] std::span<const JointBreak> joint_breaks() const;
 
     /// What came to overlap sensors, and what ceased to, from the end of one step to the end of the next:
     /// what passes a sensor within a single step is not seen. Ordered and valid as the events of contacts.

@@ -227,14 +227,14 @@ TEST_CASE("limits that are equal hold the angle, and changed limits take effect"
     CHECK(world.joint(joint)->joint_angle() < -1.2f);
 }
 
-TEST_CASE("the joint angle counts from the reference angle") {
+TEST_CASE("the joint angle counts from where the frames agree") {
     World world({.gravity_m_s2 = {}});
     const BodyId a = add(world, {.angle_rad = 0.5}, Circle{});
     const BodyId b = add(world, {.position_m = {5, 0}, .angle_rad = 1.2}, Circle{});
     const JointId joint =
         world
             .create_joint(RevoluteJointDef{
-                .body_a = a, .body_b = b, .local_anchor_a_m = {3, 0}, .reference_angle_rad = 0.2})
+                .body_a = a, .body_b = b, .local_anchor_a_m = {3, 0}, .local_angle_a_rad = 0.2f})
             .value();
     CHECK(d(world.joint(joint)->joint_angle()) == Approx(0.5));
     CHECK(world.joint(joint)->kind() == JointKind::Revolute);

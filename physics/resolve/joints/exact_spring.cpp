@@ -1,0 +1,62 @@
+// Springs by their poles. A spring of angular frequency w and damping ratio z has in time steps of h the
+// poles e^(h w (-z +- i sqrt(1 - z^2))). Symplectic Euler, v+ = v + impulse/m and q+ = q + h v+, with an
+// impulse linear in v+, v and q has two poles too; equating them and asking for the static sag of the true
+// spring gives, with W = w h, Wd = W sqrt(1 - z^2):
+//     a  = e^(-2 z W),    b = (1 - e^(-z W))^2 + 4 e^(-z W) sin^2(Wd/2),    s = W^2/b
+//     d1 = s - 1,         d0 = 1 - a s
+// Derivation: the characteristic polynomial of the recurrence is (1 + d1) x^2 - (2 + d1 - d0 - W^2) x + (1 -
+// d0) after q is eliminated; at x = 1 it is W^2, and the product of its roots must be a, so (1 - d0) = a (1 +
+// d1) and (1 + d1)(1 - x1)(1 - x2) = W^2 with (1 - x1)(1 - x2) = b.
+#include "resolve/joints/exact_spring.h"
+
+#include <cmath>
+
+#include <cairn/physics/math.h>
+
+namespace cairn::physics {
+namespace {
+
+// 1 - e^-x without cancellation, x >= 0.
+double one_minus_exp(double x) {
+    if (x > 0.01) return 1 - deterministic::exp(-x);
+    return x * (1 - x / 2 * (1 - x / 3 * (1 - x / 4 * (1 - x / 5))));
+}
+
+// (1 - x1)(1 - x2) for the poles x1, x2.
+double pole_distance(double angle, double ratio) {
+    if (ratio < 1) {
+        const double fade = one_minus_exp(ratio * angle);
+        const double turn = deterministic::sin(angle * std::sqrt(1 - ratio * ratio) / 2);
+        return fade * fade + 4 * (1 - fade) * turn * turn;
+    }
+    const double fast = ratio + std::sqrt(ratio * ratio - 1);
+    return one_minus_exp(angle / fast) * one_minus_exp(angle * fast);
+}
+
+// Beyond it, substeps see less than three points of a period: the poles would alias.
+constexpr double kMostTurn_rad = 2;
+
+}  // namespace
+
+ExactSpring make_exact_spring(double frequency_hz, double damping_ratio, double h_s, double stiffening) {
+    const double angle = 2 * static_cast<double>(kPi) * frequency_hz * h_s;
+    const double square = angle * angle;
+    double d1 = square + 2 * damping_ratio * angle;  // implicit Euler: stable for all that cannot be resolved
+    double d0 = 0;
+    const bool oscillates = damping_ratio < 1;
+    if (!oscillates || angle * std::sqrt(1 - damping_ratio * damping_ratio) <= kMostTurn_rad) {
+        const double s = square / pole_distance(angle, damping_ratio);
+        d1 = s - 1;
+        d0 = 1 - (1 - one_minus_exp(2 * damping_ratio * angle)) * s;
+    }
+    // What keeps the poles of springs that share bodies within the unit circle.
+    const double excess = (square / 2 - 2 / stiffening - (d1 - d0)) / 2;
+    if (excess > 0) {
+        d1 += excess;
+        d0 -= excess;
+    }
+    return {static_cast<float>(d1), static_cast<float>(d0), static_cast<float>(square / h_s),
+            damping_ratio > 0};
+}
+
+}  // namespace cairn::physics

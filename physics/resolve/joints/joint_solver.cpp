@@ -1,0 +1,290 @@
+// How the laws of joints are kept, whatever the kind. Glossary: J v speed along a direction, K = J 1/M J^T
+// the inverse effective mass, p impulse of a law in this substep.
+//     held and limits:   p += -K^-1 mass_scale (J v + bias_rate C) - impulse_scale p        (resolve/soft.h)
+//     motors:            p += -K^-1 (J v - speed)
+//     springs:           p  = (-K^-1 (d1 J v + d0 Jv_before + stiffness C) + d1 p)/(1 + d1)  (exact_spring.h,
+//     with
+//                        Jv+ = J v + K (p+ - p))
+// Springs are left alone while relaxing: that would take their force out again, a damping that nobody asked
+// for.
+#include "resolve/joints/joint_solver.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "resolve/joints/kinds.h"
+#include "resolve/joints/small_system.h"
+
+namespace cairn::physics {
+namespace {
+
+using Values = std::array<float, kMaxDirections>;
+
+// The bodies of one joint while it is worked on.
+class Bodies {
+  public:
+    Bodies(const JointConstraint& c, const Motions& motions) : c_(c) {
+        for (int i = 0; i < c.bodies; ++i) bodies_[i] = motions.get(c.rows[i]);
+        for (int i = 0; i < c.bodies; ++i) {
+            locked_ = locked_ || bodies_[i].locked != 0;
+            inverse_mass_ += bodies_[i].inverse_mass;
+        }
+    }
+
+    [[nodiscard]] float speed(const Direction& d) const {
+        float sum = 0;
+        for (int i = 0; i < c_.bodies; ++i) {
+            sum += dot(d.j[i].linear, bodies_[i].v) + d.j[i].angular * bodies_[i].w;
+        }
+        return sum;
+    }
+
+    [[nodiscard]] float coupling(const Direction& d, const Direction& e) const {
+        float sum = 0;
+        for (int i = 0; i < c_.bodies; ++i) sum += share(i, d, e);
+        return sum;
+    }
+
+    // Of body i.
+    [[nodiscard]] float share(int i, const Direction& d, const Direction& e) const {
+        return dot(d.j[i].linear, velocity_change(bodies_[i], e.j[i].linear)) +
+               bodies_[i].inverse_inertia * d.j[i].angular * e.j[i].angular;
+    }
+
+    void push(const Direction& d, float impulse) {
+        for (int i = 0; i < c_.bodies; ++i) {
+            bodies_[i].v += velocity_change(bodies_[i], impulse * d.j[i].linear);
+            bodies_[i].w += bodies_[i].inverse_inertia * (impulse * d.j[i].angular);
+        }
+    }
+
+    void write(Motions& motions) const {
+        for (int i = 0; i < c_.bodies; ++i) motions.set_by_joint(c_.rows[i], bodies_[i]);
+    }
+
+    // Pivots up to this count as locked altogether (base/motion.h).
+    [[nodiscard]] float least_mobility() const { return locked_ ? kLeastMobility * inverse_mass_ : 0; }
+
+  private:
+    const JointConstraint& c_;
+    std::array<Motion, kMaxJointBodies> bodies_;
+    float inverse_mass_ = 0;
+    bool locked_ = false;
+};
+
+// One law with its directions.
+struct Task {
+    JointConstraint& c;
+    JointLaw& law;
+    const Direction* directions;  // the first
+    float sign;                   // upper limits look back
+
+    [[nodiscard]] float& impulse(int i) const {
+        return c.impulse[static_cast<std::size_t>(impulse_index(law.direction + i, role_of(law.kind)))];
+    }
+    [[nodiscard]] float error(int i) const { return sign * (directions[i].q - law.target); }
+};
+
+Task task_of(JointConstraint& c, JointLaw& law, const Directions& directions) {
+    return {c, law, &directions[law.direction], law.kind == LawKind::Upper ? -1.0f : 1.0f};
+}
+
+SmallSystem inverse_mass_of(const Task& task, const Bodies& bodies) {
+    SmallSystem system;
+    system.size = task.law.count;
+    for (int i = 0; i < system.size; ++i) {
+        for (int j = 0; j <= i; ++j) system.k[i][j] = bodies.coupling(task.directions[i], task.directions[j]);
+    }
+    return system;
+}
+
+void apply(const Task& task, Bodies& bodies, const Values& wanted) {
+    for (int i = 0; i < task.law.count; ++i) {
+        bodies.push(task.directions[i], task.sign * (wanted[i] - task.impulse(i)));
+        task.impulse(i) = wanted[i];
+    }
+}
+
+// Impulses as the caps allow them.
+void clamp(const JointLaw& law, Values& wanted) {
+    if (law.round) {
+        const float size = length(Vec2{wanted[0], wanted[1]});
+        if (size > law.high) {
+            for (float& p : wanted) p *= law.high / size;
+        }
+    } else {
+        wanted[0] = std::clamp(wanted[0], law.low, law.high);
+    }
+}
+
+Values solve_soft(const Task& task, const Bodies& bodies, const Softness& soft) {
+    Values rhs{};
+    for (int i = 0; i < task.law.count; ++i) {
+        rhs[i] = -(bodies.speed(task.directions[i]) * task.sign + soft.bias_rate * task.error(i));
+    }
+    Values change = solve(inverse_mass_of(task, bodies), rhs, bodies.least_mobility());
+    for (int i = 0; i < task.law.count; ++i) {
+        change[i] = soft.mass_scale * change[i] + (1 - soft.impulse_scale) * task.impulse(i);
+    }
+    return change;
+}
+
+void solve_hold(const Task& task, Bodies& bodies, Pass pass) {
+    apply(task, bodies, solve_soft(task, bodies, pass == Pass::Biased ? task.law.softness : kRigid));
+}
+
+// A gap may close, but no further.
+void solve_limit(const Task& task, Bodies& bodies, float h_s, Pass pass) {
+    const float gap = task.error(0);
+    Softness soft = pass == Pass::Biased ? task.law.softness : kRigid;
+    if (gap > 0) soft = {1 / h_s, 1, 0};
+    Values wanted = solve_soft(task, bodies, soft);
+    wanted[0] = std::max(wanted[0], 0.0f);
+    apply(task, bodies, wanted);
+}
+
+void solve_motor(const Task& task, Bodies& bodies) {
+    Values rhs{};
+    for (int i = 0; i < task.law.count; ++i) rhs[i] = task.law.speed[i] - bodies.speed(task.directions[i]);
+    Values wanted = solve(inverse_mass_of(task, bodies), rhs, bodies.least_mobility());
+    for (int i = 0; i < task.law.count; ++i) wanted[i] += task.impulse(i);
+    clamp(task.law, wanted);
+    apply(task, bodies, wanted);
+}
+
+Values spring_impulse(const Task& task, const Bodies& bodies, const Values& speed) {
+    const ExactSpring& spring = task.law.spring;
+    Values rhs{};
+    for (int i = 0; i < task.law.count; ++i) {
+        rhs[i] = -(spring.d1 * speed[i] + spring.d0 * task.law.speed_before[i] +
+                   spring.stiffness_per_s * task.error(i));
+    }
+    return solve(inverse_mass_of(task, bodies), rhs, bodies.least_mobility());
+}
+
+void solve_spring(const Task& task, Bodies& bodies) {
+    Values speed{};
+    for (int i = 0; i < task.law.count; ++i) speed[i] = bodies.speed(task.directions[i]);
+    Values wanted = spring_impulse(task, bodies, speed);
+    const float d1 = task.law.spring.d1;
+    for (int i = 0; i < task.law.count; ++i) wanted[i] = (wanted[i] + d1 * task.impulse(i)) / (1 + d1);
+    clamp(task.law, wanted);
+    apply(task, bodies, wanted);
+}
+
+// What the joint gave body b in this substep, as a force at its anchor and a torque.
+void add_reaction(JointConstraint& c, const Directions& directions, const Motions& motions) {
+    for (int d = 0; d < c.directions; ++d) {
+        const auto p = [&](Role role) { return c.impulse[static_cast<std::size_t>(impulse_index(d, role))]; };
+        const float sum = p(Role::HoldOrSpring) + p(Role::Motor) + p(Role::Lower) - p(Role::Upper);
+        const Jacobian& j = directions[static_cast<std::size_t>(d)].j[static_cast<std::size_t>(c.b)];
+        c.total_impulse += sum * j.linear;
+        const Vec2 arm = rotate(motions.turned[c.anchors.b], c.anchors.r_b);
+        c.total_angular_impulse += sum * (j.angular - cross(arm, j.linear));
+    }
+}
+
+}  // namespace
+
+void prepare_springs(std::span<JointConstraint> joints, const Motions& motions, float h_s,
+                     std::vector<double>& together) {
+    const auto for_each_spring = [&](auto&& visit) {
+        for (JointConstraint& c : joints) {
+            Directions directions;
+            bool placed = false;
+            for (int i = 0; i < c.law_count; ++i) {
+                if (c.laws[i].kind != LawKind::Spring) continue;
+                if (!placed) place(c, joints, motions, directions);
+                placed = true;
+                visit(c, c.laws[i], directions[c.laws[i].direction], Bodies(c, motions));
+            }
+        }
+    };
+    together.clear();
+    const auto share = [](const JointLaw& law, const Direction& d, const Bodies& bodies, int i) {
+        const double w = 2 * static_cast<double>(kPi) * static_cast<double>(law.spring_frequency_hz);
+        const float k = bodies.coupling(d, d);
+        return k > 0 ? w * w * static_cast<double>(bodies.share(i, d, d) / k) : 0.0;
+    };
+    for_each_spring([&](JointConstraint& c, JointLaw& law, const Direction& d, const Bodies& bodies) {
+        together.resize(static_cast<std::size_t>(motions.size()), 0);
+        for (int i = 0; i < c.bodies; ++i)
+            together[static_cast<std::size_t>(c.rows[i])] += share(law, d, bodies, i);
+    });
+    for_each_spring([&](JointConstraint& c, JointLaw& law, const Direction&, const Bodies&) {
+        const double frequency = static_cast<double>(law.spring_frequency_hz);
+        const double w = 2 * static_cast<double>(kPi) * frequency;
+        double sum = 0;
+        for (int i = 0; i < c.bodies; ++i) sum += together[static_cast<std::size_t>(c.rows[i])];
+        const double stiffening = std::max(sum / (w * w), 1.0);
+        law.spring = make_exact_spring(frequency, static_cast<double>(law.spring_damping_ratio),
+                                       static_cast<double>(h_s), stiffening);
+    });
+}
+
+void note_spring_speeds(std::span<JointConstraint> joints, const Motions& motions) {
+    for (JointConstraint& c : joints) {
+        if (!c.has_spring) continue;
+        Directions directions;
+        place(c, joints, motions, directions);
+        const Bodies bodies(c, motions);
+        for (int l = 0; l < c.law_count; ++l) {
+            JointLaw& law = c.laws[l];
+            if (law.kind != LawKind::Spring) continue;
+            for (int i = 0; i < law.count; ++i)
+                law.speed_before[i] = bodies.speed(directions[law.direction + i]);
+        }
+    }
+}
+
+void warm_start_joints(std::span<JointConstraint> joints, Motions& motions) {
+    for (JointConstraint& c : joints) {
+        Directions directions;
+        place(c, joints, motions, directions);
+        Bodies bodies(c, motions);
+        for (int l = 0; l < c.law_count; ++l) {
+            const Task task = task_of(c, c.laws[l], directions);
+            if (task.law.kind == LawKind::Spring && !task.law.spring.damped) {
+                // The impulse of the last substep is a quarter of a period late for what swings freely.
+                Values guess =
+                    spring_impulse(task, bodies, {task.law.speed_before[0], task.law.speed_before[1]});
+                clamp(task.law, guess);
+                for (int i = 0; i < task.law.count; ++i) task.impulse(i) = guess[i];
+            }
+            for (int i = 0; i < task.law.count; ++i) {
+                bodies.push(task.directions[i], task.sign * task.impulse(i));
+            }
+        }
+        bodies.write(motions);
+    }
+}
+
+void solve_joints(std::span<JointConstraint> joints, Motions& motions, float h_s, Pass pass) {
+    for (JointConstraint& c : joints) {
+        Directions directions;
+        place(c, joints, motions, directions);
+        Bodies bodies(c, motions);
+        for (int l = 0; l < c.law_count; ++l) {
+            const Task task = task_of(c, c.laws[l], directions);
+            switch (task.law.kind) {
+                case LawKind::Hold:
+                    solve_hold(task, bodies, pass);
+                    break;
+                case LawKind::Spring:
+                    if (pass == Pass::Biased) solve_spring(task, bodies);
+                    break;
+                case LawKind::Motor:
+                    solve_motor(task, bodies);
+                    break;
+                case LawKind::Lower:
+                case LawKind::Upper:
+                    solve_limit(task, bodies, h_s, pass);
+                    break;
+            }
+        }
+        if (pass == Pass::Relax) add_reaction(c, directions, motions);
+        bodies.write(motions);
+    }
+}
+
+}  // namespace cairn::physics

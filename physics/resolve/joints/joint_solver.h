@@ -1,0 +1,24 @@
+// The sweeping solver for joints: one joint after another, each by itself, several times per step.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "resolve/joints/joint_constraint.h"
+
+namespace cairn::physics {
+
+/// Once per step, when all constraints are described: spring constants, which depend on the springs around.
+/// `together` is memory that it works in: of each row, what its springs are to it together, 1/s^2.
+void prepare_springs(std::span<JointConstraint> joints, const Motions& motions, float h_s,
+                     std::vector<double>& together);
+
+/// At the start of each substep, before anything acts: how fast springs are.
+void note_spring_speeds(std::span<JointConstraint> joints, const Motions& motions);
+
+/// The impulses of the last substep, as the first guess for this one.
+void warm_start_joints(std::span<JointConstraint> joints, Motions& motions);
+
+void solve_joints(std::span<JointConstraint> joints, Motions& motions, float h_s, Pass pass);
+
+}  // namespace cairn::physics

@@ -1,0 +1,167 @@
+// Joints within a step.
+#include "world/joint_constraints.h"
+
+#include <cmath>
+
+#include "resolve/joints/joint_solver.h"
+#include "resolve/joints/kinds.h"
+#include "world/joint_frames.h"
+#include "world/joint_rules.h"
+#include "world/joints.h"
+#include "world/prepare.h"
+
+namespace cairn::physics {
+namespace {
+
+JointAnchors make_anchors(const BodyStore& bodies, const JointRecord& j, const JointFrames& frames) {
+    const auto arm = [&](int body, Vec2 local) {
+        return rotate(bodies.places[body].rotation, local - bodies.slots[body].mass.center_m);
+    };
+    return {bodies.places[j.body_a].row, bodies.places[j.body_b].row, arm(j.body_a, frames.anchor_a_m),
+            arm(j.body_b, frames.anchor_b_m), bodies.center_offset(j.body_a, j.body_b)};
+}
+
+const JointRecord& geared_joint(const Stores& stores, const GearJointDef& def, int i) {
+    return stores.joints.slots[stores.joints.slots.find(i == 0 ? def.joint_1 : def.joint_2)];
+}
+
+// The bodies of both joints, each once.
+void gather_geared_rows(const Stores& stores, const JointRecord& gear, const GearJointDef& def,
+                        JointConstraint& c) {
+    c.bodies = 0;
+    int filled = 0;
+    for (int i = 0; i < 2; ++i) {
+        const JointRecord& joint = geared_joint(stores, def, i);
+        c.geared[static_cast<std::size_t>(i)] = joint.active_index;
+        for (const int body : {joint.body_a, joint.body_b}) {
+            const int row = stores.bodies.places[body].row;
+            int place = 0;
+            while (place < c.bodies && c.rows[static_cast<std::size_t>(place)] != row) ++place;
+            if (place == c.bodies) c.rows[static_cast<std::size_t>(c.bodies++)] = row;
+            if (body == gear.body_b) c.b = place;
+            c.geared_rows[static_cast<std::size_t>(filled++)] = place;
+        }
+    }
+}
+
+// What the gear keeps, as its direction counts: angles from the start of the step.
+float held_by_gear(const Stores& stores, const JointRecord& gear, const GearJointDef& def) {
+    double held = gear.geared_sum;
+    for (int i = 0; i < 2; ++i) {
+        const JointRecord& joint = geared_joint(stores, def, i);
+        if (kind_of(joint) != JointKind::Revolute) continue;
+        held -= (i == 0 ? 1.0 : static_cast<double>(def.ratio)) * joint_angle(stores.bodies, joint);
+    }
+    return static_cast<float>(held);
+}
+
+struct Describe {
+    const Stores& stores;
+    const JointRecord& record;
+    JointConstraint& c;
+    const JointStart& start;
+
+    template <class Def>
+    void operator()(const Def& def) const {
+        describe(c, def, start);
+    }
+    void operator()(const GearJointDef& def) const {
+        // Where one joint sleeps, nothing that the gear could turn moves.
+        for (int i = 0; i < 2; ++i) {
+            if (geared_joint(stores, def, i).active_index == kNone) return;
+        }
+        gather_geared_rows(stores, record, def, c);
+        describe_gear(c, def, held_by_gear(stores, record, def), start);
+    }
+    void operator()(const PulleyJointDef& def) const {
+        c.from_wheel_a = anchor_a(stores.bodies, record) - def.wheel_a_m;
+        c.from_wheel_b = anchor_b(stores.bodies, record) - def.wheel_b_m;
+        describe(c, def, start);
+    }
+    void operator()(const FilterJointDef&) const {}
+};
+
+void make_constraint(const Stores& stores, int joint, const StepTime& time, JointConstraint& c) {
+    const JointRecord& record = stores.joints.slots[joint];
+    const JointFrames frames = frames_of(record.def);
+    c = {};
+    c.kind = kind_of(record);
+    c.joint = joint;
+    c.anchors = make_anchors(stores.bodies, record, frames);
+    c.rows = {c.anchors.a, c.anchors.b};
+    for (std::size_t i = 0; i < c.impulse.size(); ++i) c.impulse[i] = time.impulse_ratio * record.impulse[i];
+
+    JointStart start;
+    start.h_s = time.h_s;
+    start.frame_a = stores.bodies.places[record.body_a].rotation *
+                    Rotation::from_angle(static_cast<double>(frames.angle_a_rad));
+    const double angle = joint_angle(stores.bodies, record);
+    start.whole_turns_rad = 2 * static_cast<double>(kPi) * std::round(angle / (2 * static_cast<double>(kPi)));
+    c.start_angle_rad = start.angle(static_cast<float>(angle));
+    std::visit(Describe{stores, record, c, start}, record.def);
+}
+
+// What is switched off starts from nothing when it is switched on again.
+void forget_idle_impulses(JointConstraint& c) {
+    JointImpulses kept{};
+    for (int l = 0; l < c.law_count; ++l) {
+        const JointLaw& law = c.laws[static_cast<std::size_t>(l)];
+        for (int i = 0; i < law.count; ++i) {
+            const auto at = static_cast<std::size_t>(impulse_index(law.direction + i, role_of(law.kind)));
+            kept[at] = c.impulse[at];
+        }
+    }
+    c.impulse = kept;
+}
+
+void mark_turning(Motions& motions, int row) {
+    motions.mover[row] = Mover::Turning;
+}
+
+}  // namespace
+
+void prepare_joints(Stores& stores, const StepTime& time, StepScratch& scratch) {
+    std::vector<JointConstraint>& joints = scratch.joints;
+    joints.resize(static_cast<std::size_t>(stores.joints.active.size()));
+    std::size_t next = 0;
+    bool springs = false;
+    for (const int joint : stores.joints.active) {
+        JointConstraint& c = joints[next++];
+        make_constraint(stores, joint, time, c);
+        forget_idle_impulses(c);
+        springs = springs || c.has_spring;
+        for (int i = 0; i < c.bodies; ++i) mark_turning(scratch.motions, c.rows[static_cast<std::size_t>(i)]);
+    }
+    if (springs) prepare_springs(joints, scratch.motions, time.h_s, scratch.spring_loads);
+}
+
+void store_joint_impulses(JointStore& joints, const StepTime& time, const StepScratch& scratch) {
+    for (const JointConstraint& c : scratch.joints) {
+        JointRecord& record = joints.slots[c.joint];
+        record.impulse = c.impulse;
+        record.angle_rad += static_cast<double>(scratch.motions.angle(c.anchors.b)) -
+                            static_cast<double>(scratch.motions.angle(c.anchors.a));
+        record.reaction_force = (1 / time.dt_s) * c.total_impulse;
+        record.reaction_torque = c.total_angular_impulse / time.dt_s;
+    }
+}
+
+void break_joints(Stores& stores, const StepScratch& scratch, Events& events) {
+    for (const JointConstraint& c : scratch.joints) {
+        // A gear may have gone with a joint that broke before it.
+        if (!stores.joints.slots.alive(c.joint)) continue;
+        const JointRecord& record = stores.joints.slots[c.joint];
+        const JointStrength strength = strength_of(record.def);
+        const float force = length(record.reaction_force);
+        if (!(force > strength.break_force_n) &&
+            !(std::fabs(record.reaction_torque) > strength.break_torque_nm)) {
+            continue;
+        }
+        events.joint_breaks.push_back({stores.joints.slots.id(c.joint), stores.bodies.slots.id(record.body_a),
+                                       stores.bodies.slots.id(record.body_b), anchor_b(stores.bodies, record),
+                                       record.reaction_force, record.reaction_torque, record.user_data});
+        destroy_joint(stores, c.joint);
+    }
+}
+
+}  // namespace cairn::physics
