@@ -1,6 +1,6 @@
-// The iterator of world:events. It makes no garbage: cursors are kept by their world and handed back when a
-// loop ends, which Lua reports through the to-be-closed value of the generic `for`, also after `break` and
-// errors.
+// The iterators of world:events and world:joint_breaks. They make no garbage: cursors are kept by their world
+// and handed back when a loop ends, which Lua reports through the to-be-closed value of the generic `for`,
+// also after `break` and errors.
 #include <algorithm>
 #include <array>
 #include <string>
@@ -74,6 +74,24 @@ int next_event(lua_State* L) {
     }
 }
 
+/// The iterator function of breaks: (cursor, previous joint) -> joint, a, b, x, y, fx, fy, torque.
+int next_break(lua_State* L) {
+    auto* cursor = object_at<EventCursor>(L, 1);
+    if (cursor == nullptr || !cursor->in_use) return 0;
+    const auto& world = cursor->world->world;
+    if (!world || world->step_count() != cursor->step) return 0;
+    const std::size_t i = cursor->next++;
+    if (i >= world->joint_breaks().size()) return 0;
+    const physics::JointBreak event = world->joint_breaks()[i];
+    lua_getiuservalue(L, 1, 1);
+    push_joint(L, -1, *cursor->world, event.joint);
+    lua_remove(L, -2);
+    push_bodies(L, event);
+    push_numbers(L, {event.point_m.x, event.point_m.y, static_cast<double>(event.force_n.x),
+                     static_cast<double>(event.force_n.y), static_cast<double>(event.torque_nm)});
+    return 8;
+}
+
 int close_cursor(lua_State* L) {
     object_at<EventCursor>(L, 1)->in_use = false;
     return 0;
@@ -103,6 +121,20 @@ EventCursor& push_free_cursor(lua_State* L, WorldRef world) {
     return cursor;
 }
 
+/// The four values of a generic `for`: iterator, cursor, nothing, and the cursor as what is closed.
+int push_loop(lua_State* L, WorldRef world, lua_CFunction iterator, EventKind first, EventKind last) {
+    lua_pushcfunction(L, iterator);
+    EventCursor& cursor = push_free_cursor(L, world);
+    cursor.step = world.world.step_count();
+    cursor.kind = first;
+    cursor.last_kind = last;
+    cursor.next = 0;
+    cursor.in_use = true;
+    lua_pushnil(L);
+    lua_pushvalue(L, -2);
+    return 4;
+}
+
 }  // namespace
 
 void register_event_cursor(lua_State* L) {
@@ -126,16 +158,11 @@ int push_events(lua_State* L, WorldRef world, std::optional<std::string_view> ki
         }
         first = last = static_cast<EventKind>(found - kinds.begin());
     }
-    lua_pushcfunction(L, next_event);
-    EventCursor& cursor = push_free_cursor(L, world);
-    cursor.step = world.world.step_count();
-    cursor.kind = first;
-    cursor.last_kind = last;
-    cursor.next = 0;
-    cursor.in_use = true;
-    lua_pushnil(L);
-    lua_pushvalue(L, -2);
-    return 4;
+    return push_loop(L, world, next_event, first, last);
+}
+
+int push_joint_breaks(lua_State* L, WorldRef world) {
+    return push_loop(L, world, next_break, EventKind::Begin, EventKind::End);
 }
 
 }  // namespace cairn::scripting

@@ -27,6 +27,8 @@ bool has_type(lua_State* L, FieldType type) {
             return lua_istable(L, -1);
         case FieldType::Body:
             return is_object(L, -1, ObjectTag::Body);
+        case FieldType::Joint:
+            return is_object(L, -1, ObjectTag::Joint);
     }
     return false;
 }
@@ -65,6 +67,8 @@ const char* field_type_with_article(FieldType type) {
             return "a table";
         case FieldType::Body:
             return "a Body";
+        case FieldType::Joint:
+            return "a Joint";
     }
     return "";
 }
@@ -83,6 +87,8 @@ const char* field_type_name(FieldType type) {
             return "table";
         case FieldType::Body:
             return "Body";
+        case FieldType::Joint:
+            return "Joint";
     }
     return "";
 }

@@ -30,7 +30,7 @@ std::string_view author_name(std::string_view word) {
     if (word.empty() || (word[0] >= '0' && word[0] <= '9')) return word;
     // The longest first.
     for (const std::string_view unit :
-         {"_kg_m2", "_rad_s", "_m_s2", "_m_s", "_1_s", "_rad", "_nm", "_hz", "_m", "_s"}) {
+         {"_kg_m2", "_rad_s", "_m_s2", "_m_s", "_1_s", "_rad", "_nm", "_hz", "_m", "_n", "_s"}) {
         if (!word.ends_with(unit)) continue;
         word.remove_suffix(unit.size());
         break;

@@ -1,6 +1,8 @@
 // The methods of Joint.
+#include "bind/joint_fields.h"
 #include "bind/modules.h"
 #include "bind/physics_objects.h"
+#include "data/nearest.h"
 
 namespace cairn::scripting {
 namespace {
@@ -8,13 +10,7 @@ namespace {
 using Change = physics::Result<void>;
 
 std::string_view kind(JointRef self) {
-    switch (self.joint.kind()) {
-        case physics::JointKind::Revolute:
-            return "revolute";
-        case physics::JointKind::Distance:
-            return "distance";
-    }
-    return "";
+    return fields_of(self.joint.kind()).name;
 }
 
 Pushed body_a(lua_State* L, JointRef self) {
@@ -50,8 +46,40 @@ float length(JointRef self) {
     return self.joint.current_length();
 }
 
-Change set_motor(JointRef self, bool enabled, float speed, float max_torque) {
-    return self.joint.set_motor(enabled, speed, max_torque);
+float translation(JointRef self) {
+    return self.joint.translation();
+}
+
+Pushed parameter(lua_State* L, JointRef self, std::string_view name) {
+    const JointKindFields& fields = fields_of(self.joint.kind());
+    std::vector<std::string> names;
+    for (const JointParameter& candidate : fields.all) {
+        if (name == candidate.field->name) {
+            push_parameter(L, self.joint.definition(), candidate);
+            return {1};
+        }
+        names.emplace_back(candidate.field->name);
+    }
+    call_error(L, "name is \"" + std::string(name) + "\": a " + fields.name + " joint has no such parameter" +
+                      suggestion(name, names));
+}
+
+Pushed parameters(lua_State* L, JointRef self) {
+    const JointKindFields& fields = fields_of(self.joint.kind());
+    lua_createtable(L, 0, static_cast<int>(fields.all.size()));
+    for (const JointParameter& candidate : fields.all) {
+        push_parameter(L, self.joint.definition(), candidate);
+        lua_setfield(L, -2, candidate.field->name);
+    }
+    return {1};
+}
+
+void change(lua_State* L, JointRef self, TableArgument changes) {
+    change_joint(L, self, changes.index);
+}
+
+Change set_motor(JointRef self, bool enabled, float speed, float max_effort) {
+    return self.joint.set_motor(enabled, speed, max_effort);
 }
 Change set_limits(JointRef self, bool enabled, float lower, float upper) {
     return self.joint.set_limits(enabled, lower, upper);
@@ -63,6 +91,14 @@ Change set_spring(JointRef self, bool enabled, float frequency, float damping_ra
     return self.joint.set_spring(enabled, frequency, damping_ratio);
 }
 
+Change set_target(lua_State* L, JointRef self, double target, std::optional<double> y) {
+    const bool is_mouse = self.joint.kind() == physics::JointKind::Mouse;
+    if (is_mouse && !y) call_error(L, "y is nil; a mouse joint has a target x, y");
+    if (is_mouse) return self.joint.set_target(physics::Position{target, *y});
+    if (y) call_error(L, "y is given, but only a mouse joint has a target x, y");
+    return self.joint.set_target(static_cast<float>(target));
+}
+
 Change destroy(JointRef self) {
     return self.object.world->world->destroy_joint(self.object.id);
 }
@@ -72,23 +108,47 @@ bool is_valid(Maybe<JointObject> self) {
 }
 
 constexpr std::array<std::string_view, 1> kReturnsBody = {"Body"};
+constexpr std::array<std::string_view, 1> kReturnsValue = {"number|boolean"};
+constexpr std::array<std::string_view, 1> kReturnsTable = {"table"};
 
 constexpr Function kFunctions[] = {
-    function<&kind>("kind", "", "kind", "\"revolute\" or \"distance\"."),
+    function<&kind>("kind", "", "kind",
+                    "\"distance\", \"revolute\", \"prismatic\", \"weld\", \"wheel\", \"motor\", "
+                    "\"mouse\", \"gear\", \"pulley\", \"friction\" or \"filter\"."),
     function_pushing<&body_a>("body_a", "", "body", kReturnsBody, ""),
     function_pushing<&body_b>("body_b", "", "body", kReturnsBody, ""),
-    function<&anchor_a>("anchor_a", "", "x [m], y [m]", "In the world."),
+    function<&anchor_a>("anchor_a", "", "x [m], y [m]", "In the world; of a mouse joint the target."),
     function<&anchor_b>("anchor_b", "", "x [m], y [m]", "In the world."),
     function<&reaction_force>("reaction_force", "", "x [N], y [N]",
-                              "What the joint did to body b in the last step."),
+                              "What the joint did to body b, as the mean over the last step."),
     function<&reaction_torque>("reaction_torque", "", "torque [N m]",
-                               "What the joint did to body b in the last step."),
-    function<&angle>("angle", "", "angle [rad]", "Of a revolute joint: of b relative to a; 0 for others."),
+                               "What the joint did to body b, as the mean over the last step."),
+    function<&angle>("angle", "", "angle [rad]",
+                     "Of b relative to a, with whole turns; 0 for kinds that have none."),
+    function<&translation>("translation", "", "translation [m]",
+                           "Of b along the axis of a prismatic or wheel joint; 0 for others."),
     function<&length>("length", "", "length [m]", "The distance between the two anchors."),
-    function<&set_motor>("set_motor", "enabled, speed [rad/s], max_torque [N m]", "", "Of a revolute joint."),
-    function<&set_limits>("set_limits", "enabled, lower [rad], upper [rad]", "", "Of a revolute joint."),
-    function<&set_length>("set_length", "length [m]", "", "Of a distance joint: its rest length."),
-    function<&set_spring>("set_spring", "enabled, frequency [Hz], damping_ratio", "", "Of a distance joint."),
+    function_pushing<&parameter>(
+        "parameter", "name", "value", kReturnsValue,
+        "The present value of a field that `add_..._joint` of this kind takes besides bodies and places, or "
+        "of a frame: `local_x_a`, `local_y_a`, `local_x_b`, `local_y_b` (m), `local_angle_a` and "
+        "`local_angle_b` (rad), the anchors and axes in the coordinates of the bodies."),
+    function_pushing<&parameters>("parameters", "", "values", kReturnsTable,
+                                  "A new table of them all, by name."),
+    function<&change>("change", "fields", "",
+                      "Changes any of the parameters, by the names of `parameter`, and wakes the bodies: "
+                      "`joint:change{ motor_speed = 3, upper = 1 }`. What is not named stays."),
+    function<&set_motor>("set_motor", "enabled, speed, max_effort", "",
+                         "Of a revolute or wheel joint in rad/s and N m, of a prismatic one in m/s and N."),
+    function<&set_limits>("set_limits", "enabled, lower, upper", "",
+                          "Of a revolute joint in rad, of a prismatic or wheel joint in m."),
+    function<&set_spring>("set_spring", "enabled, frequency [Hz], damping_ratio", "",
+                          "Of a distance, revolute, prismatic or wheel joint."),
+    function<&set_target>("set_target", "target, y = nil", "",
+                          "Where the spring draws to: of a revolute joint in rad, of a prismatic or wheel "
+                          "joint in m. Of a mouse joint x, y in the world."),
+    function<&set_length>("set_length", "length [m]", "",
+                          "Of a distance joint: its rest length. Of a pulley joint: its rope's."),
     function<&destroy>("destroy", "", "", ""),
     function<&is_valid>("is_valid", "", "valid",
                         "Whether the joint was not destroyed; it goes with either of its bodies."),

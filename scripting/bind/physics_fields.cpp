@@ -93,39 +93,6 @@ constexpr const Field* kCircleOwn[] = {&kRadius};
 constexpr const Field* kCapsuleOwn[] = {&kLength, &kRadius};
 constexpr const Field* kPolygonOwn[] = {&kPoints, &kRounding};
 
-// ---- Joints
-constexpr Field kBodyA = required_field("body_a", FieldType::Body, "");
-constexpr Field kBodyB = required_field("body_b", FieldType::Body, "");
-constexpr Field kCollideConnected =
-    boolean_field("collide_connected", false, "whether the two bodies collide");
-constexpr Field kPinX = required_field("x", FieldType::Number, "m; the pin, in the world");
-constexpr Field kPinY = required_field("y", FieldType::Number, "m");
-constexpr Field kLower = optional_field("lower", FieldType::Number, "rad; with upper: turns the limit on");
-constexpr Field kUpper = optional_field("upper", FieldType::Number, "rad");
-constexpr Field kMotorSpeed =
-    optional_field("motor_speed", FieldType::Number, "rad/s, of b against a; turns the motor on");
-constexpr Field kMaxMotorTorque =
-    within(number_field("max_motor_torque", 0, "0", "N m"), 0, std::numeric_limits<double>::infinity());
-constexpr const Field* kRevoluteOwn[] = {&kBodyA, &kBodyB, &kPinX,       &kPinY,          &kCollideConnected,
-                                         &kLower, &kUpper, &kMotorSpeed, &kMaxMotorTorque};
-constexpr Field kAnchorXA = optional_field(
-    "x_a", FieldType::Number, "m; the anchor on body a, in the world; absent: the body's origin");
-constexpr Field kAnchorYA = optional_field("y_a", FieldType::Number, "m");
-constexpr Field kAnchorXB = optional_field("x_b", FieldType::Number, "m; the anchor on body b");
-constexpr Field kAnchorYB = optional_field("y_b", FieldType::Number, "m");
-constexpr Field kRestLength =
-    above(optional_field("length", FieldType::Number, "m; absent: the present distance"), kPointsApart_m);
-constexpr Field kFrequency =
-    above(optional_field("frequency", FieldType::Number, "Hz; turns the spring on"), 0);
-constexpr Field kDampingRatio = at_least(number_field("damping_ratio", 0, "0", "1 is critical"), 0);
-constexpr Field kMinLength = at_least(number_field("min_length", 0, "0", "m, of the spring"), 0);
-constexpr Field kMaxLength = within(
-    number_field("max_length", std::numeric_limits<double>::infinity(), "math.huge", "m, of the spring"), 0,
-    std::numeric_limits<double>::infinity());
-constexpr const Field* kDistanceOwn[] = {&kBodyA,        &kBodyB,     &kAnchorXA,   &kAnchorYA,
-                                         &kAnchorXB,     &kAnchorYB,  &kRestLength, &kFrequency,
-                                         &kDampingRatio, &kMinLength, &kMaxLength,  &kCollideConnected};
-
 constexpr FieldSet kPlaceFields{kPlaceOwn};
 constexpr FieldSet kBodyFields{kBodyOwn};
 constexpr FieldSet kShapeFields{kShapeOwn};
@@ -153,38 +120,10 @@ std::vector<Vec2> read_points(lua_State* L, const FieldReader& reader) {
     return points;
 }
 
-struct LivingBody {
-    physics::BodyId id;
-    physics::Transform transform;
-};
-
-LivingBody read_body(lua_State* L, const FieldReader& reader, const Field& field) {
-    reader.push(field);
-    const auto body = living_body_at(L, -1);
-    if (!body) reader.fail(field, "it was destroyed");
-    lua_pop(L, 1);
-    return {body->id(), body->transform()};
-}
-
-/// Two fields that only make sense together.
-std::optional<std::pair<double, double>> read_pair(lua_State* L, const FieldReader& reader,
-                                                   const Field& first, const Field& second) {
-    const auto a = reader.optional_number(first);
-    const auto b = reader.optional_number(second);
-    if (a.has_value() != b.has_value()) {
-        call_error(L, std::string(a ? first.name : second.name) + " is given without " +
-                          (a ? second.name : first.name) + "; both or neither are expected");
-    }
-    if (!a) return std::nullopt;
-    return std::pair(*a, *b);
-}
-
 }  // namespace
 
 const FieldSet kWorldFields{kWorldOwn};
 const FieldSet kNewBodyFields{kBodyOwn};
-const FieldSet kRevoluteJointFields{kRevoluteOwn};
-const FieldSet kDistanceJointFields{kDistanceOwn};
 
 const FieldSet kWorldAddFields[4] = {
     {kBoxOwn, {&kBodyFields, &kShapeFields}},
@@ -285,57 +224,6 @@ void read_geometry(lua_State* L, const FieldReader& reader, GeometryKind kind, c
 
 void push_data_table(lua_State* L, const FieldReader& reader) {
     if (!reader.push(kData)) lua_newtable(L);
-}
-
-physics::RevoluteJointDef read_revolute_joint(lua_State* L, const FieldReader& reader) {
-    const LivingBody a = read_body(L, reader, kBodyA);
-    const LivingBody b = read_body(L, reader, kBodyB);
-    const physics::Position pin{reader.number(kPinX), reader.number(kPinY)};
-    physics::RevoluteJointDef def;
-    def.body_a = a.id;
-    def.body_b = b.id;
-    def.local_anchor_a_m = physics::inverse_transform_point(a.transform, pin);
-    def.local_anchor_b_m = physics::inverse_transform_point(b.transform, pin);
-    def.local_angle_a_rad = (physics::inverse(a.transform.q) * b.transform.q).angle_rad();
-    if (const auto limits = read_pair(L, reader, kLower, kUpper)) {
-        def.enable_limit = true;
-        def.lower_rad = static_cast<float>(limits->first);
-        def.upper_rad = static_cast<float>(limits->second);
-    }
-    if (const auto speed = reader.optional_number(kMotorSpeed)) {
-        def.enable_motor = true;
-        def.motor_speed_rad_s = static_cast<float>(*speed);
-    }
-    def.max_motor_torque_nm = reader.real(kMaxMotorTorque);
-    def.collide_connected = reader.boolean(kCollideConnected);
-    return def;
-}
-
-physics::DistanceJointDef read_distance_joint(lua_State* L, const FieldReader& reader) {
-    const LivingBody a = read_body(L, reader, kBodyA);
-    const LivingBody b = read_body(L, reader, kBodyB);
-    physics::Position anchor_a = a.transform.p;
-    physics::Position anchor_b = b.transform.p;
-    if (const auto place = read_pair(L, reader, kAnchorXA, kAnchorYA))
-        anchor_a = {place->first, place->second};
-    if (const auto place = read_pair(L, reader, kAnchorXB, kAnchorYB))
-        anchor_b = {place->first, place->second};
-    physics::DistanceJointDef def;
-    def.body_a = a.id;
-    def.body_b = b.id;
-    def.local_anchor_a_m = physics::inverse_transform_point(a.transform, anchor_a);
-    def.local_anchor_b_m = physics::inverse_transform_point(b.transform, anchor_b);
-    const auto length = reader.optional_number(kRestLength);
-    def.length_m = length ? static_cast<float>(*length) : physics::length(anchor_b - anchor_a);
-    if (const auto frequency = reader.optional_number(kFrequency)) {
-        def.enable_spring = true;
-        def.frequency_hz = static_cast<float>(*frequency);
-    }
-    def.damping_ratio = reader.real(kDampingRatio);
-    def.min_length_m = reader.real(kMinLength);
-    def.max_length_m = reader.real(kMaxLength);
-    def.collide_connected = reader.boolean(kCollideConnected);
-    return def;
 }
 
 }  // namespace cairn::scripting

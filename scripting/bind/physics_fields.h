@@ -1,4 +1,4 @@
-// The described fields of bodies, shapes and joints, and how they become physics definitions.
+// The described fields of bodies and shapes, and how they become physics definitions.
 #pragma once
 
 #include <lua.hpp>
@@ -11,8 +11,6 @@ namespace cairn::scripting {
 
 extern const FieldSet kWorldFields;
 extern const FieldSet kNewBodyFields;
-extern const FieldSet kRevoluteJointFields;
-extern const FieldSet kDistanceJointFields;
 
 enum class GeometryKind { Box, Circle, Capsule, Polygon };
 
@@ -50,8 +48,5 @@ void read_geometry(lua_State* L, const FieldReader& reader, GeometryKind kind, c
 
 /// Pushes the `data` table of a body's description, or a new one.
 void push_data_table(lua_State* L, const FieldReader& reader);
-
-physics::RevoluteJointDef read_revolute_joint(lua_State* L, const FieldReader& reader);
-physics::DistanceJointDef read_distance_joint(lua_State* L, const FieldReader& reader);
 
 }  // namespace cairn::scripting

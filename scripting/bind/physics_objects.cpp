@@ -56,6 +56,16 @@ void push_interned(lua_State* L, int world_index, WorldTable table, WorldObject&
         return;
     }
     lua_pop(L, 1);
+    if constexpr (std::is_same_v<Object, JointObject>) {
+        push_world_table(L, world_index, WorldTable::BrokenJoints);
+        lua_rawgeti(L, -1, static_cast<lua_Integer>(id.bits()));
+        lua_remove(L, -2);
+        if (!lua_isnil(L, -1)) {
+            lua_remove(L, -2);
+            return;
+        }
+        lua_pop(L, 1);
+    }
     new_object<Object>(L, 1, &world, id);
     lua_pushvalue(L, world_index);
     lua_setiuservalue(L, -2, 1);
@@ -104,6 +114,34 @@ std::optional<physics::Body> living_body_at(lua_State* L, int index) {
     auto body = object->world->world->body(object->id);
     if (!body) return std::nullopt;
     return *body;
+}
+
+std::optional<physics::Joint> living_joint_at(lua_State* L, int index) {
+    const auto* object = object_at<JointObject>(L, index);
+    if (object == nullptr || !object->world->world) return std::nullopt;
+    auto joint = object->world->world->joint(object->id);
+    if (!joint) return std::nullopt;
+    return *joint;
+}
+
+void push_ground(lua_State* L, WorldRef world) {
+    if (!world.world.contains(world.object.ground)) {
+        world.object.ground = value_or_raise(L, world.world.create_body({.type = physics::BodyType::Static}));
+        lua_newtable(L);
+        push_new_body(L, world.index, world.object, world.object.ground);
+        lua_pop(L, 1);
+    }
+    push_body(L, world.index, world.object.ground);
+}
+
+void keep_broken_joints(lua_State* L, WorldRef world) {
+    if (world.world.joint_breaks().empty()) return;
+    lua_newtable(L);
+    for (const physics::JointBreak& event : world.world.joint_breaks()) {
+        push_joint(L, world.index, world.object, event.joint);
+        lua_rawseti(L, -2, static_cast<lua_Integer>(event.joint.bits()));
+    }
+    lua_setiuservalue(L, world.index, static_cast<int>(WorldTable::BrokenJoints));
 }
 
 void push_new_body(lua_State* L, int world_index, WorldObject& world, physics::BodyId id) {

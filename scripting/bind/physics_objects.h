@@ -20,6 +20,7 @@ struct WorldObject : ObjectHeader {
     std::optional<physics::World> world;  ///< empty after world:destroy()
     int reference = 0;                    ///< of the world itself in the registry, while it lives
     int steps_with_retired = 0;           ///< for how many more steps the tables of retired bodies matter
+    physics::BodyId ground{};             ///< what world:ground() gave last
     std::set<std::uint64_t> warned{};     ///< handle bits of bodies that the log has called halted
 };
 
@@ -32,8 +33,9 @@ enum class WorldTable {
     Shapes,         ///< slot number -> Shape
     Joints,         ///< slot number -> Joint
     Cursors,        ///< list of EventCursor, for reuse
+    BrokenJoints,   ///< handle bits -> Joint: those that broke in the last step
 };
-inline constexpr int kWorldTableCount = 6;
+inline constexpr int kWorldTableCount = 7;
 
 /// User value 1 is the world.
 struct BodyObject : ObjectHeader {
@@ -132,11 +134,20 @@ void age_retired(lua_State* L, int world_index, WorldObject& world);
 
 /// The body at a stack index, or null when it is none or is stale: for the code behind described fields.
 std::optional<physics::Body> living_body_at(lua_State* L, int index);
+std::optional<physics::Joint> living_joint_at(lua_State* L, int index);
+
+/// Pushes a static body without shapes at the origin, made when it is first asked for: what holds the other
+/// end of joints to the world.
+void push_ground(lua_State* L, WorldRef world);
+/// Keeps the values of the joints that broke in the step just made, so that events can name them.
+void keep_broken_joints(lua_State* L, WorldRef world);
 
 /// Gives event cursors their metatable: the end of a loop, also by `break` or an error, hands its cursor
 /// back.
 void register_event_cursor(lua_State* L);
 /// The iterator that world:events returns.
 int push_events(lua_State* L, WorldRef world, std::optional<std::string_view> kind);
+/// The iterator that world:joint_breaks returns.
+int push_joint_breaks(lua_State* L, WorldRef world);
 
 }  // namespace cairn::scripting

@@ -4,6 +4,7 @@
 #include <cairn/engine/log.h>
 
 #include "bind/context.h"
+#include "bind/joint_fields.h"
 #include "bind/modules.h"
 #include "bind/physics_fields.h"
 #include "bind/physics_objects.h"
@@ -12,6 +13,7 @@
 namespace cairn::scripting {
 namespace {
 
+using physics::JointKind;
 using physics::Position;
 using physics::Vec2;
 
@@ -69,7 +71,9 @@ void warn_of_quarantined(WorldRef world) {
 physics::Result<void> step(lua_State* L, WorldRef self, double dt_s) {
     age_retired(L, self.index, self.object);
     auto stepped = self.world.step(static_cast<float>(dt_s));
-    if (stepped) warn_of_quarantined(self);
+    if (!stepped) return stepped;
+    warn_of_quarantined(self);
+    keep_broken_joints(L, self);
     return stepped;
 }
 
@@ -112,18 +116,25 @@ Pushed add_body(lua_State* L, WorldRef self, TableArgument description) {
     return {1};
 }
 
-Pushed add_revolute_joint(lua_State* L, WorldRef self, TableArgument description) {
-    const FieldReader reader(L, description.index, kRevoluteJointFields);
-    const auto id = value_or_raise(L, self.world.create_joint(read_revolute_joint(L, reader)));
-    push_joint(L, self.index, self.object, id);
+template <JointKind kKind>
+Pushed add_joint(lua_State* L, WorldRef self, TableArgument description) {
+    push_made_joint(L, self, description.index, kKind);
     return {1};
 }
 
-Pushed add_distance_joint(lua_State* L, WorldRef self, TableArgument description) {
-    const FieldReader reader(L, description.index, kDistanceJointFields);
-    const auto id = value_or_raise(L, self.world.create_joint(read_distance_joint(L, reader)));
-    push_joint(L, self.index, self.object, id);
+template <JointKind kKind>
+constexpr Function add_joint_function(const char* name, const char* doc) {
+    return function_pushing<&add_joint<kKind>>(name, "fields", "joint", kReturnsJoint, doc,
+                                               &fields_of(kKind).making);
+}
+
+Pushed ground(lua_State* L, WorldRef self) {
+    push_ground(L, self);
     return {1};
+}
+
+Pushed joint_breaks(lua_State* L, WorldRef self) {
+    return {push_joint_breaks(L, self)};
 }
 
 Pushed events(lua_State* L, WorldRef self, std::optional<std::string_view> kind) {
@@ -199,6 +210,8 @@ bool is_valid(Maybe<WorldObject> self) {
 
 constexpr std::array<std::string_view, 1> kReturnsIterator = {
     "fun(): string, Body, Body, number, number, number, number, number, number"};
+constexpr std::array<std::string_view, 1> kReturnsBreakIterator = {
+    "fun(): Joint, Body, Body, number, number, number, number, number"};
 constexpr std::array<std::string_view, 2> kReturnsBodyAndShape = {"Body?", "Shape?"};
 constexpr std::array<std::string_view, 6> kReturnsRayHit = {"Body?",  "number", "number",
                                                             "number", "number", "number"};
@@ -222,13 +235,51 @@ constexpr Function kWorldFunctions[] = {
     function_pushing<&add_body<GeometryKind::Polygon>>("add_polygon", "fields", "body", kReturnsBody,
                                                        "Adds a body with one convex polygon.",
                                                        &fields_of_world_add(GeometryKind::Polygon)),
-    function_pushing<&add_revolute_joint>(
-        "add_revolute_joint", "fields", "joint", kReturnsJoint,
-        "Pins two bodies together at a point about which they turn. Angle 0 is how they stand now.",
-        &kRevoluteJointFields),
-    function_pushing<&add_distance_joint>("add_distance_joint", "fields", "joint", kReturnsJoint,
-                                          "Keeps two points at a distance: rigidly, or as a spring.",
-                                          &kDistanceJointFields),
+    add_joint_function<JointKind::Distance>("add_distance_joint",
+                                            "Keeps two points at a distance: rigidly, as a spring or as a "
+                                            "rope."),
+    add_joint_function<JointKind::Revolute>(
+        "add_revolute_joint",
+        "Pins two bodies together at a point about which they turn. Angle 0 is how they stand now; it counts "
+        "whole turns."),
+    add_joint_function<JointKind::Prismatic>(
+        "add_prismatic_joint",
+        "Lets b slide along an axis of a, and not turn. Translation 0 is where they stand now; without an "
+        "axis it is the world's x axis."),
+    add_joint_function<JointKind::Weld>("add_weld_joint",
+                                        "Holds b to a as they stand now: rigidly, or with springs."),
+    add_joint_function<JointKind::Wheel>(
+        "add_wheel_joint",
+        "Hangs a wheel b from a chassis a: its centre slides along an axis of a on a spring, and it turns "
+        "freely or by a motor. Without an axis it is the world's y axis. Units of the limit: m; of the "
+        "motor: "
+        "rad/s."),
+    add_joint_function<JointKind::Motor>(
+        "add_motor_joint",
+        "Draws b to a target place and angle in the frame of a, or drives it at a velocity, with a force and "
+        "a torque that have caps. The target 0 is how they stand now."),
+    add_joint_function<JointKind::Mouse>(
+        "add_mouse_joint",
+        "Draws a point of a body to a target in the world, which `joint:set_target(x, y)` moves: the hand of "
+        "a player."),
+    add_joint_function<JointKind::Gear>(
+        "add_gear_joint",
+        "Ties the coordinates of two joints: angles (rad) of revolute ones, translations (m) of prismatic "
+        "ones. It goes with either joint."),
+    add_joint_function<JointKind::Pulley>(
+        "add_pulley_joint", "A rope from a over two fixed wheels to b. It pulls and never pushes."),
+    add_joint_function<JointKind::Friction>(
+        "add_friction_joint", "Friction between b and a, as of things on a table seen from above."),
+    add_joint_function<JointKind::Filter>("add_filter_joint", "Keeps two bodies from colliding."),
+    function_pushing<&ground>("ground", "", "body", kReturnsBody,
+                              "A static body without shapes at the origin, for joints to the world. Made "
+                              "when it is first asked for."),
+    function_pushing<&joint_breaks>(
+        "joint_breaks", "", "iterator", kReturnsBreakIterator,
+        "Iterates over the joints that the last step loaded beyond their strength: `for joint, a, b, x, y, "
+        "fx, fy, torque in world:joint_breaks() do`. The joint is gone, and its value is still the one that "
+        "`add_..._joint` returned; `a` and `b` are its bodies, `x, y` the anchor on b (m), `fx, fy` (N) and "
+        "`torque` (N m) what it did to b, as the mean over the step."),
     function_pushing<&events>(
         "events", "kind = nil", "iterator", kReturnsIterator,
         "Iterates over the events of the last step: `for kind, a, b, impulse, x, y, nx, ny, speed in "

@@ -183,40 +183,247 @@ function World:add_capsule(fields) end
 ---@return Body body
 function World:add_polygon(fields) end
 
----@class World.add_revolute_joint.Fields
----@field body_a Body
----@field body_b Body
----@field x number m; the pin, in the world
----@field y number m
----@field collide_connected? boolean whether the two bodies collide
----@field lower? number rad; with upper: turns the limit on
----@field upper? number rad
----@field motor_speed? number rad/s, of b against a; turns the motor on
----@field max_motor_torque? number N m
-
----Pins two bodies together at a point about which they turn. Angle 0 is how they stand now.
----@param fields World.add_revolute_joint.Fields
----@return Joint joint
-function World:add_revolute_joint(fields) end
-
 ---@class World.add_distance_joint.Fields
----@field body_a Body
+---@field body_a Body `world:ground()` for a joint to the world
 ---@field body_b Body
 ---@field x_a? number m; the anchor on body a, in the world; absent: the body's origin
 ---@field y_a? number m
 ---@field x_b? number m; the anchor on body b
 ---@field y_b? number m
 ---@field length? number m; absent: the present distance
----@field frequency? number Hz; turns the spring on
+---@field frequency? number Hz; turns the spring on; with 0 nothing but its limits acts, as in a rope
 ---@field damping_ratio? number 1 is critical
 ---@field min_length? number m, of the spring
 ---@field max_length? number m, of the spring
+---@field min_spring_force? number N; the spring pushes with no more
+---@field max_spring_force? number N; and pulls with no more
+---@field enable_spring? boolean absent: on when frequency is given
 ---@field collide_connected? boolean whether the two bodies collide
+---@field stiffness_frequency? number Hz; softer where what is held shall give
+---@field stiffness_damping_ratio? number 1 is critical
+---@field break_force? number N, the mean over a step; beyond it the joint breaks
+---@field break_torque? number N m, likewise
 
----Keeps two points at a distance: rigidly, or as a spring.
+---Keeps two points at a distance: rigidly, as a spring or as a rope.
 ---@param fields World.add_distance_joint.Fields
 ---@return Joint joint
 function World:add_distance_joint(fields) end
+
+---@class World.add_revolute_joint.Fields
+---@field body_a Body `world:ground()` for a joint to the world
+---@field body_b Body
+---@field x number m; the anchor on both bodies, in the world
+---@field y number m
+---@field lower? number rad; with upper: turns the limit on
+---@field upper? number rad; any number of turns
+---@field enable_limit? boolean absent: on when lower and upper are given
+---@field motor_speed? number rad/s, of b against a; turns the motor on
+---@field max_motor_torque? number N m
+---@field enable_motor? boolean absent: on when motor_speed is given
+---@field frequency? number Hz; turns the spring on
+---@field damping_ratio? number 1 is critical
+---@field target? number rad; where the spring draws to
+---@field enable_spring? boolean absent: on when frequency is given
+---@field collide_connected? boolean whether the two bodies collide
+---@field stiffness_frequency? number Hz; softer where what is held shall give
+---@field stiffness_damping_ratio? number 1 is critical
+---@field break_force? number N, the mean over a step; beyond it the joint breaks
+---@field break_torque? number N m, likewise
+
+---Pins two bodies together at a point about which they turn. Angle 0 is how they stand now; it counts whole turns.
+---@param fields World.add_revolute_joint.Fields
+---@return Joint joint
+function World:add_revolute_joint(fields) end
+
+---@class World.add_prismatic_joint.Fields
+---@field body_a Body `world:ground()` for a joint to the world
+---@field body_b Body
+---@field x number m; the anchor on both bodies, in the world
+---@field y number m
+---@field axis_angle? number rad, of the axis in the world
+---@field axis_x? number the axis as a direction of any length, instead of axis_angle
+---@field axis_y? number
+---@field lower? number m along the axis; with upper: turns the limit on
+---@field upper? number m
+---@field enable_limit? boolean absent: on when lower and upper are given
+---@field motor_speed? number m/s, of b against a; turns the motor on
+---@field max_motor_force? number N
+---@field enable_motor? boolean absent: on when motor_speed is given
+---@field frequency? number Hz; turns the spring on
+---@field damping_ratio? number 1 is critical
+---@field target? number m; where the spring draws to
+---@field enable_spring? boolean absent: on when frequency is given
+---@field collide_connected? boolean whether the two bodies collide
+---@field stiffness_frequency? number Hz; softer where what is held shall give
+---@field stiffness_damping_ratio? number 1 is critical
+---@field break_force? number N, the mean over a step; beyond it the joint breaks
+---@field break_torque? number N m, likewise
+
+---Lets b slide along an axis of a, and not turn. Translation 0 is where they stand now; without an axis it is the world's x axis.
+---@param fields World.add_prismatic_joint.Fields
+---@return Joint joint
+function World:add_prismatic_joint(fields) end
+
+---@class World.add_weld_joint.Fields
+---@field body_a Body `world:ground()` for a joint to the world
+---@field body_b Body
+---@field x number m; the anchor on both bodies, in the world
+---@field y number m
+---@field linear_frequency? number Hz, of a spring that holds the place; 0 is rigid
+---@field linear_damping_ratio? number 1 is critical
+---@field angular_frequency? number Hz, of a spring that holds the angle; 0 is rigid
+---@field angular_damping_ratio? number 1 is critical
+---@field collide_connected? boolean whether the two bodies collide
+---@field stiffness_frequency? number Hz; softer where what is held shall give
+---@field stiffness_damping_ratio? number 1 is critical
+---@field break_force? number N, the mean over a step; beyond it the joint breaks
+---@field break_torque? number N m, likewise
+
+---Holds b to a as they stand now: rigidly, or with springs.
+---@param fields World.add_weld_joint.Fields
+---@return Joint joint
+function World:add_weld_joint(fields) end
+
+---@class World.add_wheel_joint.Fields
+---@field body_a Body `world:ground()` for a joint to the world
+---@field body_b Body
+---@field x number m; the anchor on both bodies, in the world
+---@field y number m
+---@field axis_angle? number rad, of the axis in the world
+---@field axis_x? number the axis as a direction of any length, instead of axis_angle
+---@field axis_y? number
+---@field frequency? number Hz
+---@field damping_ratio? number 1 is critical
+---@field target? number m; where the spring draws to
+---@field enable_spring? boolean
+---@field lower? number m along the axis; with upper: turns the limit on
+---@field upper? number m
+---@field enable_limit? boolean absent: on when lower and upper are given
+---@field motor_speed? number rad/s, of b against a; turns the motor on
+---@field max_motor_torque? number N m
+---@field enable_motor? boolean absent: on when motor_speed is given
+---@field collide_connected? boolean whether the two bodies collide
+---@field stiffness_frequency? number Hz; softer where what is held shall give
+---@field stiffness_damping_ratio? number 1 is critical
+---@field break_force? number N, the mean over a step; beyond it the joint breaks
+---@field break_torque? number N m, likewise
+
+---Hangs a wheel b from a chassis a: its centre slides along an axis of a on a spring, and it turns freely or by a motor. Without an axis it is the world's y axis. Units of the limit: m; of the motor: rad/s.
+---@param fields World.add_wheel_joint.Fields
+---@return Joint joint
+function World:add_wheel_joint(fields) end
+
+---@class World.add_motor_joint.Fields
+---@field body_a Body `world:ground()` for a joint to the world
+---@field body_b Body
+---@field x number m; the anchor on both bodies, in the world
+---@field y number m
+---@field target_x? number m; where b's anchor shall be, in frame a
+---@field target_y? number m
+---@field target_angle? number rad; how b shall stand to a
+---@field linear_velocity_x? number m/s, of b's anchor in frame a, without linear_frequency
+---@field linear_velocity_y? number m/s
+---@field angular_velocity? number rad/s, of b against a, without angular_frequency
+---@field linear_frequency? number Hz, of the way to the target; 0: the velocity counts
+---@field linear_damping_ratio? number 1 is critical
+---@field angular_frequency? number Hz, of the turn to the target; 0: the velocity counts
+---@field angular_damping_ratio? number 1 is critical
+---@field max_force? number N
+---@field max_torque? number N m
+---@field collide_connected? boolean whether the two bodies collide
+---@field break_force? number N, the mean over a step; beyond it the joint breaks
+---@field break_torque? number N m, likewise
+
+---Draws b to a target place and angle in the frame of a, or drives it at a velocity, with a force and a torque that have caps. The target 0 is how they stand now.
+---@param fields World.add_motor_joint.Fields
+---@return Joint joint
+function World:add_motor_joint(fields) end
+
+---@class World.add_mouse_joint.Fields
+---@field body Body what is drawn
+---@field x number m; what is held now, and the target at first, in the world
+---@field y number m
+---@field frequency? number Hz
+---@field damping_ratio? number 1 is critical
+---@field max_force? number N; absent: 1000 for each kg of the body
+---@field collide_connected? boolean whether the two bodies collide
+---@field break_force? number N, the mean over a step; beyond it the joint breaks
+---@field break_torque? number N m, likewise
+
+---Draws a point of a body to a target in the world, which `joint:set_target(x, y)` moves: the hand of a player.
+---@param fields World.add_mouse_joint.Fields
+---@return Joint joint
+function World:add_mouse_joint(fields) end
+
+---@class World.add_gear_joint.Fields
+---@field joint_1 Joint revolute or prismatic
+---@field joint_2 Joint revolute or prismatic
+---@field ratio? number coordinate 1 + ratio * coordinate 2 stays; not 0; in m or 1/m between kinds
+---@field collide_connected? boolean whether the two bodies collide
+---@field stiffness_frequency? number Hz; softer where what is held shall give
+---@field stiffness_damping_ratio? number 1 is critical
+---@field break_force? number N, the mean over a step; beyond it the joint breaks
+---@field break_torque? number N m, likewise
+
+---Ties the coordinates of two joints: angles (rad) of revolute ones, translations (m) of prismatic ones. It goes with either joint.
+---@param fields World.add_gear_joint.Fields
+---@return Joint joint
+function World:add_gear_joint(fields) end
+
+---@class World.add_pulley_joint.Fields
+---@field body_a Body `world:ground()` for a joint to the world
+---@field body_b Body
+---@field x_a? number m; the anchor on body a, in the world; absent: the body's origin
+---@field y_a? number m
+---@field x_b? number m; the anchor on body b
+---@field y_b? number m
+---@field wheel_x_a number m; a's wheel, in the world
+---@field wheel_y_a number m
+---@field wheel_x_b number m; b's wheel
+---@field wheel_y_b number m
+---@field ratio? number of a block and tackle on the side of b
+---@field length? number m, of a's side + ratio * b's; absent: as it is now
+---@field collide_connected? boolean whether the two bodies collide
+---@field stiffness_frequency? number Hz; softer where what is held shall give
+---@field stiffness_damping_ratio? number 1 is critical
+---@field break_force? number N, the mean over a step; beyond it the joint breaks
+---@field break_torque? number N m, likewise
+
+---A rope from a over two fixed wheels to b. It pulls and never pushes.
+---@param fields World.add_pulley_joint.Fields
+---@return Joint joint
+function World:add_pulley_joint(fields) end
+
+---@class World.add_friction_joint.Fields
+---@field body_a Body `world:ground()` for a joint to the world
+---@field body_b Body
+---@field x number m; the anchor on both bodies, in the world
+---@field y number m
+---@field max_force? number N
+---@field max_torque? number N m
+---@field collide_connected? boolean whether the two bodies collide
+
+---Friction between b and a, as of things on a table seen from above.
+---@param fields World.add_friction_joint.Fields
+---@return Joint joint
+function World:add_friction_joint(fields) end
+
+---@class World.add_filter_joint.Fields
+---@field body_a Body `world:ground()` for a joint to the world
+---@field body_b Body
+
+---Keeps two bodies from colliding.
+---@param fields World.add_filter_joint.Fields
+---@return Joint joint
+function World:add_filter_joint(fields) end
+
+---A static body without shapes at the origin, for joints to the world. Made when it is first asked for.
+---@return Body body
+function World:ground() end
+
+---Iterates over the joints that the last step loaded beyond their strength: `for joint, a, b, x, y, fx, fy, torque in world:joint_breaks() do`. The joint is gone, and its value is still the one that `add_..._joint` returned; `a` and `b` are its bodies, `x, y` the anchor on b (m), `fx, fy` (N) and `torque` (N m) what it did to b, as the mean over the step.
+---@return fun(): Joint, Body, Body, number, number, number, number, number iterator
+function World:joint_breaks() end
 
 ---Iterates over the events of the last step: `for kind, a, b, impulse, x, y, nx, ny, speed in world:events("hit") do`. `kind` is "begin", "end" or "hit"; without an argument all come, begins first, then hits, then ends. `a` and `b` are the bodies, `x, y` the place, `nx, ny` the unit normal from a to b, `impulse` (N s) what the contact exchanged in the step and `speed` (m/s) how fast they met; what an event does not have is 0. A body destroyed since the step is still given: `is_valid()` tells, and its `data` can be read. Anything may be done in the loop; stepping the world ends it.
 ---@param kind string?
@@ -600,7 +807,7 @@ function Shape:is_valid() end
 ---@class Joint
 local Joint = {}
 
----"revolute" or "distance".
+---"distance", "revolute", "prismatic", "weld", "wheel", "motor", "mouse", "gear", "pulley", "friction" or "filter".
 ---@return string kind
 function Joint:kind() end
 
@@ -610,7 +817,7 @@ function Joint:body_a() end
 ---@return Body body
 function Joint:body_b() end
 
----In the world.
+---In the world; of a mouse joint the target.
 ---@return number x [m]
 ---@return number y [m]
 function Joint:anchor_a() end
@@ -620,44 +827,66 @@ function Joint:anchor_a() end
 ---@return number y [m]
 function Joint:anchor_b() end
 
----What the joint did to body b in the last step.
+---What the joint did to body b, as the mean over the last step.
 ---@return number x [N]
 ---@return number y [N]
 function Joint:reaction_force() end
 
----What the joint did to body b in the last step.
+---What the joint did to body b, as the mean over the last step.
 ---@return number torque [N m]
 function Joint:reaction_torque() end
 
----Of a revolute joint: of b relative to a; 0 for others.
+---Of b relative to a, with whole turns; 0 for kinds that have none.
 ---@return number angle [rad]
 function Joint:angle() end
+
+---Of b along the axis of a prismatic or wheel joint; 0 for others.
+---@return number translation [m]
+function Joint:translation() end
 
 ---The distance between the two anchors.
 ---@return number length [m]
 function Joint:length() end
 
----Of a revolute joint.
----@param enabled boolean
----@param speed number [rad/s]
----@param max_torque number [N m]
-function Joint:set_motor(enabled, speed, max_torque) end
+---The present value of a field that `add_..._joint` of this kind takes besides bodies and places, or of a frame: `local_x_a`, `local_y_a`, `local_x_b`, `local_y_b` (m), `local_angle_a` and `local_angle_b` (rad), the anchors and axes in the coordinates of the bodies.
+---@param name string
+---@return number|boolean value
+function Joint:parameter(name) end
 
----Of a revolute joint.
+---A new table of them all, by name.
+---@return table values
+function Joint:parameters() end
+
+---Changes any of the parameters, by the names of `parameter`, and wakes the bodies: `joint:change{ motor_speed = 3, upper = 1 }`. What is not named stays.
+---@param fields table
+function Joint:change(fields) end
+
+---Of a revolute or wheel joint in rad/s and N m, of a prismatic one in m/s and N.
 ---@param enabled boolean
----@param lower number [rad]
----@param upper number [rad]
+---@param speed number
+---@param max_effort number
+function Joint:set_motor(enabled, speed, max_effort) end
+
+---Of a revolute joint in rad, of a prismatic or wheel joint in m.
+---@param enabled boolean
+---@param lower number
+---@param upper number
 function Joint:set_limits(enabled, lower, upper) end
 
----Of a distance joint: its rest length.
----@param length number [m]
-function Joint:set_length(length) end
-
----Of a distance joint.
+---Of a distance, revolute, prismatic or wheel joint.
 ---@param enabled boolean
 ---@param frequency number [Hz]
 ---@param damping_ratio number
 function Joint:set_spring(enabled, frequency, damping_ratio) end
+
+---Where the spring draws to: of a revolute joint in rad, of a prismatic or wheel joint in m. Of a mouse joint x, y in the world.
+---@param target number
+---@param y number?
+function Joint:set_target(target, y) end
+
+---Of a distance joint: its rest length. Of a pulley joint: its rope's.
+---@param length number [m]
+function Joint:set_length(length) end
 
 function Joint:destroy() end
 
