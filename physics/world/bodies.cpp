@@ -6,6 +6,7 @@
 
 #include <cairn/physics/tuning.h>
 
+#include "world/breakables.h"
 #include "world/contacts.h"
 #include "world/filtering.h"
 #include "world/finalize.h"
@@ -97,6 +98,7 @@ void destroy_body(WorldState& world, int body) {
         destroy_sensor(world, stores.bodies.slots[body].first_sensor);
     }
     stores.sensors.outdated = true;
+    forget_breakable(stores, body);
     stores.bodies.remove_row(body);
     stores.bodies.slots.erase(body);
 }

@@ -38,6 +38,7 @@ struct BodyRecord {
     int first_sensor = kNone;
     int first_contact = kNone;  // keys of edge lists
     int first_joint = kNone;
+    int breakable = kNone;     // place among the breakable bodies
     int next_sleeper = kNone;  // ring of the bodies that fell asleep together
     std::uint64_t user_data = 0;
 };

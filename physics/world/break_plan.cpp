@@ -66,6 +66,7 @@ class Break {
         sites_ = def.pattern == FracturePattern::Uniform
                      ? uniform_sites(rings_, def.pieces, def.seed)
                      : radial_sites(rings_, impact_, def.pieces, least_radius, def.seed);
+        drop_distant_sites();
     }
 
     FracturePlan plan() {
@@ -80,7 +81,10 @@ class Break {
         for (const auto& [a, b] : touching_pairs(fragments_)) together.unite(a, b);
         std::vector<Piece> pieces = make_pieces(stores_, fragments_, together);
         if (pieces.size() < 2) return {};
-        for (Piece& piece : pieces) piece.is_released = def_.release && piece.group != kRest;
+        for (Piece& piece : pieces) {
+            piece.is_shattered = piece.group != kRest;
+            piece.is_released = piece.is_shattered && def_.release;
+        }
         return pieces;
     }
 
@@ -96,9 +100,33 @@ class Break {
         return nearest;
     }
 
+    // From the impact, without the compression.
+    [[nodiscard]] double way_to(RingPoint site) const {
+        return length(grain_.restored(site) - grain_.restored(impact_));
+    }
+
+    // Far beyond the radius there is no need for many cells: those next to the pieces extend outward instead,
+    // and what stays together has few shapes.
+    void drop_distant_sites() {
+        constexpr double kSpacings = 2;  // wide enough that the pieces have all their neighbours
+        constexpr std::size_t kLeast = 6;
+        const auto radius = static_cast<double>(def_.radius_m);
+        double whole = 0;
+        for (const Ring& ring : rings_) whole += area(grain_.restored(ring));
+        const double margin = kSpacings * std::sqrt(whole / def_.pieces);
+        std::stable_sort(sites_.begin(), sites_.end(),
+                         [&](RingPoint a, RingPoint b) { return way_to(a) < way_to(b); });
+        std::size_t beyond = 0;
+        std::size_t kept = 0;
+        for (; kept < sites_.size(); ++kept) {
+            const double way = way_to(sites_[kept]);
+            if (way > radius && ++beyond > kLeast && way > radius + margin) break;
+        }
+        sites_.resize(kept);
+    }
+
     [[nodiscard]] int group_of(std::size_t site) const {
-        const double way = length(grain_.restored(sites_[site]) - grain_.restored(impact_));
-        return way <= static_cast<double>(def_.radius_m) ? static_cast<int>(site) : kRest;
+        return way_to(sites_[site]) <= static_cast<double>(def_.radius_m) ? static_cast<int>(site) : kRest;
     }
 
     void divide() {

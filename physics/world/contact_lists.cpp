@@ -35,7 +35,7 @@ PairLane make_lane(const Stores& stores, int contact) {
         lane.offset_a += a.centroid;
         lane.offset_b += b.centroid;
     }
-    lane.reports = c.reports_touch;
+    lane.reports = c.reports_touch || special::has(c, special::kWatched);
     lane.impacts = c.restitution > 0 || c.reports_hit;
     lane.remembers = c.has_points;
     return lane;

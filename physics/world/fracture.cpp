@@ -6,6 +6,7 @@
 
 #include "collide/distance.h"
 #include "world/bodies.h"
+#include "world/breakables.h"
 #include "world/joint_frames.h"
 #include "world/joint_rules.h"
 #include "world/joints.h"
@@ -180,6 +181,7 @@ std::vector<int> divide_body(WorldState& world, int body, const FracturePlan& pl
     for (const Piece& piece : plan) pieces.push_back(make_piece(stores, heritage, piece, correction));
     hand_over_sensors(stores, body, plan, pieces);
     hand_over_joints(stores, body, plan, pieces);
+    inherit_breakable(stores, body, plan, pieces);
     destroy_body(world, body);
     return pieces;
 }

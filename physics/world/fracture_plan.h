@@ -34,6 +34,8 @@ FracturePlan plan_break(const Stores& stores, int body, RingPoint impact, const 
 
 check::Fault validate(const FractureDef& def);
 
+check::Fault validate(const BreakableDef& def);
+
 /// What keeps the body from being divided at all: lines, which have no area; nothing that could be divided.
 check::Fault validate_divisible(const Stores& stores, int body);
 

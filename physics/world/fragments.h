@@ -39,7 +39,8 @@ struct Piece {
     std::vector<PieceShape> shapes;
     MassSum mass;  // as a dynamic body, whatever the type
     int group = 0;
-    bool is_released = false;  // becomes dynamic
+    bool is_shattered = false;  // by a break, which this part of the body was near enough to
+    bool is_released = false;   // becomes dynamic
 };
 
 /// One piece for each set of fragments, in the order of their first members. The parts of a shape share its

@@ -1,6 +1,7 @@
 // Questions about special contacts.
 #include "world/special_contacts.h"
 
+#include "world/breakables.h"
 #include "world/filtering.h"
 #include "world/one_way.h"
 
@@ -8,6 +9,8 @@ namespace cairn::physics {
 
 void mark_special(const Stores& stores, ContactRecord& contact) {
     special::set(contact, special::kRefused, !host_allows(stores, contact.shape_a, contact.shape_b));
+    special::set(contact, special::kWatched,
+                 is_breakable(stores, contact.body_a) || is_breakable(stores, contact.body_b));
     special::set(contact, special::kOneWay,
                  is_one_way(stores.shapes[contact.shape_a]) || is_one_way(stores.shapes[contact.shape_b]));
 }

@@ -10,11 +10,12 @@ namespace cairn::physics {
 
 namespace special {
 
-inline constexpr std::uint8_t kRefused = 1;  // the host's filter said no: never gets points
-inline constexpr std::uint8_t kSurface = 2;  // rolling resistance or a running surface
-inline constexpr std::uint8_t kOneWay = 4;   // one of the shapes is solid from one side only
-inline constexpr std::uint8_t kPassing = 8;  // of those: the pair goes through each other, until it parts
-inline constexpr std::uint8_t kSolid = 16;   // of those: it is a contact like others, until it parts
+inline constexpr std::uint8_t kRefused = 1;   // the host's filter said no: never gets points
+inline constexpr std::uint8_t kSurface = 2;   // rolling resistance or a running surface
+inline constexpr std::uint8_t kOneWay = 4;    // one of the shapes is solid from one side only
+inline constexpr std::uint8_t kPassing = 8;   // of those: the pair goes through each other, until it parts
+inline constexpr std::uint8_t kSolid = 16;    // of those: it is a contact like others, until it parts
+inline constexpr std::uint8_t kWatched = 32;  // one of the bodies is breakable: its impulse is wanted
 
 inline void set(ContactRecord& contact, std::uint8_t bit, bool on) {
     contact.special = static_cast<std::uint8_t>(on ? contact.special | bit : contact.special & ~bit);

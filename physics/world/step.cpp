@@ -5,6 +5,7 @@
 
 #include "base/stage_clock.h"
 #include "integrator/integrate.h"
+#include "world/breakables.h"
 #include "world/contact_events.h"
 #include "world/contacts.h"
 #include "world/fast_bodies.h"
@@ -61,6 +62,7 @@ void step_world(WorldState& world, float dt_s) {
     apply_restitution(scratch.contacts, scratch.motions, scratch.drives, rules);
 
     report_contacts(stores, scratch, def.hit_speed_m_s, world.events);
+    find_overloads(stores, scratch, world.events);
     store_contact_impulses(stores.contacts, scratch);
     store_joint_impulses(stores.joints, time, scratch);
     clock.enter(Stage::Finalize);
@@ -72,6 +74,7 @@ void step_world(WorldState& world, float dt_s) {
     update_sensors(stores, world.events);
     clock.enter(Stage::Sleep);
     sleep_islands(stores, scratch);
+    break_overloaded(world);
     world.previous_h_s = time.h_s;
     ++world.step_count;
 }

@@ -4,8 +4,10 @@
 #include <cairn/physics/tuning.h>
 #include <cairn/physics/world.h>
 
+#include "world/breakables.h"
 #include "world/fracture.h"
 #include "world/query_traversal.h"
+#include "world/sleep.h"
 #include "world/validation.h"
 
 namespace cairn::physics {
@@ -67,10 +69,14 @@ Result<std::vector<BodyId>> divide(WorldState& world, int body, const FracturePl
     return ids_of(world.stores, divide_body(world, body, plan));
 }
 
+Result<int> find_body(const WorldState& world, BodyId id) {
+    const auto& slots = world.stores.bodies.slots;
+    return find_slot(slots, id, "body", slots.world_tag());
+}
+
 // The slot of a body that could be divided.
 Result<int> find_divisible(const WorldState& world, BodyId id) {
-    const auto& slots = world.stores.bodies.slots;
-    const Result<int> body = find_slot(slots, id, "body", slots.world_tag());
+    const Result<int> body = find_body(world, id);
     if (!body) return body;
     if (auto fault = validate_divisible(world.stores, *body)) return *fault;
     return body;
@@ -96,6 +102,48 @@ Result<std::vector<BodyId>> World::break_body(BodyId id, Position impact_m, cons
     if (!body) return body.error();
     const RingPoint impact = local_point(state_->stores.bodies.transform(*body), impact_m);
     return divide(*state_, *body, plan_break(state_->stores, *body, impact, def));
+}
+
+Result<void> World::set_breakable(BodyId id, const BreakableDef& def) {
+    if (auto fault = check::first_of({refuse_within_step(*state_), validate(def)})) return *fault;
+    const Result<int> body = find_divisible(*state_, id);
+    if (!body) return body.error();
+    make_breakable(state_->stores, *body, def);
+    wake_body(state_->stores, *body);
+    return {};
+}
+
+Result<void> World::clear_breakable(BodyId id) {
+    if (auto fault = refuse_within_step(*state_)) return *fault;
+    const Result<int> body = find_body(*state_, id);
+    if (!body) return body.error();
+    forget_breakable(state_->stores, *body);
+    return {};
+}
+
+Result<std::optional<BreakableDef>> World::breakable(BodyId id) const {
+    const Result<int> body = find_body(*state_, id);
+    if (!body) return body.error();
+    const int place = state_->stores.bodies.slots[*body].breakable;
+    if (place == kNone) return std::optional<BreakableDef>{};
+    return std::optional(state_->stores.breakables[place].def);
+}
+
+std::span<const BodyBreak> World::body_breaks() const {
+    return state_->events.breaks;
+}
+
+Result<std::vector<BodyId>> World::break_body(const BodyBreak& event) {
+    if (auto fault = refuse_within_step(*state_)) return *fault;
+    const Result<int> body = find_divisible(*state_, event.body);
+    if (!body) return body.error();
+    const auto is_told = [&](const BodyBreak& told) { return told.body == event.body; };
+    const auto& breaks = state_->events.breaks;
+    const auto told = std::find_if(breaks.begin(), breaks.end(), is_told);
+    if (told == breaks.end() || !is_breakable(state_->stores, *body)) {
+        return Error{"the body is none that World::body_breaks tells about, but must be one"};
+    }
+    return ids_of(state_->stores, break_as_told(*state_, *body, told->point_m));
 }
 
 Result<std::vector<CutHit>> World::cuts_along(Position from_m, Position to_m, QueryFilter filter) const {

@@ -14,6 +14,7 @@
 #include "resolve/joints/joint_constraint.h"
 #include "world/body_mass.h"
 #include "world/body_store.h"
+#include "world/breakable_store.h"
 #include "world/chain_store.h"
 #include "world/contact_store.h"
 #include "world/joint_store.h"
@@ -55,6 +56,7 @@ struct Stores {
     MassLedger masses;
     PairRules rules;
     SensorStore sensors;
+    std::vector<Breakable> breakables;
 };
 
 /// The contacts of the body will be asked whether their boxes still overlap.
@@ -72,6 +74,9 @@ struct Events {
     std::vector<JointBreak> joint_breaks;
     std::vector<SensorBegin> sensor_begins;
     std::vector<SensorEnd> sensor_ends;
+    std::vector<BodyBreak> breaks;
+    std::vector<Overload> overloads;    // behind the breaks
+    std::vector<BodyId> broken_pieces;  // to which the breaks refer
     std::vector<BodyId> quarantined;
     /// Ends caused between steps, by destroying things; they are told with the next step.
     std::vector<ContactEnd> pending_ends;
@@ -86,6 +91,9 @@ inline void start_events(Events& events) {
     events.hits.clear();
     events.joint_breaks.clear();
     events.quarantined.clear();
+    events.breaks.clear();
+    events.overloads.clear();
+    events.broken_pieces.clear();
     events.ends.clear();
     events.ends.swap(events.pending_ends);
     events.sensor_begins.clear();

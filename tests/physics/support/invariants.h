@@ -10,9 +10,11 @@
 
 #include <cairn/physics/tuning.h>
 
+#include "world/breakables.h"
 #include "world/contact_lists.h"
 #include "world/contacts.h"
 #include "world/filtering.h"
+#include "world/special_contacts.h"
 #include "world/world_state.h"
 
 namespace cairn::physics::test {
@@ -228,6 +230,26 @@ inline void check_nothing_missed(const Stores& stores) {
     }
 }
 
+inline void check_breakables(const Stores& stores) {
+    for (std::size_t i = 0; i < stores.breakables.size(); ++i) {
+        const int body = stores.breakables[i].body;
+        REQUIRE(stores.bodies.slots.alive(body));
+        REQUIRE(stores.bodies.slots[body].breakable == static_cast<int>(i));
+        REQUIRE(stores.breakables[i].def.generations > 0);
+    }
+    int breakable = 0;
+    for (int body = 0; body < stores.bodies.slots.end_index(); ++body) {
+        if (stores.bodies.slots.alive(body) && is_breakable(stores, body)) ++breakable;
+    }
+    REQUIRE(breakable == static_cast<int>(stores.breakables.size()));
+    for (int contact = 0; contact < stores.contacts.slots.end_index(); ++contact) {
+        if (!stores.contacts.slots.alive(contact)) continue;
+        const ContactRecord& c = stores.contacts.slots[contact];
+        REQUIRE(special::has(c, special::kWatched) ==
+                (is_breakable(stores, c.body_a) || is_breakable(stores, c.body_b)));
+    }
+}
+
 inline void check_world(const WorldState& world) {
     check_rows(world.stores);
     check_shapes(world.stores);
@@ -247,6 +269,7 @@ inline void check_world(const WorldState& world) {
     check_colors(stores);
     check_contacts(world.stores);
     check_sleepers(world.stores);
+    check_breakables(world.stores);
 }
 
 }  // namespace cairn::physics::test

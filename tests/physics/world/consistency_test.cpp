@@ -53,16 +53,28 @@ class Operations {
         if (choice < 66) return put_island_to_sleep(stores, world_.scratch, body);
         if (choice < 72 && !shapes.empty()) return refilter(pick(shapes));
         if (choice < 80) return push(body);
-        if (choice < 83 && bodies.size() < 100) return divide(body);
+        if (choice < 81) return toggle_breakable(body);
+        if (choice < 84 && bodies.size() < 100) return divide(body);
         step_world(world_, 1.0f / 60);
     }
 
   private:
+    void toggle_breakable(int body) {
+        if (is_breakable(world_.stores, body)) return forget_breakable(world_.stores, body);
+        const float strength = random_.real_f(0.1, 3);
+        const int generations = 1 + random_.below(2);
+        make_breakable(world_.stores, body,
+                       {.strength_ns = strength,
+                        .fracture = {.pieces = 3, .min_width_m = 0.2f, .release = random_.chance(0.5)},
+                        .generations = generations,
+                        .automatic = true});
+    }
+
     void divide(int body) {
         Stores& stores = world_.stores;
         if (validate_divisible(stores, body)) return;
         const RingPoint at{random_.real(-0.5, 0.5), random_.real(-0.5, 0.5)};
-        const FractureDef def{.pieces = 2 + random_.below(4), .seed = random_.bits()};
+        const FractureDef def{.pieces = 2 + random_.below(4), .seed = random_.bits(), .min_width_m = 0.2f};
         const FracturePlan plan = random_.chance(0.5) ? plan_break(stores, body, at, def)
                                                       : plan_cut(stores, body, {{{-9, at.y}, {1, 0}}, 20});
         if (!plan.empty()) divide_body(world_, body, plan);
@@ -78,7 +90,9 @@ class Operations {
         def.type = kind < 2 ? BodyType::Static : kind == 2 ? BodyType::Kinematic : BodyType::Dynamic;
         def.awake = random_.chance(0.8);
         if (kind == 2 && random_.chance(0.5)) def.linear_velocity_m_s = {};
-        add_shape(create_body(world_.stores, def));
+        const int body = create_body(world_.stores, def);
+        add_shape(body);
+        if (random_.chance(0.2)) toggle_breakable(body);
     }
     void add_shape(int body) {
         const Form form = kForms[static_cast<std::size_t>(random_.below(kForms.size()))];

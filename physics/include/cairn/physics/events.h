@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include <cairn/physics/ids.h>
 #include <cairn/physics/math.h>
@@ -48,6 +49,19 @@ struct JointBreak {
     Vec2 force_n{};      ///< on body b, the mean over the step
     float torque_nm = 0;
     std::uint64_t user_data = 0;
+};
+
+/// Something pressed on a breakable body harder than it withstands. One for each body, of the contact that
+/// pressed hardest. Where two breakable bodies meet, the weaker breaks and spares the other.
+struct BodyBreak {
+    BodyId body{};
+    BodyId other{};
+    Position point_m{};            ///< through which the impulse went
+    Vec2 normal{};                 ///< unit, into the body
+    float approach_speed_m_s = 0;  ///< at the start of the step; 0 for things at rest on each other
+    float impulse_ns = 0;          ///< normal impulse of the contact over the step
+    /// If the world has broken it already (BreakableDef::automatic); empty when it was too small to break.
+    std::span<const BodyId> pieces{};
 };
 
 /// A shape came to overlap a sensor.

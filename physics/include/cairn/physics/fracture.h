@@ -49,6 +49,23 @@ struct FractureDef {
     bool release = false;
 };
 
+/// A body that breaks when something presses on it hard enough: see World::set_breakable.
+struct BreakableDef {
+    /// N s. The normal impulse of one contact over one step that the body just withstands, > 0. A blow of
+    /// mass m at speed v has about m v (1 + restitution); a mass m at rest presses with m g dt in each step.
+    float strength_ns = 10;
+    FractureDef fracture{};
+    /// How often, 1..16: the pieces are breakable in the same way, one time less often, until none is left.
+    /// What stays in one piece beyond FractureDef::radius_m loses none, and pieces of a cut neither.
+    int generations = 1;
+    /// The world breaks the body at the end of the step. Otherwise the host does, when it reads the event.
+    bool automatic = false;
+    /// What pressed on the body gets the impulse beyond its strength back when it breaks: a stone goes on
+    /// through a window, slowed down by what the glass withstood, and pushes the pieces in the next step.
+    /// Otherwise it bounces off, and then the body breaks.
+    bool gives_back = true;
+};
+
 /// A body that lies across a cut.
 struct CutHit {
     BodyId body{};

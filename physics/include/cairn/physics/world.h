@@ -212,6 +212,16 @@ class World {
     /// Breaks the body about the impact (beside the body: the nearest point of its outline). The pieces, or
     /// an empty list when it is too small for two of them: then nothing has changed.
     Result<std::vector<BodyId>> break_body(BodyId body, Position impact_m, const FractureDef& def = {});
+    /// From now on, contacts that press harder on the body than it withstands are told as BodyBreak. Replaces
+    /// what was set before. The body must be one that can be divided; it wakes.
+    Result<void> set_breakable(BodyId body, const BreakableDef& def);
+    Result<void> clear_breakable(BodyId body);  ///< does nothing for a body that is not breakable
+    Result<std::optional<BreakableDef>> breakable(BodyId body) const;
+    /// Of the last step, ordered by slot of the body. Valid until the next step.
+    [[nodiscard]] std::span<const BodyBreak> body_breaks() const;
+    /// Breaks a body that the last step told about, as its BreakableDef says. The pieces, or an empty list
+    /// when it is too small for two of them: then nothing has changed.
+    Result<std::vector<BodyId>> break_body(const BodyBreak& event);
     /// The bodies that lie on the segment, in the order in which it enters them, and what `cut_body` would
     /// make of each. For swords, lasers, and lines to show to the player. Changes nothing; sensors are not
     /// seen.
