@@ -3,7 +3,9 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include <cairn/physics/math.h>
@@ -15,14 +17,21 @@ struct Aabb {
     Vec2 upper{-std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity()};
 };
 
+/// The next float towards minus infinity, which stays as it is. Inline, unlike std::nextafter.
+inline float next_below(float f) {
+    if (f == 0) return -std::numeric_limits<float>::denorm_min();
+    if (!(f > -std::numeric_limits<float>::infinity())) return f;
+    const auto bits = std::bit_cast<std::int32_t>(f);
+    return std::bit_cast<float>(f > 0 ? bits - 1 : bits + 1);
+}
+
 inline float round_down(double x) {
     const float f = static_cast<float>(x);
-    return static_cast<double>(f) > x ? std::nextafter(f, -std::numeric_limits<float>::infinity()) : f;
+    return static_cast<double>(f) > x ? next_below(f) : f;
 }
 
 inline float round_up(double x) {
-    const float f = static_cast<float>(x);
-    return static_cast<double>(f) < x ? std::nextafter(f, std::numeric_limits<float>::infinity()) : f;
+    return -round_down(-x);
 }
 
 /// The box from lower to upper, both relative to origin.

@@ -63,6 +63,12 @@ HWY_INLINE Columns load_rows(const float* rows, const std::int32_t* index) {
     return {set(row[0]), set(row[1]), set(row[2]), set(row[3])};
 }
 
+// Rows that stand anywhere: four floats behind each pointer, from an offset on.
+HWY_INLINE Columns load_rows(const float* const* rows, int offset) {
+    const float* row = rows[0] + offset;
+    return {set(row[0]), set(row[1]), set(row[2]), set(row[3])};
+}
+
 HWY_INLINE void store_rows(float* rows, const std::int32_t* index, const Columns& c) {
     float* row = rows + 4 * index[0];
     row[0] = hn::GetLane(c.x);
@@ -115,6 +121,22 @@ HWY_INLINE void store_row(float* rows, const std::int32_t* index, int i, V v) {
 HWY_INLINE Columns load_rows(const float* rows, const std::int32_t* index) {
     Columns c{load_row(rows, index, 0), load_row(rows, index, 1), load_row(rows, index, 2),
               load_row(rows, index, 3)};
+    transpose(c.x, c.y, c.z, c.u);
+    return c;
+}
+
+// Rows that stand anywhere: four floats behind each pointer, from an offset on.
+HWY_INLINE Columns load_rows(const float* const* rows, int offset) {
+    const hn::FixedTag<float, 4> quad;
+    const auto row = [&](int i) {
+        const auto low = hn::LoadU(quad, rows[i] + offset);
+#if HWY_MAX_BYTES >= 32
+        return hn::Combine(D(), hn::LoadU(quad, rows[i + 4] + offset), low);
+#else
+        return low;
+#endif
+    };
+    Columns c{row(0), row(1), row(2), row(3)};
     transpose(c.x, c.y, c.z, c.u);
     return c;
 }

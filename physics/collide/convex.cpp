@@ -22,6 +22,10 @@ void set_points(Convex& shape, std::span<const Vec2> points, float radius_m) {
         shape.normals[i] = normalized(right_perp(shape.point(shape.next(i)) - shape.point(i)));
         shape.centroid += shape.point(i) * (1.0f / static_cast<float>(points.size()));
     }
+    for (int i = shape.count(); i < kMaxPolygonVertices; ++i) {
+        shape.outline.points_m[i] = shape.point(0);
+        shape.normals[i] = shape.normals[0];
+    }
 }
 
 check::Fault place(const char* field, Vec2 p) {
@@ -137,6 +141,12 @@ Convex make_chain_segment(std::optional<Vec2> before, Vec2 a, Vec2 b, std::optio
 }
 
 Aabb bounds(const Convex& shape, const Transform& xf) {
+    if (shape.is_box) {
+        const Vec2 center = rotate(xf.q, shape.centroid);
+        const Vec2 half{std::fabs(xf.q.c) * shape.half_size.x + std::fabs(xf.q.s) * shape.half_size.y,
+                        std::fabs(xf.q.s) * shape.half_size.x + std::fabs(xf.q.c) * shape.half_size.y};
+        return make_aabb(xf.p, center - half, center + half);
+    }
     Vec2 lower = rotate(xf.q, shape.point(0));
     Vec2 upper = lower;
     for (int i = 1; i < shape.count(); ++i) {

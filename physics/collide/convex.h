@@ -1,6 +1,8 @@
 // The one form in which all shapes collide: the convex hull of 1 (circle), 2 (capsule, segment) or 3 to 8
 // points (polygon), rounded by a radius. Invariant: points run anticlockwise; normals[i] is the outward unit
 // normal of the edge from point i to point i + 1. Capsules and segments have two edges, there and back.
+// Behind the last point and normal the first ones are repeated, so that shapes of unlike counts can be seen
+// side by side.
 // A segment of a chain keeps behind its two points the far end of the segment before and of the one after,
 // and behind its two normals theirs.
 #pragma once

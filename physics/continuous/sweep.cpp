@@ -4,29 +4,38 @@
 namespace cairn::physics {
 
 SweptPose pose_at(const Sweep& sweep, float time_s) {
-    const Rotation q = Rotation::from_angle(static_cast<double>(sweep.spin * time_s)) * sweep.rotation;
+    const Rotation q = Rotation::from_small_angle(sweep.spin * time_s) * sweep.rotation;
     return {sweep.center + time_s * sweep.velocity - rotate(q, sweep.local_center), q};
 }
 
+namespace {
+
+RelativePose relative_pose(const SweptPose& a, const SweptPose& b) {
+    return {inverse_rotate(a.rotation, b.origin - a.origin), inverse(a.rotation) * b.rotation};
+}
+
+}  // namespace
+
 RelativePose relative_pose_at(const Sweep& a, const Sweep& b, float time_s) {
-    const SweptPose pose_a = pose_at(a, time_s);
-    const SweptPose pose_b = pose_at(b, time_s);
-    return {inverse_rotate(pose_a.rotation, pose_b.origin - pose_a.origin),
-            inverse(pose_a.rotation) * pose_b.rotation};
+    return relative_pose(pose_at(a, time_s), pose_at(b, time_s));
 }
 
 std::optional<float> time_of_impact(const Sweep& a, const Sweep& b, float duration_s, float gap_m) {
-    // What rotation can add to the closing speed, at most.
-    const float spin_speed = std::fabs(a.spin) * farthest_distance(*a.shape, a.local_center) +
-                             std::fabs(b.spin) * farthest_distance(*b.shape, b.local_center);
+    // What rotation can add to the closing speed, at most: it does not move the rims of discs.
+    const auto spin_speed_of = [](const Sweep& sweep) {
+        if (sweep.spin == 0) return 0.0f;
+        const float arm = farthest_distance(*sweep.shape, sweep.local_center) - sweep.shape->radius();
+        return std::fabs(sweep.spin) * arm;
+    };
+    const float spin_speed = spin_speed_of(a) + spin_speed_of(b);
     // Straight motion is exact after one or two rounds; a spin that grazes takes many.
     constexpr int kMaxRounds = 256;
     float time = 0;
     for (int round = 0; round < kMaxRounds; ++round) {
-        const RelativePose pose = relative_pose_at(a, b, time);
-        const Distance at = distance_between(*a.shape, *b.shape, pose);
+        const SweptPose pose_a = pose_at(a, time);
+        const Distance at = distance_between(*a.shape, *b.shape, relative_pose(pose_a, pose_at(b, time)));
         if (at.distance <= gap_m) return time > 0 ? std::optional(time) : std::nullopt;
-        const Vec2 normal = rotate(pose_at(a, time).rotation, at.normal);
+        const Vec2 normal = rotate(pose_a.rotation, at.normal);
         const float closing = dot(a.velocity - b.velocity, normal) + spin_speed;
         if (closing <= 0) return {};
         // Half of gap_m past the target, so that rounding cannot make the rounds creep towards it for ever.

@@ -21,7 +21,12 @@
 namespace cairn::physics {
 
 /// Which routine finds the manifold.
-enum class PairGeometry : std::uint8_t { Boxes, General };
+enum class PairGeometry : std::uint8_t {
+    Boxes,
+    Hulls,   ///< circles, capsules and polygons
+    Chains,  ///< with a segment of a chain, or what never meets: one by one
+};
+inline constexpr int kPairGeometries = 3;
 
 /// Which contacts the lanes of a block are, and what the narrow phase needs of them.
 struct alignas(32) PairBlock {
@@ -30,7 +35,7 @@ struct alignas(32) PairBlock {
     Lanes<std::int32_t> body_b;
     Lanes<std::int32_t> shape_a;
     Lanes<std::int32_t> shape_b;
-    BoxLanes boxes;  // of general shapes only the offsets are used: of the body's origin
+    BoxLanes boxes;  // of other shapes only the offsets are used: of the body's origin
     FeatureLanes features;
     std::uint8_t reports = 0;    // bits: touching is told, which takes the plain form of the contact too
     std::uint8_t impacts = 0;    // bits: impacts bounce or are told; they take that form as well
@@ -69,27 +74,28 @@ struct ContactMemory {
 };
 
 inline constexpr int kNearBucket = 0;  // + PairGeometry: pairs without points
-inline constexpr int kFirstColored = 2;
+inline constexpr int kFirstColored = kPairGeometries;
 inline constexpr int kColors = 32;
-inline constexpr int kBuckets = kFirstColored + kColors * kBlockKinds * 2;
+inline constexpr int kBuckets = kFirstColored + kColors * kBlockKinds * kPairGeometries;
 
 constexpr int near_bucket(PairGeometry geometry) {
     return kNearBucket + static_cast<int>(geometry);
 }
 constexpr int colored_bucket(int color, BlockKind kind, PairGeometry geometry) {
-    return kFirstColored + (color * kBlockKinds + static_cast<int>(kind)) * 2 + static_cast<int>(geometry);
+    return kFirstColored + (color * kBlockKinds + static_cast<int>(kind)) * kPairGeometries +
+           static_cast<int>(geometry);
 }
 constexpr bool is_colored(int bucket) {
     return bucket >= kFirstColored && bucket < kBuckets;
 }
 constexpr int color_of(int bucket) {
-    return (bucket - kFirstColored) / (2 * kBlockKinds);
+    return (bucket - kFirstColored) / (kPairGeometries * kBlockKinds);
 }
 constexpr BlockKind kind_of(int bucket) {
-    return static_cast<BlockKind>((bucket - kFirstColored) / 2 % kBlockKinds);
+    return static_cast<BlockKind>((bucket - kFirstColored) / kPairGeometries % kBlockKinds);
 }
 constexpr PairGeometry geometry_of(int bucket) {
-    return static_cast<PairGeometry>(bucket % 2);
+    return static_cast<PairGeometry>(bucket % kPairGeometries);
 }
 
 class ContactLanes {
@@ -99,7 +105,7 @@ class ContactLanes {
     /// The contact that took the freed lane, or kNone.
     int remove(int bucket, int lane);
 
-    /// Blocks of near pairs are numbered on their own, from 0 in each of the two buckets.
+    /// Blocks of near pairs are numbered on their own, from 0 in each of their buckets.
     [[nodiscard]] std::vector<PairBlock>& near_pairs(PairGeometry geometry) { return near_[index(geometry)]; }
     [[nodiscard]] const std::vector<PairBlock>& near_pairs(PairGeometry geometry) const {
         return near_[index(geometry)];
@@ -152,8 +158,8 @@ class ContactLanes {
     int open_block(int bucket);
     void close_block(int bucket);
 
-    std::array<std::vector<PairBlock>, 2> near_;
-    std::array<int, 2> near_count_{};
+    std::array<std::vector<PairBlock>, kPairGeometries> near_;
+    std::array<int, kPairGeometries> near_count_{};
     std::vector<PairBlock> pairs_;
     std::vector<BlockLink> links_;      // beside the pairs
     std::vector<ContactBlock> blocks_;  // beside the pairs

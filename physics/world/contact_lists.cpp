@@ -13,8 +13,11 @@ bool can_be_moved(const BodyRecord& body) {
 }
 
 PairGeometry geometry_of(const Stores& stores, const ContactRecord& c) {
-    const bool boxes = stores.shapes[c.shape_a].convex.is_box && stores.shapes[c.shape_b].convex.is_box;
-    return boxes ? PairGeometry::Boxes : PairGeometry::General;
+    const Convex& a = stores.shapes[c.shape_a].convex;
+    const Convex& b = stores.shapes[c.shape_b].convex;
+    if (a.is_box && b.is_box) return PairGeometry::Boxes;
+    const bool in_lanes = !a.is_chained() && !b.is_chained() && !(a.is_line() && b.is_line());
+    return in_lanes ? PairGeometry::Hulls : PairGeometry::Chains;
 }
 
 PairLane make_lane(const Stores& stores, int contact) {

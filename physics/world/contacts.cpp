@@ -119,10 +119,16 @@ class Update {
     // Near and loose contacts from where the last call left off: waking lists more.
     void update_uncolored() {
         const auto lanes = [&](PairGeometry geometry) { return stores_.contacts.lanes.near_count(geometry); };
-        while (boxes_done_ < lanes(PairGeometry::Boxes) || general_done_ < lanes(PairGeometry::General) ||
-               loose_done_ < stores_.contacts.loose.size()) {
-            boxes_done_ = update_near(PairGeometry::Boxes, boxes_done_);
-            general_done_ = update_near(PairGeometry::General, general_done_);
+        const auto near_is_done = [&] {
+            for (int g = 0; g < kPairGeometries; ++g) {
+                if (near_done_[g] < lanes(static_cast<PairGeometry>(g))) return false;
+            }
+            return true;
+        };
+        while (!near_is_done() || loose_done_ < stores_.contacts.loose.size()) {
+            for (int g = 0; g < kPairGeometries; ++g) {
+                near_done_[g] = update_near(static_cast<PairGeometry>(g), near_done_[g]);
+            }
             while (loose_done_ < stores_.contacts.loose.size()) {
                 update_loose(stores_.contacts.loose[loose_done_++]);
             }
@@ -177,6 +183,7 @@ class Update {
         c.has_points = true;
         wake_touched(stores_, c);
         extend_motions(stores_.bodies, world_.def.gravity_m_s2, time_.dt_s, scratch_);
+        extend_advances(stores_, world_.def.gravity_m_s2, time_.dt_s, scratch_);
         return stores_.bodies.is_awake(c.body_b) ||
                (stores_.bodies.is_awake(c.body_a) && is_dynamic(c.body_a));
     }
@@ -187,6 +194,8 @@ class Update {
         const AxisGap apart{{manifold_.normal_x[lane], manifold_.normal_y[lane]}, manifold_.gap[lane]};
         ContactInput input;
         if ((places_.fast >> lane & 1) == 0 ||
+            !could_meet(scratch_.advances[places_.row_a[lane]], scratch_.advances[places_.row_b[lane]], apart,
+                        time_.dt_s) ||
             !predict_contact(stores_, c, apart, world_.def.gravity_m_s2, time_.dt_s, input)) {
             if (special::has(c, special::kOneWay)) forget_side(c);
             return false;
@@ -302,7 +311,7 @@ class Update {
         single_.shape_a[0] = c.shape_a;
         single_.shape_b[0] = c.shape_b;
         load_places(stores_.bodies, single_, 1, places_);
-        collide_block(stores_, single_, PairGeometry::General, 1, places_.poses, manifold_);
+        collide_block(stores_, single_, PairGeometry::Chains, 1, places_.poses, manifold_);
         if (is_gone(single_, 0) || special::has(c, special::kRefused)) return;
         if (manifold_.points[0].id[0] == kNoFeature) {
             if (!predict(contact, 0) && c.has_points) lose_points(contact);
@@ -373,8 +382,7 @@ class Update {
     BlockPlaces places_;
     ManifoldLanes manifold_;
     PairBlock single_{};  // a loose contact, in the first lane
-    int boxes_done_ = 0;
-    int general_done_ = 0;
+    std::array<int, kPairGeometries> near_done_{};
     std::size_t loose_done_ = 0;
 };
 

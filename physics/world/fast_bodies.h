@@ -1,7 +1,7 @@
 // Bodies that move so far in a step that they could pass through others. Their way is looked at before the
 // step: boxes cover it, and a pair that will meet gets its contact from the place where it meets. The solver
 // then stops them there, in the substep in which it happens, against static, kinematic and dynamic bodies
-// alike.
+// alike. What passes all the same is put back by fast_guard.h.
 #pragma once
 
 #include "continuous/sweep.h"
@@ -9,19 +9,25 @@
 
 namespace cairn::physics {
 
-/// Stage: the boxes of fast bodies cover the way of the coming step. The bodies are noted in `fast`.
-void cover_fast_ways(Stores& stores, Vec2 gravity_m_s2, float dt_s, std::vector<int>& fast);
+/// Of what is solid about the thinnest shape: moving further than this in a step is fast.
+inline constexpr float kFastShare = 0.5f;
 
-/// Stage at the end of the step: a fast body whose centre passed into another shape, because something else
-/// turned it aside on its way, is put back to where it met that shape. It keeps its velocity, so that the
-/// next step sees them meet.
-void hold_fast_bodies(Stores& stores, StepScratch& scratch, TaskPool& tasks);
+/// Stage: the boxes of fast bodies cover the way of the coming step. The bodies are noted in `fast`, and what
+/// all awake ones are expected to do in `advances`.
+void cover_fast_ways(Stores& stores, Vec2 gravity_m_s2, float dt_s, StepScratch& scratch);
+
+/// The same for rows that came since, of bodies that woke.
+void extend_advances(Stores& stores, Vec2 gravity_m_s2, float dt_s, StepScratch& scratch);
 
 /// An axis, from a to b, along which two shapes are at least this far apart; 0 says nothing.
 struct AxisGap {
     Vec2 axis;
     float gap_m = 0;
 };
+
+/// Whether two bodies could meet within the step, or pass through each other, as far as that can be told
+/// without their shapes.
+bool could_meet(const Advance& a, const Advance& b, const AxisGap& seen, float dt_s);
 
 /// The contact of a pair that is apart now but meets within the step, as seen from now; false when it does
 /// not.

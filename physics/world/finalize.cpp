@@ -23,13 +23,6 @@ bool is_finite(const Motions& motions, int row) {
     return std::isfinite(pose.d.x + pose.d.y + pose.theta + velocity.v.x + velocity.v.y + velocity.w);
 }
 
-// How far the inner box may move in any direction without leaving the outer one.
-float clearance(const Aabb& outer, const Aabb& inner) {
-    const Vec2 low = inner.lower - outer.lower;
-    const Vec2 high = outer.upper - inner.upper;
-    return std::min(std::min(low.x, low.y), std::min(high.x, high.y));
-}
-
 // A body whose motion is no number any more is put back to where the step found it, and stopped. Its box
 // would be found by nobody otherwise, and what it touches would follow it.
 void halt(Motions& motions, int row) {
@@ -37,6 +30,22 @@ void halt(Motions& motions, int row) {
     motions.pose[row].theta = 0;
     motions.velocity[row].v = {};
     motions.velocity[row].w = 0;
+}
+
+// Makes the boxes anew for which outdated(box, what it must enclose) says so.
+template <class Outdated>
+void follow(Stores& stores, int body, Outdated&& outdated) {
+    const Transform xf = stores.bodies.transform(body);
+    float slack = std::numeric_limits<float>::infinity();
+    for (int shape = stores.bodies.slots[body].first_shape; shape != kNone;
+         shape = stores.shapes[shape].next_of_body) {
+        ShapeRecord& record = stores.shapes[shape];
+        const Aabb box = bounds(record.convex, xf);
+        const Aabb reach = grown(box, tuning::kAabbReach_m);
+        if (outdated(record.fat_box, reach)) set_fat_box(stores, shape, grown(box, record.margin_m));
+        slack = std::min(slack, clearance(record.fat_box, reach));
+    }
+    stores.bodies.rows_of(body).box_slack[stores.bodies.slots[body].row] = slack;
 }
 
 }  // namespace
@@ -49,18 +58,18 @@ void set_fat_box(Stores& stores, int shape, const Aabb& box) {
     stores.bodies.rows_of(record.body).box_slack[stores.bodies.slots[record.body].row] = 0;
 }
 
+float clearance(const Aabb& outer, const Aabb& inner) {
+    const Vec2 low = inner.lower - outer.lower;
+    const Vec2 high = outer.upper - inner.upper;
+    return std::min(std::min(low.x, low.y), std::min(high.x, high.y));
+}
+
 void update_boxes(Stores& stores, int body) {
-    const Transform xf = stores.bodies.transform(body);
-    float slack = std::numeric_limits<float>::infinity();
-    for (int shape = stores.bodies.slots[body].first_shape; shape != kNone;
-         shape = stores.shapes[shape].next_of_body) {
-        ShapeRecord& record = stores.shapes[shape];
-        const Aabb box = bounds(record.convex, xf);
-        const Aabb reach = grown(box, tuning::kAabbReach_m);
-        if (!contains(record.fat_box, reach)) set_fat_box(stores, shape, grown(box, record.margin_m));
-        slack = std::min(slack, clearance(record.fat_box, reach));
-    }
-    stores.bodies.rows_of(body).box_slack[stores.bodies.slots[body].row] = slack;
+    follow(stores, body, [](const Aabb& fat, const Aabb& reach) { return !contains(fat, reach); });
+}
+
+void renew_boxes(Stores& stores, int body) {
+    follow(stores, body, [](const Aabb&, const Aabb&) { return true; });
 }
 
 void finalize_bodies(Stores& stores, StepScratch& scratch, float dt_s, bool sleep_enabled,
@@ -82,16 +91,21 @@ void finalize_bodies(Stores& stores, StepScratch& scratch, float dt_s, bool slee
             normalized(Rotation::from_small_angle(scratch.motions.angle(row + 1)) * place.rotation);
         awake.moved[row] = pose.d;
         awake.velocity[row] = velocity;
+        const float turn_expected = dt_s * awake.spin[row];
         awake.spin[row] = spin;
         awake.force[row] = {};
         awake.torque[row] = 0;
         awake.rest_time[row] = sleep_enabled ? next_rest_time(stores.bodies.slots[body], velocity, spin,
                                                               awake.rest_time[row], dt_s)
                                              : 0;
-        const float way =
-            length(pose.d) + std::fabs(scratch.motions.angle(row + 1)) * stores.bodies.slots[body].extent_m;
+        // The box of a fast body has room about where it was expected.
+        const bool fast = (place.flags & place_flag::kFast) != 0;
+        const Vec2 aside = fast ? pose.d - dt_s * scratch.advances[row + 1].velocity_m_s : pose.d;
+        const float turned =
+            std::fabs(fast ? scratch.motions.angle(row + 1) - turn_expected : scratch.motions.angle(row + 1));
+        const float way = length(aside) + turned * stores.bodies.slots[body].turn_arm_m;
         awake.box_slack[row] -= way;
-        if (awake.box_slack[row] < 0) update_boxes(stores, body);
+        if (awake.box_slack[row] <= 0) update_boxes(stores, body);
     }
 }
 

@@ -12,7 +12,12 @@ void finalize_bodies(Stores& stores, StepScratch& scratch, float dt_s, bool slee
 /// The box of a shape in the broad phase.
 void set_fat_box(Stores& stores, int shape, const Aabb& box);
 
+/// How far the inner box may move in any direction without leaving the outer one.
+float clearance(const Aabb& outer, const Aabb& inner);
+
 /// Brings the boxes of a body's shapes up to its place; boxes that the shape has left are made anew.
 void update_boxes(Stores& stores, int body);
+/// Makes all of them anew, for boxes that have become too large.
+void renew_boxes(Stores& stores, int body);
 
 }  // namespace cairn::physics

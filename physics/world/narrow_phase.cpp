@@ -1,14 +1,30 @@
-// Poses are gathered from the places; boxes go through SIMD, all else through the general routines.
+// Poses are gathered from the places; all but chains go through SIMD, what it cannot decide through the
+// general routines.
 #include "world/narrow_phase.h"
 
+#include <algorithm>
 #include <bit>
+#include <limits>
 
 #include <cairn/physics/tuning.h>
+
+#include "collide/hull_lanes.h"
 
 namespace cairn::physics {
 namespace {
 
 constexpr float kFarApart_m = 1e9f;
+
+// How far a shape is in front of the line through a segment.
+float height_above(const Convex& segment, const Convex& shape, const RelativePose& shape_in_segment) {
+    const Vec2 normal = segment.normals[0];
+    float least = std::numeric_limits<float>::infinity();
+    for (int i = 0; i < shape.count(); ++i) {
+        const Vec2 at = shape_in_segment.p + rotate(shape_in_segment.q, shape.point(i));
+        least = std::min(least, dot(at - segment.point(0), normal));
+    }
+    return least - shape.radius();
+}
 
 void collide_lane(const Stores& stores, const PairBlock& pairs, const PoseLanes& poses, int lane,
                   ManifoldLanes& out) {
@@ -19,13 +35,14 @@ void collide_lane(const Stores& stores, const PairBlock& pairs, const PoseLanes&
     const Rotation turn = inverse(q_a) * q_b;
     const Vec2 between = inverse_rotate(q_a, {poses.dx[lane], poses.dy[lane]});
     const RelativePose b_in_a{center_a + between - rotate(turn, center_b), turn};
-    const Manifold m =
-        collide(stores.shapes[pairs.shape_a[lane]].convex, stores.shapes[pairs.shape_b[lane]].convex, b_in_a,
-                tuning::kSpeculativeDistance_m);
-    const Vec2 normal = rotate(q_a, m.normal);
+    const Convex& a = stores.shapes[pairs.shape_a[lane]].convex;
+    const Convex& b = stores.shapes[pairs.shape_b[lane]].convex;
+    const Manifold m = collide(a, b, b_in_a, tuning::kSpeculativeDistance_m);
+    const bool in_front = m.count == 0 && a.is_chained();
+    const Vec2 normal = rotate(q_a, in_front ? a.normals[0] : m.normal);
     out.normal_x[lane] = normal.x;
     out.normal_y[lane] = normal.y;
-    out.gap[lane] = 0;
+    out.gap[lane] = in_front ? height_above(a, b, b_in_a) : 0;
     for (int i = 0; i < 2; ++i) {
         ManifoldPointLanes& to = out.points[i];
         to.id[lane] = i < m.count ? m.points[i].id : kNoFeature;
@@ -35,6 +52,18 @@ void collide_lane(const Stores& stores, const PairBlock& pairs, const PoseLanes&
         to.y[lane] = r_a.y;
         to.separation[lane] = m.points[i].separation;
     }
+}
+
+// Lanes that are not wanted take the shapes of the first one that is; they are far apart.
+HullLanes hulls_of(const Stores& stores, const PairBlock& pairs, unsigned lanes) {
+    const int first = std::countr_zero(lanes);
+    HullLanes hulls;
+    for (int lane = 0; lane < kLanes; ++lane) {
+        const int from = (lanes >> lane & 1) != 0 ? lane : first;
+        hulls.a[lane] = &stores.shapes[pairs.shape_a[from]].convex;
+        hulls.b[lane] = &stores.shapes[pairs.shape_b[from]].convex;
+    }
+    return hulls;
 }
 
 }  // namespace
@@ -72,11 +101,18 @@ void load_places(const BodyStore& bodies, const PairBlock& pairs, unsigned lanes
 void collide_block(const Stores& stores, const PairBlock& pairs, PairGeometry geometry, unsigned lanes,
                    const PoseLanes& poses, ManifoldLanes& out) {
     unsigned general = ~0u;
-    if (geometry == PairGeometry::Boxes) {
-        general = collide_box_lanes(poses, pairs.boxes, tuning::kSpeculativeDistance_m, out);
-    } else {
-        out = {};
-        for (ManifoldPointLanes& point : out.points) point.id.fill(kNoFeature);
+    switch (geometry) {
+        case PairGeometry::Boxes:
+            general = collide_box_lanes(poses, pairs.boxes, tuning::kSpeculativeDistance_m, out);
+            break;
+        case PairGeometry::Hulls:
+            general = collide_hull_lanes(poses, pairs.boxes, hulls_of(stores, pairs, lanes),
+                                         tuning::kSpeculativeDistance_m, out);
+            break;
+        case PairGeometry::Chains:
+            out = {};
+            for (ManifoldPointLanes& point : out.points) point.id.fill(kNoFeature);
+            break;
     }
     for (general &= lanes; general != 0; general &= general - 1) {
         collide_lane(stores, pairs, poses, std::countr_zero(general), out);

@@ -9,6 +9,7 @@
 #include "world/contact_events.h"
 #include "world/contacts.h"
 #include "world/fast_bodies.h"
+#include "world/fast_guard.h"
 #include "world/finalize.h"
 #include "world/joint_constraints.h"
 #include "world/prepare.h"
@@ -35,7 +36,7 @@ void step_world(WorldState& world, float dt_s) {
     clock.enter(Stage::Pairs);
     start_events(world.events);
     settle_reshaped(stores);
-    cover_fast_ways(stores, def.gravity_m_s2, dt_s, scratch.fast);
+    cover_fast_ways(stores, def.gravity_m_s2, dt_s, scratch);
     find_new_pairs(stores, scratch, tasks);
     prepare_motions(stores.bodies, def.gravity_m_s2, dt_s, scratch);
     clock.enter(Stage::Contacts);

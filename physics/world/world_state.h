@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include <cairn/physics/world.h>
@@ -124,12 +125,36 @@ struct StaticsScratch {
     std::vector<float> shares;
 };
 
+/// What a body did in the step.
+struct Displacement {
+    Vec2 moved;
+    float chord = 0;  // of the angle that it turned by: how far that takes a point at 1 m
+    float extent_m = std::numeric_limits<float>::infinity();  // of its shapes, from the centre of mass
+    float arm_m = 0;                                          // how far its shapes' own centres are from that
+    float least_way_m =
+        std::numeric_limits<float>::infinity();  // shorter ones take none of these through anything
+};
+
+/// For the guard of fast bodies.
+struct WayScratch {
+    std::vector<Displacement> displacements;  // by row of the motions
+    std::vector<float> free_shares;           // of their ways, by row
+    std::vector<std::uint8_t> found;          // by block, bits: lanes across which something may have passed
+};
+
 /// What the narrow phase found in a block of contacts, as bits by lane.
 struct BlockFindings {
     std::uint8_t apart = 0;        // no points any more
     std::uint8_t boxes_moved = 0;  // the boxes may have parted
     std::uint8_t told = 0;         // wanted in plain form beside the lane
     std::uint8_t loose = 0;        // solved in plain form instead
+};
+
+/// What a body is expected to do in a step if it meets nothing. That of the world is nothing at all.
+struct Advance {
+    Vec2 velocity_m_s;      // mean over the step, of the centre of mass
+    float turning_m_s = 0;  // speed of the farthest point about it
+    float thin_m = 0;       // ways up to this pass through nothing
 };
 
 /// What a step works on. Kept from step to step for its memory only.
@@ -152,8 +177,9 @@ struct StepScratch {
     std::vector<int> resting;  // bodies of an island that goes to sleep
     Islands islands;
     StaticsScratch statics;
-    std::vector<int> fast;                // bodies that could pass through others in this step
-    std::vector<float> free_shares;       // of their ways
+    std::vector<Advance> advances;  // by row of the motions
+    std::vector<int> fast;          // bodies that could pass through others in this step
+    WayScratch ways;
     std::vector<BlockFindings> findings;  // of blocks in colours, in their order
     PerChunk<std::vector<ItemPair>> found_pairs;
     std::vector<ItemPair> pairs;

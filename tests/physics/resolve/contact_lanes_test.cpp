@@ -33,10 +33,11 @@ struct Kept {
 
 using Model = std::map<int, Kept>;  // by contact
 
-constexpr std::array kSomeBuckets{near_bucket(PairGeometry::Boxes), near_bucket(PairGeometry::General),
+constexpr std::array kAllGeometries{PairGeometry::Boxes, PairGeometry::Hulls, PairGeometry::Chains};
+constexpr std::array kSomeBuckets{near_bucket(PairGeometry::Boxes), near_bucket(PairGeometry::Hulls),
                                   colored_bucket(0, BlockKind::TwoBodies, PairGeometry::Boxes),
-                                  colored_bucket(0, BlockKind::OneBody, PairGeometry::General),
-                                  colored_bucket(kColors - 1, BlockKind::Carried, PairGeometry::General)};
+                                  colored_bucket(0, BlockKind::OneBody, PairGeometry::Hulls),
+                                  colored_bucket(kColors - 1, BlockKind::Carried, PairGeometry::Hulls)};
 
 PairLane random_lane(Random& random, int contact) {
     PairLane lane;
@@ -298,7 +299,7 @@ Heap make_heap(unsigned seed, const std::vector<BlockKind>& kinds, int free_bodi
         REQUIRE(color < kColors);
         for (const int row : {p.input.b, other}) colors[row] |= 1u << color;
 
-        const auto geometry = random.chance(0.5) ? PairGeometry::Boxes : PairGeometry::General;
+        const auto geometry = random.chance(0.5) ? PairGeometry::Boxes : PairGeometry::Hulls;
         p.bucket = colored_bucket(color, kind, geometry);
         PairLane pair;
         pair.contact = i;
@@ -408,7 +409,7 @@ TEST_CASE("every bucket is of one colour, kind and geometry") {
     std::vector<int> seen;
     for (int color = 0; color < kColors; ++color) {
         for (const BlockKind kind : kAllKinds) {
-            for (const PairGeometry geometry : {PairGeometry::Boxes, PairGeometry::General}) {
+            for (const PairGeometry geometry : kAllGeometries) {
                 const int bucket = colored_bucket(color, kind, geometry);
                 CHECK(is_colored(bucket));
                 CHECK(color_of(bucket) == color);
@@ -418,7 +419,7 @@ TEST_CASE("every bucket is of one colour, kind and geometry") {
             }
         }
     }
-    for (const PairGeometry geometry : {PairGeometry::Boxes, PairGeometry::General}) {
+    for (const PairGeometry geometry : kAllGeometries) {
         CHECK_FALSE(is_colored(near_bucket(geometry)));
         CHECK(geometry_of(near_bucket(geometry)) == geometry);
         seen.push_back(near_bucket(geometry));

@@ -167,9 +167,8 @@ inline bool contact_is_listed(const ContactStore& contacts, int contact) {
 
 inline int count_listed(const ContactStore& contacts) {
     int count = static_cast<int>(contacts.loose.size());
-    for (const PairGeometry geometry : {PairGeometry::Boxes, PairGeometry::General}) {
-        count += contacts.lanes.near_count(geometry);
-    }
+    for (int geometry = 0; geometry < kPairGeometries; ++geometry)
+        count += contacts.lanes.near_count(static_cast<PairGeometry>(geometry));
     for (int bucket = kFirstColored; bucket < kBuckets; ++bucket) {
         for (int block = contacts.lanes.first_block(bucket); block != kNone;
              block = contacts.lanes.link(block).next) {

@@ -1,0 +1,264 @@
+// The guard of fast bodies. Nearly all of them end the step without having passed through anything, so the
+// pairs of which one could have are picked out first, by what their bodies did as a whole, in one walk over
+// the contacts; the ways of their shapes' centres are then followed one by one.
+// Invariant: what is picked out holds every pair of which a way meets the other shape.
+#include "world/fast_guard.h"
+
+#include <algorithm>
+#include <bit>
+
+#include "collide/ray_cast.h"
+#include "world/fast_bodies.h"
+#include "world/filtering.h"
+#include "world/finalize.h"
+#include "world/special_contacts.h"
+
+namespace cairn::physics {
+namespace {
+
+// What a thread takes at once.
+constexpr int kBodiesPerChunk = 64;
+constexpr int kBlocksPerChunk = 32;
+
+// The way of a point during the last step against another shape, as seen from that shape: what moved along
+// with the point, or was pushed ahead of it, was not passed. Ways up to the least one are not looked at.
+std::optional<LocalRayHit> cast_relative_way(const Stores& stores, int shape, Position from, Vec2 way,
+                                             float least_way) {
+    const int body = stores.shapes[shape].body;
+    const Place& place = stores.bodies.places[body];
+    if (place.row == kWorldRow) {
+        const Transform now = stores.bodies.transform(body);
+        return cast_ray(stores.shapes[shape].convex, inverse_transform_point(now, from),
+                        inverse_rotate(now.q, way));
+    }
+    const BodyRows& awake = stores.bodies.rows(RowSet::Awake);
+    const Vec2 moved = awake.moved[place.row - 1];
+    const Rotation q = awake.rotation_before[place.row - 1];
+    const Position center = place.center + -moved;
+    // Turning moves a point by the chord of the angle.
+    const float chord = length(Vec2{place.rotation.c - q.c, place.rotation.s - q.s});
+    if (length(way - moved) + chord * length(from - center) <= least_way) return {};
+    const BodyRecord& record = stores.bodies.slots[body];
+    const Transform now = stores.bodies.transform(body);
+    const Convex& convex = stores.shapes[shape].convex;
+    const Vec2 start = inverse_transform_point({center + -rotate(q, record.mass.center_m), q}, from);
+    const Vec2 relative_way = inverse_transform_point(now, from + way) - start;
+    if (length(relative_way) <= least_way) return {};
+    return cast_ray(convex, start, relative_way);
+}
+
+// How much of its last way a shape could go before its centre met the surface of the other shape, less its
+// own thickness; 1 when it met nothing.
+class Way {
+  public:
+    Way(const Stores& stores, int shape) : stores_(stores), convex_(stores.shapes[shape].convex) {
+        const int body = stores.shapes[shape].body;
+        const BodyRecord& record = stores.bodies.slots[body];
+        const BodyRows& awake = stores.bodies.rows(RowSet::Awake);
+        const Vec2 arm = convex_.centroid - record.mass.center_m;
+        from_ = stores.bodies.places[body].center + -awake.moved[record.row] +
+                rotate(awake.rotation_before[record.row], arm);
+        way_ = transform_point(stores.bodies.transform(body), convex_.centroid) - from_;
+        length_ = length(way_);
+        least_way_ = kFastShare * record.inner_radius_m;
+    }
+
+    [[nodiscard]] Position from() const { return from_; }
+    [[nodiscard]] Vec2 way() const { return way_; }
+
+    [[nodiscard]] float free_share(int other) const {
+        if (length_ <= least_way_) return 1;
+        const auto hit = cast_relative_way(stores_, other, from_, way_, least_way_);
+        return hit ? std::max(hit->fraction - inner_radius(convex_) / length_, 0.0f) : 1;
+    }
+
+  private:
+    const Stores& stores_;
+    const Convex& convex_;
+    Position from_;
+    Vec2 way_;
+    float length_ = 0;
+    float least_way_ = 0;  // shorter ones take the centre through nothing
+};
+
+// While a body stays in the boxes that it had when contacts were updated, all that it could pass through has
+// a contact with it. One that was turned aside has to ask the trees.
+bool has_left_its_boxes(const Stores& stores, int body) {
+    return (stores.bodies.places[body].flags & place_flag::kBoxesMoved) != 0;
+}
+
+float free_share_by_trees(const Stores& stores, int body) {
+    float share = 1;
+    for (int s = stores.bodies.slots[body].first_shape; s != kNone; s = stores.shapes[s].next_of_body) {
+        const Way way(stores, s);
+        const auto visit = [&](int other) {
+            if (may_collide(stores, s, other) && !lets_pass(stores, s, other))
+                share = std::min(share, way.free_share(other));
+            return 1.0f;
+        };
+        for (const Layer layer : kLayers) stores.broad.tree(layer).cast_ray(way.from(), way.way(), visit);
+    }
+    return share;
+}
+
+bool is_guarded(const Stores& stores, int body) {
+    return (stores.bodies.places[body].flags & place_flag::kFast) != 0 && stores.bodies.is_awake(body) &&
+           stores.bodies.slots[body].type == BodyType::Dynamic;
+}
+
+float arm_of(const Stores& stores, const BodyRecord& record) {
+    if (record.first_shape == kNone) return 0;
+    const ShapeRecord& shape = stores.shapes[record.first_shape];
+    if (shape.next_of_body != kNone) return record.extent_m;
+    return length(shape.convex.centroid - record.mass.center_m);
+}
+
+void note_displacements(const Stores& stores, std::vector<Displacement>& displacements) {
+    const BodyRows& awake = stores.bodies.rows(RowSet::Awake);
+    displacements.assign(1, Displacement{});  // the world
+    for (int row = 0; row < awake.size(); ++row) {
+        const int body = awake.body[row];
+        const BodyRecord& record = stores.bodies.slots[body];
+        const Rotation now = stores.bodies.places[body].rotation;
+        const Rotation before = awake.rotation_before[row];
+        Displacement& d = displacements.emplace_back();
+        d.moved = awake.moved[row];
+        d.chord = length(Vec2{now.c - before.c, now.s - before.s});
+        d.extent_m = record.extent_m;
+        if (!is_guarded(stores, body)) continue;
+        d.arm_m = arm_of(stores, record);
+        d.least_way_m = kFastShare * record.inner_radius_m;
+    }
+}
+
+// Whether the centre of a shape of one body may have met a shape of the other. `apart_m` is the distance of
+// the bodies' centres before the step, `relative_m` how far one moved as seen from the other without turning.
+bool may_have_met(const Displacement& one, const Displacement& other, float apart_m, float relative_m) {
+    const float way =
+        relative_m + one.chord * one.arm_m + (other.chord > 0 ? other.chord * (apart_m + one.arm_m) : 0);
+    return way > one.least_way_m && apart_m - one.arm_m <= other.extent_m + way;
+}
+
+bool may_have_passed(const Stores& stores, const std::vector<Displacement>& displacements, int body_a,
+                     int body_b) {
+    const Place& place_a = stores.bodies.places[body_a];
+    const Place& place_b = stores.bodies.places[body_b];
+    if (((place_a.flags | place_b.flags) & place_flag::kFast) == 0) return false;
+    const Displacement& a = displacements[place_a.row];
+    const Displacement& b = displacements[place_b.row];
+    const Vec2 relative = b.moved - a.moved;
+    const float relative_m = length(relative);
+    const float apart_m = length(place_b.center - place_a.center - relative);
+    return may_have_met(a, b, apart_m, relative_m) || may_have_met(b, a, apart_m, relative_m);
+}
+
+// The blocks of all contacts of awake bodies that are not loose, numbered: near ones, then those in colours.
+class AllBlocks {
+  public:
+    explicit AllBlocks(const ContactLanes& lanes) : lanes_(lanes) {
+        for (int g = 0; g < kPairGeometries; ++g) {
+            const int count = lanes.near_count(static_cast<PairGeometry>(g));
+            first_[g + 1] = first_[g] + (count + kLanes - 1) / kLanes;
+        }
+    }
+
+    [[nodiscard]] int size() const { return first_.back() + static_cast<int>(lanes_.blocks().size()); }
+
+    /// Calls visit(pairs, how many lanes are used).
+    template <class Visit>
+    void with(int i, Visit&& visit) const {
+        if (i >= first_.back()) {
+            const int block = lanes_.blocks()[i - first_.back()];
+            return visit(lanes_.pairs(block), lanes_.link(block).used);
+        }
+        int g = 0;
+        while (i >= first_[g + 1]) ++g;
+        const auto geometry = static_cast<PairGeometry>(g);
+        const int block = i - first_[g];
+        visit(lanes_.near_pairs(geometry)[block],
+              std::min(lanes_.near_count(geometry) - block * kLanes, kLanes));
+    }
+
+  private:
+    const ContactLanes& lanes_;
+    std::array<int, kPairGeometries + 1> first_{};
+};
+
+void find_passed(const Stores& stores, const AllBlocks& blocks, WayScratch& scratch, TaskPool& tasks) {
+    scratch.found.resize(blocks.size());
+    tasks.parallel_for(blocks.size(), kBlocksPerChunk, [&](const Chunk& chunk) {
+        for (int i = chunk.begin; i < chunk.end; ++i) {
+            unsigned found = 0;
+            blocks.with(i, [&](const PairBlock& pairs, int used) {
+                for (int lane = 0; lane < used; ++lane) {
+                    if (may_have_passed(stores, scratch.displacements, pairs.body_a[lane],
+                                        pairs.body_b[lane]))
+                        found |= 1u << lane;
+                }
+            });
+            scratch.found[i] = static_cast<std::uint8_t>(found);
+        }
+    });
+}
+
+// The contact's shapes, seen from each of its fast bodies.
+void follow_ways(const Stores& stores, const ContactRecord& c, std::vector<float>& free_shares) {
+    if (special::has(c, special::kRefused | special::kPassing)) return;
+    const auto follow = [&](int body, int shape, int other) {
+        if (!is_guarded(stores, body) || has_left_its_boxes(stores, body)) return;
+        float& share = free_shares[stores.bodies.places[body].row];
+        share = std::min(share, Way(stores, shape).free_share(other));
+    };
+    follow(c.body_a, c.shape_a, c.shape_b);
+    follow(c.body_b, c.shape_b, c.shape_a);
+}
+
+void put_back(Stores& stores, int body, float share) {
+    BodyRows& awake = stores.bodies.rows(RowSet::Awake);
+    const int row = stores.bodies.slots[body].row;
+    const Vec2 moved = awake.moved[row];
+    Position& center = stores.bodies.places[body].center;
+    center = center + (share - 1) * moved;
+    awake.moved[row] = share * moved;
+    update_boxes(stores, body);
+}
+
+}  // namespace
+
+void hold_fast_bodies(Stores& stores, StepScratch& scratch, TaskPool& tasks) {
+    if (scratch.fast.empty()) return;
+    WayScratch& ways = scratch.ways;
+    note_displacements(stores, ways.displacements);
+    const AllBlocks blocks(stores.contacts.lanes);
+    find_passed(stores, blocks, ways, tasks);
+
+    ways.free_shares.assign(ways.displacements.size(), 1.0f);
+    tasks.parallel_for(static_cast<int>(scratch.fast.size()), kBodiesPerChunk, [&](const Chunk& chunk) {
+        for (int i = chunk.begin; i < chunk.end; ++i) {
+            const int body = scratch.fast[i];
+            if (!is_guarded(stores, body) || !has_left_its_boxes(stores, body)) continue;
+            ways.free_shares[stores.bodies.places[body].row] = free_share_by_trees(stores, body);
+        }
+    });
+    const ContactStore& contacts = stores.contacts;
+    for (int i = 0; i < blocks.size(); ++i) {
+        for (unsigned found = ways.found[i]; found != 0; found &= found - 1) {
+            blocks.with(i, [&](const PairBlock& pairs, int) {
+                const int contact = pairs.contact[std::countr_zero(found)];
+                follow_ways(stores, contacts.slots[contact], ways.free_shares);
+            });
+        }
+    }
+    for (const int contact : contacts.loose) {
+        const ContactRecord& c = contacts.slots[contact];
+        if (may_have_passed(stores, ways.displacements, c.body_a, c.body_b))
+            follow_ways(stores, c, ways.free_shares);
+    }
+    for (const int body : scratch.fast) {
+        if (!is_guarded(stores, body)) continue;
+        const float share = ways.free_shares[stores.bodies.places[body].row];
+        if (share < 1) put_back(stores, body, share);
+    }
+}
+
+}  // namespace cairn::physics

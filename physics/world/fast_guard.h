@@ -1,0 +1,13 @@
+// What has passed through another shape all the same, because something turned it aside on its way, or only
+// a corner of it was stopped, is put back.
+#pragma once
+
+#include "world/world_state.h"
+
+namespace cairn::physics {
+
+/// Stage at the end of the step: a fast body whose centre passed into another shape is put back to where it
+/// met that shape. It keeps its velocity, so that the next step sees them meet.
+void hold_fast_bodies(Stores& stores, StepScratch& scratch, TaskPool& tasks);
+
+}  // namespace cairn::physics
