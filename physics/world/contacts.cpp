@@ -135,43 +135,77 @@ class Update {
         }
     }
 
-    // Near pairs from a lane on: those that meet are noted in `met`. The result is how many there are.
+    // Near pairs from a lane on: looked at on several threads; then, one by one, those that meet or may meet,
+    // and those whose boxes have parted. The result is how many pairs there were.
     int update_near(PairGeometry geometry, int first) {
-        const ContactLanes& near = stores_.contacts.lanes;
-        while (first < near.near_count(geometry)) {
-            const int block = first / kLanes;
-            const int last = std::min(near.near_count(geometry), (block + 1) * kLanes);
-            const unsigned lanes = ((1u << (last - block * kLanes)) - 1) & ~0u << (first - block * kLanes);
-            const PairBlock& pairs = near.near_pairs(geometry)[block];
-            load_places(stores_.bodies, pairs, lanes, places_);
-            collide_block(stores_, pairs, geometry, lanes, places_.poses, manifold_);
-            for (unsigned rest = lanes; rest != 0; rest &= rest - 1) {
-                update_near_lane(geometry, block, std::countr_zero(rest));
+        const int count = stores_.contacts.lanes.near_count(geometry);
+        if (first >= count) return first;
+        const int first_block = first / kLanes;
+        const int blocks = (count + kLanes - 1) / kLanes - first_block;
+        const auto lanes_of = [&](int block) {
+            const int begin = std::max(first - block * kLanes, 0);
+            const int end = std::min(count - block * kLanes, kLanes);
+            return (1u << end) - (1u << begin);
+        };
+        scratch_.near_findings.resize(blocks);
+        world_.tasks.parallel_for(blocks, kBlocksPerChunk, [&](const Chunk& chunk) {
+            BlockPlaces places;
+            ManifoldLanes manifold;
+            for (int i = chunk.begin; i < chunk.end; ++i) {
+                const int block = first_block + i;
+                scratch_.near_findings[i] = look_at_near(geometry, block, lanes_of(block), places, manifold);
             }
-            first = last;
+        });
+        for (int i = 0; i < blocks; ++i) {
+            const int block = first_block + i;
+            settle_near(geometry, block, lanes_of(block), scratch_.near_findings[i]);
         }
-        return first;
+        return count;
     }
 
-    void update_near_lane(PairGeometry geometry, int block, int lane) {
+    NearFindings look_at_near(PairGeometry geometry, int block, unsigned lanes, BlockPlaces& places,
+                              ManifoldLanes& manifold) const {
+        const PairBlock& pairs = stores_.contacts.lanes.near_pairs(geometry)[block];
+        collide(pairs, geometry, lanes, places, manifold);
+        unsigned meets = 0;
+        unsigned could = 0;
+        for (int lane = 0; lane < kLanes; ++lane) {
+            if (manifold.points[0].id[lane] != kNoFeature) meets |= 1u << lane;
+        }
+        for (unsigned fast = places.fast & ~meets; fast != 0; fast &= fast - 1) {
+            if (could_meet_in(places, manifold, std::countr_zero(fast))) could |= fast & ~(fast - 1);
+        }
+        return {static_cast<std::uint8_t>(gone_lanes(pairs, places.boxes_moved)),
+                static_cast<std::uint8_t>(meets & lanes), static_cast<std::uint8_t>(could)};
+    }
+
+    void settle_near(PairGeometry geometry, int block, unsigned lanes, const NearFindings& found) {
         // Waking may move the blocks.
-        const auto pairs_now = [&]() -> PairBlock& {
-            return stores_.contacts.lanes.near_pairs(geometry)[block];
-        };
-        const PairBlock& pairs = pairs_now();
-        const int contact = pairs.contact[lane];
-        if (is_gone(pairs, lane)) return;
-        if (manifold_.points[0].id[lane] != kNoFeature) {
-            if (meets(stores_.contacts.slots[contact])) scratch_.met.push_back(contact);
-            return;
+        const auto pairs = [&]() -> PairBlock& { return stores_.contacts.lanes.near_pairs(geometry)[block]; };
+        const unsigned ahead = (found.could_meet | (pairs().remembers & lanes)) & ~found.gone & ~found.meets;
+        if ((ahead | found.gone | found.meets) == 0) return;
+        // Again: few blocks come here, and none keeps so much.
+        if (ahead != 0) collide(pairs(), geometry, lanes, places_, manifold_);
+        for (unsigned rest = ahead | found.gone | found.meets; rest != 0; rest &= rest - 1) {
+            const int lane = std::countr_zero(rest);
+            const int contact = pairs().contact[lane];
+            if ((found.gone >> lane & 1) != 0) {
+                scratch_.gone.push_back(contact);
+            } else if ((found.meets >> lane & 1) != 0) {
+                if (meets(stores_.contacts.slots[contact])) scratch_.met.push_back(contact);
+            } else if (predict(contact, lane)) {
+                pairs().remembers |= static_cast<std::uint8_t>(1u << lane);
+            } else {
+                forget(pairs(), lane);
+            }
         }
-        if (predict(contact, lane)) {
-            pairs_now().remembers |= static_cast<std::uint8_t>(1u << lane);
-            return;
-        }
-        if ((pairs_now().remembers >> lane & 1) == 0) return;
-        pairs_now().remembers &= static_cast<std::uint8_t>(~(1u << lane));
-        ContactRecord& c = stores_.contacts.slots[contact];
+    }
+
+    // The pair was in touch, or was about to be, and is apart again.
+    void forget(PairBlock& pairs, int lane) {
+        if ((pairs.remembers >> lane & 1) == 0) return;
+        pairs.remembers &= static_cast<std::uint8_t>(~(1u << lane));
+        ContactRecord& c = stores_.contacts.slots[pairs.contact[lane]];
         report_parting(stores_, c, world_.events.ends);
         c.has_points = false;
         c.memory = {};
@@ -191,12 +225,10 @@ class Update {
     // A pair that is apart but meets within the step is solved in plain form, wherever it is listed.
     bool predict(int contact, int lane) {
         ContactRecord& c = stores_.contacts.slots[contact];
-        const AxisGap apart{{manifold_.normal_x[lane], manifold_.normal_y[lane]}, manifold_.gap[lane]};
         ContactInput input;
-        if ((places_.fast >> lane & 1) == 0 ||
-            !could_meet(scratch_.advances[places_.row_a[lane]], scratch_.advances[places_.row_b[lane]], apart,
-                        time_.dt_s) ||
-            !predict_contact(stores_, c, apart, world_.def.gravity_m_s2, time_.dt_s, input)) {
+        if ((places_.fast >> lane & 1) == 0 || !could_meet_in(places_, manifold_, lane) ||
+            !predict_contact(stores_, c, gap_in(manifold_, lane), world_.def.gravity_m_s2, time_.dt_s,
+                             input)) {
             if (special::has(c, special::kOneWay)) forget_side(c);
             return false;
         }
@@ -207,6 +239,16 @@ class Update {
         input.contact = contact;
         add_scalar(input, c.memory);
         return true;
+    }
+
+    static AxisGap gap_in(const ManifoldLanes& manifold, int lane) {
+        return {{manifold.normal_x[lane], manifold.normal_y[lane]}, manifold.gap[lane]};
+    }
+
+    [[nodiscard]] bool could_meet_in(const BlockPlaces& places, const ManifoldLanes& manifold,
+                                     int lane) const {
+        return could_meet(scratch_.advances[places.row_a[lane]], scratch_.advances[places.row_b[lane]],
+                          gap_in(manifold, lane), time_.dt_s);
     }
 
     // All blocks, on several threads; then what they found that touches more than the block itself.
@@ -227,17 +269,21 @@ class Update {
         return (1u << stores_.contacts.lanes.link(block).used) - 1;
     }
 
-    void collide(int block, BlockPlaces& places, ManifoldLanes& manifold) const {
-        const PairBlock& pairs = stores_.contacts.lanes.pairs(block);
-        load_places(stores_.bodies, pairs, lanes_of(block), places);
-        collide_block(stores_, pairs, geometry_of(stores_.contacts.lanes.link(block).bucket), lanes_of(block),
-                      places.poses, manifold);
+    void collide(const PairBlock& pairs, PairGeometry geometry, unsigned lanes, BlockPlaces& places,
+                 ManifoldLanes& manifold) const {
+        load_places(stores_.bodies, pairs, lanes, places);
+        collide_block(stores_, pairs, geometry, lanes, places.poses, manifold);
+    }
+
+    void collide_colored(int block, BlockPlaces& places, ManifoldLanes& manifold) const {
+        const PairGeometry geometry = geometry_of(stores_.contacts.lanes.link(block).bucket);
+        collide(stores_.contacts.lanes.pairs(block), geometry, lanes_of(block), places, manifold);
     }
 
     BlockFindings update_block(int block_index, BlockPlaces& places, ManifoldLanes& manifold) {
         PairBlock& pairs = stores_.contacts.lanes.pairs(block_index);
         ContactBlock& block = stores_.contacts.lanes.block(block_index);
-        collide(block_index, places, manifold);
+        collide_colored(block_index, places, manifold);
         block.a = places.row_a;
         block.b = places.row_b;
         const PreparedLanes prepared =
@@ -247,21 +293,19 @@ class Update {
         const unsigned told = (pairs.reports | (pairs.impacts & prepared.closing)) & ~prepared.apart;
         const unsigned loose = places.turn_far & prepared.swings & ~prepared.apart;
         block.reports = told != 0;
-        return {static_cast<std::uint8_t>(apart), static_cast<std::uint8_t>(places.boxes_moved),
-                static_cast<std::uint8_t>(told), static_cast<std::uint8_t>(loose)};
+        return {static_cast<std::uint8_t>(gone_lanes(pairs, places.boxes_moved)),
+                static_cast<std::uint8_t>(apart), static_cast<std::uint8_t>(told),
+                static_cast<std::uint8_t>(loose)};
     }
 
     void settle_block(int block_index, const BlockFindings& found) {
         const PairBlock& pairs = stores_.contacts.lanes.pairs(block_index);
-        unsigned gone = 0;
-        places_.boxes_moved = found.boxes_moved;
-        for (unsigned moved = found.boxes_moved; moved != 0; moved &= moved - 1) {
-            if (is_gone(pairs, std::countr_zero(moved))) gone |= moved & ~(moved - 1);
-        }
-        const unsigned apart = found.apart & ~gone;
-        const unsigned plain = (found.told | found.loose) & ~gone;
+        for (unsigned gone = found.gone; gone != 0; gone &= gone - 1)
+            scratch_.gone.push_back(pairs.contact[std::countr_zero(gone)]);
+        const unsigned apart = found.apart & ~found.gone;
+        const unsigned plain = (found.told | found.loose) & ~found.gone;
         if ((apart | plain) == 0) return;
-        collide(block_index, places_, manifold_);  // again: few blocks come here, and none keeps so much
+        collide_colored(block_index, places_, manifold_);  // again, as in settle_near
         for (unsigned rest = apart; rest != 0; rest &= rest - 1) {
             part(pairs.contact[std::countr_zero(rest)], std::countr_zero(rest));
         }
@@ -310,9 +354,12 @@ class Update {
         single_.body_b[0] = c.body_b;
         single_.shape_a[0] = c.shape_a;
         single_.shape_b[0] = c.shape_b;
-        load_places(stores_.bodies, single_, 1, places_);
-        collide_block(stores_, single_, PairGeometry::Chains, 1, places_.poses, manifold_);
-        if (is_gone(single_, 0) || special::has(c, special::kRefused)) return;
+        collide(single_, PairGeometry::Chains, 1, places_, manifold_);
+        if (gone_lanes(single_, places_.boxes_moved) != 0) {
+            scratch_.gone.push_back(contact);
+            return;
+        }
+        if (special::has(c, special::kRefused)) return;
         if (manifold_.points[0].id[0] == kNoFeature) {
             if (!predict(contact, 0) && c.has_points) lose_points(contact);
             return;
@@ -359,14 +406,16 @@ class Update {
         solve_as_scalar();
     }
 
-    // Whether the boxes have parted. Then the contact is noted.
-    bool is_gone(const PairBlock& pairs, int lane) {
-        if ((places_.boxes_moved >> lane & 1) == 0) return false;
-        const Aabb& a = stores_.shapes[pairs.shape_a[lane]].fat_box;
-        const Aabb& b = stores_.shapes[pairs.shape_b[lane]].fat_box;
-        if (overlap(a, b)) return false;
-        scratch_.gone.push_back(pairs.contact[lane]);
-        return true;
+    // Of some lanes those whose boxes have parted.
+    [[nodiscard]] unsigned gone_lanes(const PairBlock& pairs, unsigned lanes) const {
+        unsigned gone = 0;
+        for (; lanes != 0; lanes &= lanes - 1) {
+            const int lane = std::countr_zero(lanes);
+            const Aabb& a = stores_.shapes[pairs.shape_a[lane]].fat_box;
+            const Aabb& b = stores_.shapes[pairs.shape_b[lane]].fat_box;
+            if (!overlap(a, b)) gone |= 1u << lane;
+        }
+        return gone;
     }
 
     [[nodiscard]] bool is_dynamic(int body) const {

@@ -87,8 +87,10 @@ class Estimate {
         for (int row = 1; row < motions_.size(); ++row) {
             if (scratch_.above[row] == 0) scratch_.ready.push_back(row);
         }
-        for (std::size_t next = 0; next < scratch_.ready.size(); ++next) {
-            const int row = scratch_.ready[next];
+        // The last one first: what stands together is visited together.
+        while (!scratch_.ready.empty()) {
+            const int row = scratch_.ready.back();
+            scratch_.ready.pop_back();
             if (scratch_.first[row] == kNone) continue;
             bear(row, drives[row].gravity_scale * weight / motions_.velocity[row].inverse_mass);
         }

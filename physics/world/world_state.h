@@ -120,7 +120,7 @@ struct StaticsScratch {
     std::vector<int> above;     // bearing contacts from above that are not visited yet
     std::vector<float> load;    // N s
     std::vector<float> moment;  // of the load, in scaled arms
-    std::vector<int> ready;     // rows, in the order of the visits
+    std::vector<int> ready;     // rows of which all above has been visited
     std::vector<float> x;       // of the supporting points of one body
     std::vector<float> shares;
 };
@@ -144,10 +144,17 @@ struct WayScratch {
 
 /// What the narrow phase found in a block of contacts, as bits by lane.
 struct BlockFindings {
-    std::uint8_t apart = 0;        // no points any more
-    std::uint8_t boxes_moved = 0;  // the boxes may have parted
-    std::uint8_t told = 0;         // wanted in plain form beside the lane
-    std::uint8_t loose = 0;        // solved in plain form instead
+    std::uint8_t gone = 0;   // the boxes have parted
+    std::uint8_t apart = 0;  // no points any more
+    std::uint8_t told = 0;   // wanted in plain form beside the lane
+    std::uint8_t loose = 0;  // solved in plain form instead
+};
+
+/// The same in a block of pairs that had no points.
+struct NearFindings {
+    std::uint8_t gone = 0;
+    std::uint8_t meets = 0;       // points
+    std::uint8_t could_meet = 0;  // within the step
 };
 
 /// What a body is expected to do in a step if it meets nothing. That of the world is nothing at all.
@@ -181,6 +188,7 @@ struct StepScratch {
     std::vector<int> fast;          // bodies that could pass through others in this step
     WayScratch ways;
     std::vector<BlockFindings> findings;  // of blocks in colours, in their order
+    std::vector<NearFindings> near_findings;
     PerChunk<std::vector<ItemPair>> found_pairs;
     std::vector<ItemPair> pairs;
 };
