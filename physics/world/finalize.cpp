@@ -9,6 +9,9 @@
 namespace cairn::physics {
 namespace {
 
+// What a thread takes at once.
+constexpr int kRowsPerChunk = 512;
+
 float next_rest_time(const BodyRecord& record, Vec2 v, float w, float rest_time, float dt_s) {
     if (!record.allow_sleep) return 0;
     if (record.type == BodyType::Kinematic) return v == Vec2{} && w == 0 ? rest_time + dt_s : 0;
@@ -48,6 +51,34 @@ void follow(Stores& stores, int body, Outdated&& outdated) {
     stores.bodies.rows_of(body).box_slack[stores.bodies.slots[body].row] = slack;
 }
 
+void take_place(BodyStore& bodies, const StepScratch& scratch, int row, float dt_s, bool sleep_enabled) {
+    BodyRows& awake = bodies.rows(RowSet::Awake);
+    const int body = awake.body[row];
+    const BodyRecord& record = bodies.slots[body];
+    Place& place = bodies.places[body];
+    const Vec2 moved = scratch.motions.pose[row + 1].d;
+    const float turned = scratch.motions.angle(row + 1);
+    const Vec2 velocity = scratch.motions.velocity[row + 1].v;
+    const float spin = scratch.motions.spin(row + 1);
+
+    // The box of a fast body has room about where it was expected.
+    const bool fast = (place.flags & place_flag::kFast) != 0;
+    const Vec2 aside = fast ? moved - dt_s * scratch.advances[row + 1].velocity_m_s : moved;
+    const float turned_aside = fast ? turned - dt_s * awake.spin[row] : turned;
+    awake.box_slack[row] -= length(aside) + std::fabs(turned_aside) * record.turn_arm_m;
+
+    awake.rotation_before[row] = place.rotation;
+    place.center = place.center + moved;
+    place.rotation = normalized(Rotation::from_small_angle(turned) * place.rotation);
+    awake.moved[row] = moved;
+    awake.velocity[row] = velocity;
+    awake.spin[row] = spin;
+    awake.force[row] = {};
+    awake.torque[row] = 0;
+    awake.rest_time[row] =
+        sleep_enabled ? next_rest_time(record, velocity, spin, awake.rest_time[row], dt_s) : 0;
+}
+
 }  // namespace
 
 void set_fat_box(Stores& stores, int shape, const Aabb& box) {
@@ -73,39 +104,19 @@ void renew_boxes(Stores& stores, int body) {
 }
 
 void finalize_bodies(Stores& stores, StepScratch& scratch, float dt_s, bool sleep_enabled,
-                     std::vector<BodyId>& quarantined) {
+                     std::vector<BodyId>& quarantined, TaskPool& tasks) {
     BodyRows& awake = stores.bodies.rows(RowSet::Awake);
     for (int row = 0; row < awake.size(); ++row) {
-        if (!is_finite(scratch.motions, row + 1)) {
-            halt(scratch.motions, row + 1);
-            quarantined.push_back(stores.bodies.slots.id(awake.body[row]));
-        }
-        const PoseRow& pose = scratch.motions.pose[row + 1];
-        const Vec2 velocity = scratch.motions.velocity[row + 1].v;
-        const float spin = scratch.motions.spin(row + 1);
-        const int body = awake.body[row];
-        Place& place = stores.bodies.places[body];
-        awake.rotation_before[row] = place.rotation;
-        place.center = place.center + pose.d;
-        place.rotation =
-            normalized(Rotation::from_small_angle(scratch.motions.angle(row + 1)) * place.rotation);
-        awake.moved[row] = pose.d;
-        awake.velocity[row] = velocity;
-        const float turn_expected = dt_s * awake.spin[row];
-        awake.spin[row] = spin;
-        awake.force[row] = {};
-        awake.torque[row] = 0;
-        awake.rest_time[row] = sleep_enabled ? next_rest_time(stores.bodies.slots[body], velocity, spin,
-                                                              awake.rest_time[row], dt_s)
-                                             : 0;
-        // The box of a fast body has room about where it was expected.
-        const bool fast = (place.flags & place_flag::kFast) != 0;
-        const Vec2 aside = fast ? pose.d - dt_s * scratch.advances[row + 1].velocity_m_s : pose.d;
-        const float turned =
-            std::fabs(fast ? scratch.motions.angle(row + 1) - turn_expected : scratch.motions.angle(row + 1));
-        const float way = length(aside) + turned * stores.bodies.slots[body].turn_arm_m;
-        awake.box_slack[row] -= way;
-        if (awake.box_slack[row] <= 0) update_boxes(stores, body);
+        if (is_finite(scratch.motions, row + 1)) continue;
+        halt(scratch.motions, row + 1);
+        quarantined.push_back(stores.bodies.slots.id(awake.body[row]));
+    }
+    tasks.parallel_for(awake.size(), kRowsPerChunk, [&](const Chunk& chunk) {
+        for (int row = chunk.begin; row < chunk.end; ++row)
+            take_place(stores.bodies, scratch, row, dt_s, sleep_enabled);
+    });
+    for (int row = 0; row < awake.size(); ++row) {
+        if (awake.box_slack[row] <= 0) update_boxes(stores, awake.body[row]);
     }
 }
 

@@ -7,7 +7,7 @@ namespace cairn::physics {
 
 /// Bodies whose motion became infinite or NaN stay where they were and are noted in `quarantined`.
 void finalize_bodies(Stores& stores, StepScratch& scratch, float dt_s, bool sleep_enabled,
-                     std::vector<BodyId>& quarantined);
+                     std::vector<BodyId>& quarantined, TaskPool& tasks);
 
 /// The box of a shape in the broad phase.
 void set_fat_box(Stores& stores, int shape, const Aabb& box);

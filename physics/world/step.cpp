@@ -67,7 +67,7 @@ void step_world(WorldState& world, float dt_s) {
     store_contact_impulses(stores.contacts, scratch);
     store_joint_impulses(stores.joints, time, scratch);
     clock.enter(Stage::Finalize);
-    finalize_bodies(stores, scratch, time.dt_s, def.enable_sleep, world.events.quarantined);
+    finalize_bodies(stores, scratch, time.dt_s, def.enable_sleep, world.events.quarantined, tasks);
     clock.enter(Stage::Continuous);
     hold_fast_bodies(stores, scratch, tasks);
     break_joints(stores, scratch, world.events);
