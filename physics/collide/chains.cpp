@@ -236,7 +236,7 @@ Manifold collide_chain_and_hull(const Convex& shape_a, const Convex& shape_b, co
         const bool face_is_nearest = !front.is_beside(0) && found <= above + 1e-3f * tuning::kLinearSlop_m;
         if (!prefer_edge && face_is_nearest) return by_face();
         const bool edge_may_be = prefer_edge || above - axis_b.separation <= kAboutEqual_m;
-        if (edge_may_be && by_edge.is_nearest()) return by_edge_if_admitted();
+        if (edge_may_be && by_edge.is_nearest(kRounding_m)) return by_edge_if_admitted();
     }
 
     const Distance nearest = distance_between(shape_a, shape_b, b_in_a);

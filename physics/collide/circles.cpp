@@ -6,15 +6,15 @@
 namespace cairn::physics {
 namespace {
 
-// Two discs: the manifold between points pa and pb of A's frame, rounded by ra and rb. When the points
-// coincide the fallback serves as normal.
-Manifold between_points(Vec2 pa, float ra, Vec2 pb, float rb, Vec2 fallback, float reach) {
+// Two discs: the manifold between points pa and pb of A's frame, rounded by ra and rb. When the points are
+// nearer than `least` the fallback serves as normal.
+Manifold between_points(Vec2 pa, float ra, Vec2 pb, float rb, Vec2 fallback, float least, float reach) {
     const Vec2 d = pb - pa;
     const float distance = length(d);
     const float separation = distance - ra - rb;
     Manifold m;
     if (separation > reach) return m;
-    m.normal = distance > 1e-12f ? (1 / distance) * d : fallback;
+    m.normal = distance > least ? (1 / distance) * d : fallback;
     m.count = 1;
     m.points[0] = {0.5f * ((pa + ra * m.normal) + (pb - rb * m.normal)), separation, 0};
     return m;
@@ -24,7 +24,7 @@ Manifold between_points(Vec2 pa, float ra, Vec2 pb, float rb, Vec2 fallback, flo
 
 Manifold collide_circles(const Convex& a, const Convex& b, const RelativePose& b_in_a, float reach_m) {
     const Vec2 center = b_in_a.p + rotate(b_in_a.q, b.point(0));
-    return between_points(a.point(0), a.radius(), center, b.radius(), {0, 1}, reach_m);
+    return between_points(a.point(0), a.radius(), center, b.radius(), {0, 1}, 1e-12f, reach_m);
 }
 
 Manifold collide_hull_and_circle(const Convex& a, const Convex& b, const RelativePose& b_in_a,
@@ -49,15 +49,16 @@ Manifold collide_hull_and_circle(const Convex& a, const Convex& b, const Relativ
     const Vec2 along = p2 - p1;
     const float t = dot(center - p1, along);
     const Vec2 normal = a.normals[edge];
-    if (separation > 0 && t < 0) return between_points(p1, a.radius(), center, b.radius(), normal, reach_m);
-    if (separation > 0 && t > length_squared(along)) {
-        return between_points(p2, a.radius(), center, b.radius(), normal, reach_m);
-    }
+    const auto to_point = [&](Vec2 p) {
+        return between_points(p, a.radius(), center, b.radius(), normal, kAllButTouching_m, reach_m);
+    };
+    if (separation > 0 && t < 0) return to_point(p1);
+    if (separation > 0 && t > length_squared(along)) return to_point(p2);
     // A capsule has no inside: its ends round off even when the centre lies on the core's line.
     if (a.count() == 2) {
-        const float clamped = t <= 0 ? 0 : t / length_squared(along);
-        const Vec2 nearest = clamped >= 1 ? p2 : p1 + clamped * along;
-        return between_points(nearest, a.radius(), center, b.radius(), normal, reach_m);
+        if (t <= 0) return to_point(p1);
+        if (t >= length_squared(along)) return to_point(p2);
+        return to_point(p1 + (t / length_squared(along)) * along);
     }
     Manifold m;
     m.normal = normal;

@@ -16,6 +16,10 @@ namespace cairn::physics {
 // forth.
 inline constexpr float kAboutEqual_m = 0.1f * tuning::kLinearSlop_m;
 
+// What rounding may make of a distance. Cores that overlap by less may be apart: of needles and lines, whose
+// normals all point to their sides, the axes tell little.
+inline constexpr float kRounding_m = 1e-3f * tuning::kLinearSlop_m;
+
 struct EdgeEnds {
     Vec2 a;
     Vec2 b;
@@ -122,10 +126,28 @@ struct Candidate {
           face(facing_edge(incident_, reference_.normals[axis_.edge])),
           clipped(clip(reference_, axis_.edge, incident_, face, axis_.separation < 0)) {}
 
-    // Whether the least distance is indeed found in front of the reference edge, and not past its end.
-    [[nodiscard]] bool is_nearest() const {
+    // Whether the least distance, or nearly it, is indeed found in front of the reference edge, and not past
+    // its end.
+    [[nodiscard]] bool is_nearest(float tolerance) const {
         const float found = std::min(clipped.separations[0], clipped.separations[1]);
-        return !clipped.beside && found <= axis.separation + 1e-3f * tuning::kLinearSlop_m;
+        return !clipped.beside && found <= axis.separation + tolerance;
+    }
+
+    // The way from the reference edge to the corner of the other core that is deepest below it, be it past
+    // the end of that edge.
+    [[nodiscard]] Distance to_deepest_corner() const {
+        const EdgeEnds base = reference.edge(axis.edge);
+        const Vec2 normal = reference.normals[axis.edge];
+        const EdgeEnds side = incident.edge(face);
+        const bool first = dot(side.a - side.b, normal) <= 0;
+        const int corner = first ? face : incident.next(face);
+        const Vec2 deepest = incident.points[corner];
+        const bool near_b = dot(deepest - base.a, base.b - base.a) > 0.5f * length_squared(base.b - base.a);
+        const int end = near_b ? reference.next(axis.edge) : axis.edge;
+        const Vec2 foot = deepest - axis.separation * normal;
+        const float distance = axis.separation - reference.radius - incident.radius;
+        return flipped ? Distance{distance, -normal, deepest, foot, corner, end}
+                       : Distance{distance, normal, foot, deepest, end, corner};
     }
 
     [[nodiscard]] Manifold manifold(float reach) const {

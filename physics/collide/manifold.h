@@ -8,6 +8,8 @@
 #include <cstdint>
 #include <optional>
 
+#include <cairn/physics/tuning.h>
+
 #include "collide/convex.h"
 
 namespace cairn::physics {
@@ -29,6 +31,9 @@ struct RelativePose {
     Vec2 p;
     Rotation q;
 };
+
+/// Of points nearer than this, the direction from the one to the other is lost in rounding.
+inline constexpr float kAllButTouching_m = 1e-2f * tuning::kLinearSlop_m;
 
 /// Points whose separation is at most `reach_m`. Shapes may be of any kinds; one file for each pair of kinds.
 /// Lines do not meet each other.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <cairn/physics/tuning.h>
 
@@ -16,9 +17,20 @@ using fuzz::require;
 namespace {
 
 constexpr float kReach_m = tuning::kSpeculativeDistance_m;
-constexpr double kTouching_m = 1e-3;
+constexpr double kRounding_m = 1e-6;
+constexpr double kExtent_m = 6;  // of the shapes made up here
 // Of two faces with about the same overlap either may count.
 constexpr double kTolerance_m = 0.2 * static_cast<double>(tuning::kLinearSlop_m);
+
+// How far B is in front of A along a direction, which is at most the distance.
+double separation_along(Vec2 normal, const test::RoundedHull& a, const test::RoundedHull& b) {
+    double front_of_a = -std::numeric_limits<double>::infinity();
+    double back_of_b = -front_of_a;
+    for (const test::Point p : a.core)
+        front_of_a = std::max(front_of_a, test::dot(p, test::to_point(normal)));
+    for (const test::Point p : b.core) back_of_b = std::min(back_of_b, test::dot(p, test::to_point(normal)));
+    return back_of_b - front_of_a - a.radius - b.radius;
+}
 
 void check(const Convex& a, const Convex& b, const RelativePose& b_in_a) {
     const Manifold m = collide(a, b, b_in_a, kReach_m);
@@ -28,11 +40,7 @@ void check(const Convex& a, const Convex& b, const RelativePose& b_in_a) {
         return;
     }
     const test::Separation exact = test::separation(test::rounded_hull(a), test::rounded_hull(b, b_in_a));
-    // Cores that all but touch count as overlapping, though they meet corner to corner: the points are then
-    // those of one of two faces, less deep than the shapes, and perhaps out of reach.
-    const double radii = static_cast<double>(a.radius()) + static_cast<double>(b.radius());
-    const bool nearly_touch = !exact.cores_overlap && exact.distance + radii < kTouching_m;
-    if (!nearly_touch && exact.distance < static_cast<double>(kReach_m) - kTolerance_m) {
+    if (exact.distance < static_cast<double>(kReach_m) - kTolerance_m) {
         require(m.count > 0, "shapes within reach have a contact point");
     }
     if (m.count == 0) return;
@@ -46,10 +54,15 @@ void check(const Convex& a, const Convex& b, const RelativePose& b_in_a) {
         least = std::min(least, m.points[i].separation);
     }
     require(m.count < 2 || m.points[0].id != m.points[1].id, "points have different ids");
-    if (!exact.cores_overlap && !nearly_touch) {
-        require(static_cast<double>(least) < exact.distance + kTolerance_m,
-                "the deepest point is as near as the shapes are");
-    }
+    // Between nearest points the normal is known to the rounding of these, as seen from their distance.
+    const double radii = static_cast<double>(a.radius()) + static_cast<double>(b.radius());
+    const double cores_apart = std::max(exact.distance + radii, static_cast<double>(kAllButTouching_m));
+    const double slant = exact.cores_overlap ? 0 : kRounding_m / cores_apart;
+    require(separation_along(m.normal, test::rounded_hull(a), test::rounded_hull(b, b_in_a)) >
+                exact.distance - kTolerance_m - slant * kExtent_m,
+            "along the normal the shapes are as far apart as they are");
+    require(std::abs(static_cast<double>(least) - exact.distance) < kTolerance_m,
+            "the deepest point is as near as the shapes are");
 }
 
 }  // namespace

@@ -346,4 +346,72 @@ TEST_CASE("capsules that cross at a right angle touch, whichever end of the one 
     }
 }
 
+TEST_CASE("cores a hair apart, corner to corner, keep their contact and its depth") {
+    // What fuzzing found: the two cores are less than 1 mm apart, and the deep end of the one lies past the
+    // end of the other's edge.
+    const Convex steep = make_convex(Capsule{{-2, 0.49955f}, {-1.99951f, -1.99951f}, 0.01f}).value();
+    const std::array notched{Vec2{-2, -2}, Vec2{2, -2}, Vec2{2, 2}, Vec2{0.999985f, 2}, Vec2{-2, -1.25005f}};
+    const Convex tiny = make_convex(Capsule{{-2, -1.98437f}, {-1.99994f, -2}, 0.01f}).value();
+    const std::array crate{Vec2{-2, -2}, Vec2{1.98444f, -2}, Vec2{2, 2}, Vec2{-1.98279f, 2}};
+    const Convex line = make_convex(Segment{{-2, -2}, {-1.99218738f, -2}}).value();
+    const std::array sharp{Vec2{-2, -2}, Vec2{1.754879f, -1.54045928f}, Vec2{1.75481796f, 0.532631397f},
+                           Vec2{-0.0298771858f, -0.0312199593f}, Vec2{-2, -1.21873808f}};
+    const RelativePose beside{{-4, -4}, {}};
+    const RelativePose turned{{-4, -4}, {-1, 0}};
+    struct Case {
+        const Convex& a;
+        Convex b;
+        RelativePose b_in_a;
+    };
+    const std::array cases{Case{steep, make_convex(Polygon{notched}).value(), beside},
+                           Case{tiny, make_convex(Polygon{crate}).value(), beside},
+                           Case{line, make_convex(Polygon{sharp}).value(), turned}};
+    for (const Case& c : cases) {
+        INFO("case " << &c - cases.data());
+        const double expected = separation(rounded_hull(c.a), rounded_hull(c.b, c.b_in_a)).distance;
+        const Manifold ab = collide(c.a, c.b, c.b_in_a, kReach_m);
+        const Manifold ba = collide(c.b, c.a, inverse(c.b_in_a), kReach_m);
+        REQUIRE(ab.count > 0);
+        REQUIRE(ba.count > 0);
+        const Approx depth = Approx(expected).margin(kFaceTolerance_m).epsilon(0);
+        CHECK(static_cast<double>(least_separation(ab)) == depth);
+        CHECK(static_cast<double>(least_separation(ba)) == depth);
+    }
+}
+
+TEST_CASE("cores at any small distance or overlap have their true depth") {
+    Random random(8);
+    for_each_pair_of_forms([&](Form form_a, Form form_b) {
+        if (form_a == Form::Circle && form_b == Form::Circle) return;
+        for (int round = 0; round < 300; ++round) {
+            Pair pair = random_pair(random, form_a, form_b, 0);
+            const float radii = pair.a.radius() + pair.b.radius();
+            const Vec2 normal{static_cast<float>(pair.expected.normal.x),
+                              static_cast<float>(pair.expected.normal.y)};
+            pair.b_in_a.p -= (radii + random.real_f(-1e-3, 1e-3)) * normal;
+            const Separation expected = separation(rounded_hull(pair.a), rounded_hull(pair.b, pair.b_in_a));
+            const Manifold m = collide(pair.a, pair.b, pair.b_in_a, kReach_m);
+            INFO("round " << round << ", distance " << expected.distance << ", radii " << radii);
+            REQUIRE(m.count > 0);
+            REQUIRE(static_cast<double>(least_separation(m)) ==
+                    Approx(expected.distance).margin(kFaceTolerance_m + 2e-6).epsilon(0));
+        }
+    });
+}
+
+TEST_CASE("a disc whose centre all but lies on a line is pushed off it, and not along it") {
+    const Convex disc = make_convex(Circle{{}, 0.5f}).value();
+    Random random(9);
+    for (int round = 0; round < 1'000; ++round) {
+        const Vec2 a = random.vector(-2, 2);
+        const Convex line = make_convex(Segment{a, a + random.vector(0.5, 2)}).value();
+        const float along = random.real_f(0.1, 0.9);
+        const Vec2 center = line.point(0) + along * (line.point(1) - line.point(0));
+        const Manifold m = collide(line, disc, {center, {}}, kReach_m);
+        INFO("round " << round);
+        REQUIRE(m.count == 1);
+        REQUIRE(std::fabs(dot(m.normal, line.normals[0])) > 0.999f);
+    }
+}
+
 }  // namespace cairn::physics

@@ -123,6 +123,9 @@ inline Separation least_push(const RoundedHull& a, const RoundedHull& b) {
     return best;
 }
 
+/// m. Far above the rounding of double, far below that of float.
+inline constexpr double kTouching_m = 1e-12;
+
 inline Separation separation(const RoundedHull& a, const RoundedHull& b) {
     if (cores_meet(a, b)) return least_push(a, b);
     Separation best{std::numeric_limits<double>::infinity(), {}, false};
@@ -136,6 +139,9 @@ inline Separation separation(const RoundedHull& a, const RoundedHull& b) {
     for (int j = 0; j < b.count(); ++j) {
         for (const Point p : a.core) take(p, nearest_on_segment(p, b.at(j), b.at(j + 1)));
     }
+    // Cores that touch, or cross in a corner.
+    const bool has_edges = a.count() > 1 || b.count() > 1;
+    if (has_edges && best.distance < kTouching_m) return least_push(a, b);
     best.distance -= a.radius + b.radius;
     return best;
 }
