@@ -173,6 +173,8 @@ Manifold collide_chain_and_circle(const Convex& a, const Convex& b, const Relati
         if (after && height < 0) return {};
         nearest = before ? surface.a : surface.b;
         const Vec2 d = center - nearest;
+        if (length(d) - b.radius() > reach_m)
+            return {};  // at 1e19 m the square is infinite, and no normal left
         if (length(d) > 1e-12f) normal = normalized(d);
     } else if (height < 0) {
         return {};

@@ -2,6 +2,7 @@
 #include "world/contact_events.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <cairn/physics/tuning.h>
 
@@ -89,7 +90,11 @@ void report_contacts(Stores& stores, const StepScratch& scratch, float hit_speed
         }
         if (!record.reports_hit) continue;
         if (const auto* fastest = fastest_hit(c, hit_speed_m_s)) {
-            events.hits.push_back(hit_event(stores, record, c, *fastest, a));
+            const ContactHit hit = hit_event(stores, record, c, *fastest, a);
+            // Beyond all measure: one of the two is put back and halted, and has hit nothing.
+            if (std::isfinite(hit.approach_speed_m_s) && std::isfinite(hit.impulse_ns)) {
+                events.hits.push_back(hit);
+            }
         }
     }
 }

@@ -197,9 +197,16 @@ struct Surroundings {
     }
 };
 
+// Of velocities, and of ways within a step.
+bool is_moderate(Vec2 v) {
+    return std::fabs(v.x) <= kFastest_m_s && std::fabs(v.y) <= kFastest_m_s;
+}
+
+// What is faster than a mover can be carries none.
 Vec2 velocity_of(const World& world, BodyId body, Position point) {
     const auto found = world.body(body);
-    return found ? found->velocity_at(point) : Vec2{};
+    const Vec2 velocity = found ? found->velocity_at(point) : Vec2{};
+    return is_moderate(velocity) ? velocity : Vec2{};
 }
 
 // What pushes has the given force and does not make a body faster than it is itself.
@@ -288,7 +295,7 @@ Result<void> Mover::move(World& world, Vec2 velocity_m_s, float dt_s, QueryFilte
         const Vec2 carried = transform_point(pose, ground_->local_place) -
                              transform_point(ground_->pose, ground_->local_place);
         ground_velocity = velocity_of(world, ground_->body, ground_->point_m);
-        if (!(carried == Vec2{})) position_m_ = around.slide(position_m_, carried);
+        if (!(carried == Vec2{}) && is_moderate(carried)) position_m_ = around.slide(position_m_, carried);
     }
 
     const bool walks = ground_ && dot(velocity_m_s, def_.up) <= 0;
