@@ -226,4 +226,12 @@ TEST_CASE("a ray meets a chain from its front only") {
     CHECK_FALSE(cast_ray(segment, {0.5f, -1}, {0, 4}));
 }
 
+TEST_CASE("a disc so far away that the square of the way is infinite does not meet a chain") {
+    const Convex segment = make_chain_segment(std::nullopt, {1, 0}, {-1, 0}, std::nullopt);
+    const Convex disc = make_convex(Circle{}).value();
+    for (const Vec2 far : {Vec2{3e19f, 3e19f}, Vec2{-3e19f, 3e19f}, Vec2{0, 3e19f}}) {
+        CHECK(collide(segment, disc, {far, {}}, kReach_m).count == 0);
+    }
+}
+
 }  // namespace cairn::physics

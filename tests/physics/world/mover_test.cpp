@@ -439,4 +439,20 @@ TEST_CASE("bad movers and moves are refused") {
     CHECK(mover.position() == Position{0, 0});
 }
 
+TEST_CASE("ground that shoots away faster than any mover can be leaves it where it is") {
+    World world;
+    const BodyId ground = add(world, {.type = BodyType::Kinematic, .position_m = {0, -0.5}}, Box{10, 0.5f});
+    Mover mover = make_mover({0, 0.01});
+    walk_for(mover, world, 0.1, 0);
+    REQUIRE(mover.is_grounded());
+    world.body(ground)->set_linear_velocity({1e20f, 0}).value();
+    const Position before = mover.position();
+    mover.move(world, {0, -0.1f}, kStep_s).value();
+    CHECK(is_finite(mover.velocity()));
+    world.step(kStep_s).value();
+    mover.move(world, {0, -0.1f}, kStep_s).value();
+    CHECK(is_finite(mover.velocity()));
+    CHECK(length(mover.position() - before) < 0.1f);
+}
+
 }  // namespace cairn::physics
