@@ -131,6 +131,22 @@ HWY_INLINE Corners nearest_corners(const Core& a, const Core& b, int count) {
     return best;
 }
 
+HWY_INLINE void store_axis(Vec q_a, Vec normal, V gap, int lane, ManifoldLanes& out) {
+    const Vec in_world = rotate(q_a, normal);
+    store(in_world.x, out.normal_x, lane);
+    store(in_world.y, out.normal_y, lane);
+    store(gap, out.gap, lane);
+}
+
+HWY_INLINE void store_no_points(int lane, ManifoldLanes& out) {
+    for (ManifoldPointLanes& point : out.points) {
+        store(hn::Zero(D()), point.x, lane);
+        store(hn::Zero(D()), point.y, lane);
+        store(hn::Zero(D()), point.separation, lane);
+        store(set_int(kNoFeature), point.id, lane);
+    }
+}
+
 HWY_INLINE unsigned collide_part(const PoseLanes& poses, const BoxLanes& offsets, const HullRows& rows_a,
                                  const HullRows& rows_b, int count, float reach_m, int lane,
                                  ManifoldLanes& out) {
@@ -167,6 +183,12 @@ HWY_INLINE unsigned collide_part(const PoseLanes& poses, const BoxLanes& offsets
     const Vec base_end = select(flipped, edge_b.to, edge_a.to);
     const Vec tangent = left(normal);
     const V length_base = dot(sub(base_end, base), tangent);
+
+    store_axis(q_a, select(flipped, negate(normal), normal), hn::Sub(most, radii), lane, out);
+    if (bits_of(near) == 0) {  // boxes overlap more often than shapes meet
+        store_no_points(lane, out);
+        return 0;
+    }
 
     // Along the tangent the facing edge runs the other way.
     const Edge face = facing_edge(a, b, flipped, normal, count);
@@ -227,12 +249,10 @@ HWY_INLINE unsigned collide_part(const PoseLanes& poses, const BoxLanes& offsets
     const V separation1 = hn::Sub(gap1, radii);
     const VI none = set_int(kNoFeature);
     const VI used_id1 = hn::IfThenElse(hn::RebindMask(DI(), use1), id1, none);
-    Vec out_normal = select(flipped, negate(normal), normal);
     Vec out_point = select(use0, point0, point1);
     V out_separation = hn::IfThenElse(use0, separation0, separation1);
     VI out_id = hn::IfThenElse(hn::RebindMask(DI(), use0), id0, used_id1);
     const VI second_id = hn::IfThenElse(hn::RebindMask(DI(), use0), used_id1, none);
-    V gap = hn::Sub(most, radii);
 
     if (bits_of(by_corners) != 0) {
         const Corners corners = nearest_corners(a, b, count);
@@ -244,26 +264,23 @@ HWY_INLINE unsigned collide_part(const PoseLanes& poses, const BoxLanes& offsets
         // Midway between the surfaces.
         const V height = hn::Mul(half, hn::Add(distance, hn::Sub(a.radius, b.radius)));
         const M met = hn::And(by_corners, hn::Le(separation, reach));
-        out_normal = select(by_corners, straight, out_normal);
         out_point = select(by_corners, add(corners.on_a, scale(height, straight)), out_point);
         out_separation = hn::IfThenElse(by_corners, separation, out_separation);
         out_id = hn::IfThenElse(hn::RebindMask(DI(), met), corners.id, out_id);
-        gap = hn::IfThenElse(by_corners, separation, gap);
+        store_axis(q_a, select(by_corners, straight, select(flipped, negate(normal), normal)),
+                   hn::IfThenElse(by_corners, separation, hn::Sub(most, radii)), lane, out);
     }
 
-    const Vec world_normal = rotate(q_a, out_normal);
+    // Lanes without points have zeros there, so that every level leaves the same bits.
     const Vec world_point = rotate(q_a, out_point);
     const Vec world_point1 = rotate(q_a, point1);
-    store(world_normal.x, out.normal_x, lane);
-    store(world_normal.y, out.normal_y, lane);
-    store(gap, out.gap, lane);
-    store(world_point.x, out.points[0].x, lane);
-    store(world_point.y, out.points[0].y, lane);
-    store(out_separation, out.points[0].separation, lane);
+    store(hn::IfThenElseZero(near, world_point.x), out.points[0].x, lane);
+    store(hn::IfThenElseZero(near, world_point.y), out.points[0].y, lane);
+    store(hn::IfThenElseZero(near, out_separation), out.points[0].separation, lane);
     store(out_id, out.points[0].id, lane);
-    store(world_point1.x, out.points[1].x, lane);
-    store(world_point1.y, out.points[1].y, lane);
-    store(separation1, out.points[1].separation, lane);
+    store(hn::IfThenElseZero(near, world_point1.x), out.points[1].x, lane);
+    store(hn::IfThenElseZero(near, world_point1.y), out.points[1].y, lane);
+    store(hn::IfThenElseZero(near, separation1), out.points[1].separation, lane);
     store(second_id, out.points[1].id, lane);
     return bits_of(undecided);
 }
