@@ -1,7 +1,9 @@
 #include <catch2/catch.hpp>
+#include <limits>
 
 #include "physics/support/pieces.h"
 #include "physics/support/scenes.h"
+#include "support/golden.h"
 
 namespace cairn::physics {
 namespace {
@@ -276,26 +278,43 @@ TEST_CASE("Breakable bodies can be set, asked, changed, and made whole for good"
     CHECK(world.body_breaks().empty());
 }
 
-TEST_CASE("Bodies break alike on any number of threads", "[fracture]") {
-    const auto hash_of = [](int threads) {
-        World world({.threads = threads});
-        add_ground(world);
-        for (int i = 0; i < 40; ++i) {
-            const BodyId body =
-                add(world, {.position_m = {(i % 8) * 1.3 - 5, 1.5 + 1.3 * (i / 8)}, .angle_rad = 0.1 * i},
-                    Box{0.5f, 0.5f}, {.density_kg_m2 = 2});
-            world
-                .set_breakable(body, {.strength_ns = 4,
-                                      .fracture = {.pieces = 5, .seed = static_cast<std::uint64_t>(i)},
-                                      .generations = 2,
-                                      .automatic = true})
-                .value();
+// A heap of boxes, discs and bars that break as they fall on each other, and are cut on the way.
+std::uint64_t hash_of_shatter(int threads) {
+    World world({.threads = threads});
+    add_ground(world);
+    for (int i = 0; i < 40; ++i) {
+        const Geometry geometry = i % 3 == 0   ? Geometry{Box{0.5f, 0.5f}}
+                                  : i % 3 == 1 ? Geometry{Circle{{}, 0.5f}}
+                                               : Geometry{Capsule{{-0.3f, 0}, {0.3f, 0}, 0.25f}};
+        const BodyId body =
+            add(world, {.position_m = {(i % 8) * 1.3 - 5, 1.5 + 1.3 * (i / 8)}, .angle_rad = 0.1 * i},
+                geometry, {.density_kg_m2 = 2});
+        const FractureDef fracture{.pattern = i % 2 == 0 ? FracturePattern::Uniform : FracturePattern::Radial,
+                                   .pieces = 5,
+                                   .seed = static_cast<std::uint64_t>(i),
+                                   .radius_m = i % 5 == 0 ? 0.4f : std::numeric_limits<float>::infinity(),
+                                   .grain = i % 4 == 0 ? Vec2{2, 1} : Vec2{}};
+        world
+            .set_breakable(body,
+                           {.strength_ns = 4, .fracture = fracture, .generations = 2, .automatic = true})
+            .value();
+    }
+    for (int i = 0; i < 180; ++i) {
+        world.step(kStep_s).value();
+        if (i % 40 != 10) continue;
+        for (const CutHit& hit : world.cuts_along({-20, 2}, {20, 2.5}).value()) {
+            world.cut_body(hit.body, {-20, 2}, {20, 2.5}).value();
         }
-        run_for(world, 3);
-        CHECK(world.counts().bodies > 60);
-        return world.state_hash();
-    };
-    CHECK(hash_of(1) == hash_of(2));
+    }
+    CHECK(world.counts().bodies > 100);
+    return world.state_hash();
+}
+
+TEST_CASE("Bodies break and are cut alike on any number of threads, and as was approved",
+          "[fracture][golden]") {
+    const std::uint64_t hash = hash_of_shatter(1);
+    CHECK(hash == hash_of_shatter(2));
+    CHECK_THAT(cairn::test::hash_text(hash), cairn::test::MatchesGolden("physics-shatter"));
 }
 
 TEST_CASE("Bad breakables give errors and change nothing", "[fracture]") {
