@@ -12,10 +12,10 @@ namespace {
 
 // In the order of the reference.
 constexpr std::array kModules = {
-    &kCoreModule,   &kPhysicsModule, &kWorldMethods,   &kBodyMethods,  &kShapeMethods,  &kJointMethods,
-    &kCameraModule, &kCameraMethods, &kGraphicsModule, &kImageMethods, &kFontMethods,   &kAudioModule,
-    &kInputModule,  &kWindowModule,  &kFilesModule,    &kRandomModule, &kRandomMethods, &kTimerModule,
-    &kTimerMethods, &kLevelModule,   &kTestModule,
+    &kCoreModule,    &kPhysicsModule, &kWorldMethods, &kBodyMethods,   &kShapeMethods,   &kJointMethods,
+    &kPrefabModule,  &kPrefabMethods, &kCameraModule, &kCameraMethods, &kGraphicsModule, &kImageMethods,
+    &kFontMethods,   &kAudioModule,   &kInputModule,  &kWindowModule,  &kFilesModule,    &kRandomModule,
+    &kRandomMethods, &kTimerModule,   &kTimerMethods, &kLevelModule,   &kTestModule,
 };
 
 struct TypeOfObject {
@@ -28,7 +28,7 @@ constexpr TypeOfObject kTypes[] = {
     {ObjectTag::Shape, &kShapeMethods, nullptr},        {ObjectTag::Joint, &kJointMethods, nullptr},
     {ObjectTag::Camera, &kCameraMethods, nullptr},      {ObjectTag::Image, &kImageMethods, nullptr},
     {ObjectTag::Font, &kFontMethods, nullptr},          {ObjectTag::Random, &kRandomMethods, nullptr},
-    {ObjectTag::Timer, &kTimerMethods, nullptr},
+    {ObjectTag::Timer, &kTimerMethods, nullptr},        {ObjectTag::Prefab, &kPrefabMethods, finalize_prefab},
 };
 
 constexpr std::string_view kPrefix = "cairn.";

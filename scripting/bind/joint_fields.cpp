@@ -6,6 +6,8 @@
 
 #include <cairn/physics/tuning.h>
 
+#include "bind/member_path.h"
+
 namespace cairn::scripting {
 namespace {
 
@@ -118,18 +120,6 @@ constexpr Field kLocalAngleA = optional_field("local_angle_a", FieldType::Number
 constexpr Field kLocalAngleB = optional_field("local_angle_b", FieldType::Number, "rad");
 
 // ---- Which member is which field
-
-template <class T, class Owner>
-Owner owner_of(T Owner::*);
-
-template <auto First, auto... Rest, class Object>
-constexpr auto& member(Object& object) {
-    if constexpr (sizeof...(Rest) == 0) {
-        return object.*First;
-    } else {
-        return member<Rest...>(object.*First);
-    }
-}
 
 /// The member at the end of the path `First, Rest...`, which begins at a definition.
 template <auto First, auto... Rest>

@@ -14,6 +14,8 @@ extern const Module kWorldMethods;
 extern const Module kBodyMethods;
 extern const Module kShapeMethods;
 extern const Module kJointMethods;
+extern const Module kPrefabModule;  // cairn.prefab
+extern const Module kPrefabMethods;
 extern const Module kCameraModule;  // cairn.camera
 extern const Module kCameraMethods;
 extern const Module kGraphicsModule;  // cairn.graphics
@@ -32,6 +34,8 @@ extern const Module kTestModule;   // cairn.test
 
 /// Frees what a World holds; the finalizer of its type.
 int finalize_world(lua_State* L);
+/// The same of a Prefab.
+int finalize_prefab(lua_State* L);
 
 /// Adds `cairn.random.visual` to the table on top of the stack, and makes math.random use the gameplay
 /// stream.

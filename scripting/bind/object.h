@@ -21,9 +21,10 @@ enum class ObjectTag : std::uint32_t {
     Image,
     Font,
     Random,
-    Timer
+    Timer,
+    Prefab
 };
-inline constexpr int kObjectTagCount = static_cast<int>(ObjectTag::Timer) + 1;
+inline constexpr int kObjectTagCount = static_cast<int>(ObjectTag::Prefab) + 1;
 
 struct ObjectHeader {
     ObjectTag tag;
@@ -52,6 +53,8 @@ constexpr const char* object_type_name(ObjectTag tag) {
             return "Random";
         case ObjectTag::Timer:
             return "Timer";
+        case ObjectTag::Prefab:
+            return "Prefab";
     }
     return "userdata";
 }

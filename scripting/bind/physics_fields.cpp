@@ -76,6 +76,7 @@ constexpr Field kContactEvents = boolean_field("contact_events", true, "\"begin\
 constexpr Field kHitEvents = boolean_field("hit_events", true, "\"hit\" events");
 constexpr const Field* kShapeOwn[] = {&kDensity, &kFriction, &kRestitution,   &kCategories,
                                       &kMask,    &kGroup,    &kContactEvents, &kHitEvents};
+constexpr const Field* kFilterOwn[] = {&kCategories, &kMask, &kGroup, &kContactEvents, &kHitEvents};
 
 // ---- Geometry
 constexpr Field kWidth = above(required_field("width", FieldType::Number, "m"), 0, 2 * kMaxReach_m);
@@ -124,6 +125,7 @@ std::vector<Vec2> read_points(lua_State* L, const FieldReader& reader) {
 
 const FieldSet kWorldFields{kWorldOwn};
 const FieldSet kNewBodyFields{kBodyOwn};
+const FieldSet kFilterFields{kFilterOwn};
 
 const FieldSet kWorldAddFields[4] = {
     {kBoxOwn, {&kBodyFields, &kShapeFields}},
@@ -179,6 +181,11 @@ physics::ShapeDef read_shape_def(const FieldReader& reader) {
     physics::ShapeDef def;
     def.density_kg_m2 = reader.real(kDensity);
     def.material = {.friction = reader.real(kFriction), .restitution = reader.real(kRestitution)};
+    read_filter(reader, def);
+    return def;
+}
+
+void read_filter(const FieldReader& reader, physics::ShapeDef& def) {
     def.filter.categories = static_cast<std::uint64_t>(reader.integer(kCategories));
     def.filter.mask = static_cast<std::uint64_t>(reader.integer(kMask));
     const std::int64_t group = reader.integer(kGroup);
@@ -186,7 +193,6 @@ physics::ShapeDef read_shape_def(const FieldReader& reader) {
     def.filter.group = static_cast<std::int32_t>(group);
     def.contact_events = reader.boolean(kContactEvents);
     def.hit_events = reader.boolean(kHitEvents);
-    return def;
 }
 
 ShapePlace read_shape_place(const FieldReader& reader) {

@@ -11,6 +11,8 @@ namespace cairn::scripting {
 
 extern const FieldSet kWorldFields;
 extern const FieldSet kNewBodyFields;
+/// Of a shape: who collides with whom, and who is told.
+extern const FieldSet kFilterFields;
 
 enum class GeometryKind { Box, Circle, Capsule, Polygon };
 
@@ -30,6 +32,8 @@ constexpr const FieldSet& fields_of_body_add(GeometryKind kind) {
 physics::WorldDef read_world_def(const FieldReader& reader, lua_State* L);
 physics::BodyDef read_body_def(const FieldReader& reader);
 physics::ShapeDef read_shape_def(const FieldReader& reader);
+/// The part of it that kFilterFields describe.
+void read_filter(const FieldReader& reader, physics::ShapeDef& def);
 
 /// Where a shape sits in its body.
 struct ShapePlace {

@@ -894,6 +894,369 @@ function Joint:destroy() end
 ---@return boolean valid
 function Joint:is_valid() end
 
+cairn.prefab = {}
+
+---@class cairn.prefab.chain.Fields
+---@field x? number m
+---@field y? number m
+---@field direction_x? number of any length
+---@field direction_y? number
+---@field links? integer
+---@field link_length? number m, from pin to pin
+---@field thickness? number m
+---@field friction_torque? number N m, of each pin
+---@field damping? number 1/s, of the air
+---@field density? number kg/m^2
+---@field friction? number Coulomb coefficient
+---@field restitution? number 0 to 1
+---@field hold_start? boolean whether the start is held
+---@field start_body? Body by what; absent: the world
+---@field hold_end? boolean whether the end is held
+---@field end_body? Body by what; absent: the world
+---@field data? table becomes body.data of every body
+---@field categories? integer bit set: what the shape is
+---@field mask? integer bit set: what it collides with; -1 is everything
+---@field group? integer two shapes of the same group other than 0: positive always collide, negative never
+---@field contact_events? boolean "begin" and "end" events
+---@field hit_events? boolean "hit" events
+
+---Rigid links, pinned end to end from x, y on.
+---@param world World
+---@param fields cairn.prefab.chain.Fields?
+---@return Prefab prefab
+function cairn.prefab.chain(world, fields) end
+
+---@class cairn.prefab.rope.Fields
+---@field x? number m
+---@field y? number m
+---@field to_x? number m
+---@field to_y? number m
+---@field length? number m, at least the distance of the ends; 0: just that
+---@field links? integer
+---@field radius? number m
+---@field friction_torque? number N m, of each pin
+---@field damping? number 1/s, of the air
+---@field density? number kg/m^2
+---@field friction? number Coulomb coefficient
+---@field restitution? number 0 to 1
+---@field hold_start? boolean whether the start is held
+---@field start_body? Body by what; absent: the world
+---@field hold_end? boolean whether the end is held
+---@field end_body? Body by what; absent: the world
+---@field data? table becomes body.data of every body
+---@field categories? integer bit set: what the shape is
+---@field mask? integer bit set: what it collides with; -1 is everything
+---@field group? integer two shapes of the same group other than 0: positive always collide, negative never
+---@field contact_events? boolean "begin" and "end" events
+---@field hit_events? boolean "hit" events
+
+---A rope from x, y to to_x, to_y. It bends freely; what hangs from it does not stretch it.
+---@param world World
+---@param fields cairn.prefab.rope.Fields?
+---@return Prefab prefab
+function cairn.prefab.rope(world, fields) end
+
+---@class cairn.prefab.bridge.Fields
+---@field x? number m
+---@field y? number m
+---@field to_x? number m
+---@field to_y? number m
+---@field planks? integer
+---@field slack? number how much longer than the straight way, a share
+---@field thickness? number m
+---@field friction_torque? number N m, of each pin
+---@field damping? number 1/s, of the air
+---@field break_force? number N, of each joint
+---@field break_torque? number N m, of each joint
+---@field density? number kg/m^2
+---@field friction? number Coulomb coefficient
+---@field restitution? number 0 to 1
+---@field hold_start? boolean whether the start is held
+---@field start_body? Body by what; absent: the world
+---@field hold_end? boolean whether the end is held
+---@field end_body? Body by what; absent: the world
+---@field data? table becomes body.data of every body
+---@field categories? integer bit set: what the shape is
+---@field mask? integer bit set: what it collides with; -1 is everything
+---@field group? integer two shapes of the same group other than 0: positive always collide, negative never
+---@field contact_events? boolean "begin" and "end" events
+---@field hit_events? boolean "hit" events
+
+---Planks, pinned end to end from x, y to to_x, to_y.
+---@param world World
+---@param fields cairn.prefab.bridge.Fields?
+---@return Prefab prefab
+function cairn.prefab.bridge(world, fields) end
+
+---@class cairn.prefab.vehicle.Fields
+---@field x? number m
+---@field y? number m
+---@field length? number m, of the chassis
+---@field height? number m, of the chassis
+---@field suspension_frequency? number Hz
+---@field suspension_damping? number ratio; 1 is critical
+---@field suspension_travel? number m, up and down
+---@field drive_torque? number N m, of each driven wheel
+---@field brake_torque? number N m, of each braked wheel
+---@field density? number kg/m^2, of the chassis
+---@field tyre_friction? number
+---@field tyre_density? number kg/m^2
+---@field wheels? table a list of { x = 0, y = 0, radius = 0.4, driven = true, braked = true }, m in the chassis; absent: two
+---@field data? table becomes body.data of every body
+---@field categories? integer bit set: what the shape is
+---@field mask? integer bit set: what it collides with; -1 is everything
+---@field group? integer two shapes of the same group other than 0: positive always collide, negative never
+---@field contact_events? boolean "begin" and "end" events
+---@field hit_events? boolean "hit" events
+
+---A chassis on sprung wheels. See `prefab:drive`, `brake` and `coast`.
+---@param world World
+---@param fields cairn.prefab.vehicle.Fields?
+---@return Prefab prefab
+function cairn.prefab.vehicle(world, fields) end
+
+---@class cairn.prefab.ragdoll.Fields
+---@field x? number m
+---@field y? number m
+---@field scale? number 1: it is 1.6 m tall
+---@field friction_torque? number N m, of the hips, at scale 1
+---@field spring_frequency? number Hz, of springs towards how it is made; 0: limp
+---@field spring_damping? number ratio; 1 is critical
+---@field linear_velocity_x? number m/s
+---@field linear_velocity_y? number m/s
+---@field density? number kg/m^2
+---@field friction? number Coulomb coefficient
+---@field restitution? number 0 to 1
+---@field data? table becomes body.data of every body
+---@field categories? integer bit set: what the shape is
+---@field mask? integer bit set: what it collides with; -1 is everything
+---@field group? integer two shapes of the same group other than 0: positive always collide, negative never
+---@field contact_events? boolean "begin" and "end" events
+---@field hit_events? boolean "hit" events
+
+---A limp human figure of eleven bones with its feet at x, y, facing right; its bodies are `hip`, `torso`, `head`, then `upper_leg`, `lower_leg` twice and `upper_arm`, `lower_arm` twice. Without a `group` it has one of its own, so that its bones do not collide.
+---@param world World
+---@param fields cairn.prefab.ragdoll.Fields?
+---@return Prefab prefab
+function cairn.prefab.ragdoll(world, fields) end
+
+---@class cairn.prefab.brick_wall.Fields
+---@field x? number m
+---@field y? number m
+---@field columns? integer bricks in a course
+---@field courses? integer
+---@field brick_width? number m
+---@field brick_height? number m
+---@field mortar? number N/m: what a metre of mortar bears
+---@field density? number kg/m^2
+---@field friction? number Coulomb coefficient
+---@field restitution? number 0 to 1
+---@field data? table becomes body.data of every body
+---@field categories? integer bit set: what the shape is
+---@field mask? integer bit set: what it collides with; -1 is everything
+---@field group? integer two shapes of the same group other than 0: positive always collide, negative never
+---@field contact_events? boolean "begin" and "end" events
+---@field hit_events? boolean "hit" events
+
+---Bricks in running bond, held by mortar that breaks. Its foot is at x, y.
+---@param world World
+---@param fields cairn.prefab.brick_wall.Fields?
+---@return Prefab prefab
+function cairn.prefab.brick_wall(world, fields) end
+
+---@class cairn.prefab.blob.Fields
+---@field x? number m
+---@field y? number m
+---@field rings? integer of pieces about the middle one
+---@field piece_radius? number m
+---@field frequency? number Hz, of each weld
+---@field damping_ratio? number 1 is critical
+---@field break_force? number N, of each joint
+---@field break_torque? number N m, of each joint
+---@field density? number kg/m^2
+---@field friction? number Coulomb coefficient
+---@field restitution? number 0 to 1
+---@field data? table becomes body.data of every body
+---@field categories? integer bit set: what the shape is
+---@field mask? integer bit set: what it collides with; -1 is everything
+---@field group? integer two shapes of the same group other than 0: positive always collide, negative never
+---@field contact_events? boolean "begin" and "end" events
+---@field hit_events? boolean "hit" events
+
+---A soft disc of round pieces, welded softly to their neighbours.
+---@param world World
+---@param fields cairn.prefab.blob.Fields?
+---@return Prefab prefab
+function cairn.prefab.blob(world, fields) end
+
+---@class cairn.prefab.pendulum.Fields
+---@field x? number m
+---@field y? number m
+---@field bobs? integer two make a double pendulum
+---@field rod? number m, from centre to centre
+---@field radius? number m, of each bob
+---@field angle? number rad, from straight down
+---@field damping? number 1/s, of the air
+---@field density? number kg/m^2
+---@field friction? number Coulomb coefficient
+---@field restitution? number 0 to 1
+---@field hold_start? boolean whether the start is held
+---@field start_body? Body by what; absent: the world
+---@field data? table becomes body.data of every body
+---@field categories? integer bit set: what the shape is
+---@field mask? integer bit set: what it collides with; -1 is everything
+---@field group? integer two shapes of the same group other than 0: positive always collide, negative never
+---@field contact_events? boolean "begin" and "end" events
+---@field hit_events? boolean "hit" events
+
+---Bobs on rods without mass, hung from x, y.
+---@param world World
+---@param fields cairn.prefab.pendulum.Fields?
+---@return Prefab prefab
+function cairn.prefab.pendulum(world, fields) end
+
+---@class cairn.prefab.windmill.Fields
+---@field x? number m
+---@field y? number m
+---@field sails? integer 2 to 24
+---@field hub_radius? number m
+---@field sail_length? number m
+---@field sail_width? number m
+---@field tip_speed_ratio? number speed of the tips to that of the wind when nothing brakes
+---@field clockwise? boolean which way it turns
+---@field friction_torque? number N m, of the hub
+---@field density? number kg/m^2
+---@field friction? number Coulomb coefficient
+---@field restitution? number 0 to 1
+---@field hold_start? boolean whether the start is held
+---@field start_body? Body by what; absent: the world
+---@field data? table becomes body.data of every body
+---@field categories? integer bit set: what the shape is
+---@field mask? integer bit set: what it collides with; -1 is everything
+---@field group? integer two shapes of the same group other than 0: positive always collide, negative never
+---@field contact_events? boolean "begin" and "end" events
+---@field hit_events? boolean "hit" events
+
+---A wheel of sails. See `prefab:blow`.
+---@param world World
+---@param fields cairn.prefab.windmill.Fields?
+---@return Prefab prefab
+function cairn.prefab.windmill(world, fields) end
+
+---@class cairn.prefab.elevator.Fields
+---@field x? number m
+---@field y? number m
+---@field width? number m, of the platform
+---@field thickness? number m
+---@field speed? number m/s
+---@field load? number kg, that it can carry
+---@field density? number kg/m^2
+---@field friction? number Coulomb coefficient
+---@field restitution? number 0 to 1
+---@field floors? table a list of heights over y, m, ascending; absent: { 0, 3, 6 }
+---@field data? table becomes body.data of every body
+---@field categories? integer bit set: what the shape is
+---@field mask? integer bit set: what it collides with; -1 is everything
+---@field group? integer two shapes of the same group other than 0: positive always collide, negative never
+---@field contact_events? boolean "begin" and "end" events
+---@field hit_events? boolean "hit" events
+
+---A platform that goes between floors. See `prefab:send` and `is_at`; floor 0 is the first one.
+---@param world World
+---@param fields cairn.prefab.elevator.Fields?
+---@return Prefab prefab
+function cairn.prefab.elevator(world, fields) end
+
+---@class cairn.prefab.gear_train.Fields
+---@field x? number m
+---@field y? number m
+---@field direction_x? number of the row, of any length
+---@field direction_y? number
+---@field motor_speed? number rad/s, of the first wheel
+---@field max_motor_torque? number N m; 0: no motor
+---@field density? number kg/m^2
+---@field friction? number Coulomb coefficient
+---@field restitution? number 0 to 1
+---@field radii? table a list of radii, m; absent: { 0.5, 1, 0.25 }
+---@field data? table becomes body.data of every body
+---@field categories? integer bit set: what the shape is
+---@field mask? integer bit set: what it collides with; -1 is everything
+---@field group? integer two shapes of the same group other than 0: positive always collide, negative never
+---@field contact_events? boolean "begin" and "end" events
+---@field hit_events? boolean "hit" events
+
+---Wheels in a row that turn each other without slip.
+---@param world World
+---@param fields cairn.prefab.gear_train.Fields?
+---@return Prefab prefab
+function cairn.prefab.gear_train(world, fields) end
+
+---@class cairn.prefab.pulley_lift.Fields
+---@field x? number m
+---@field y? number m
+---@field distance? number m, between the centres of the platforms
+---@field travel? number m, up and down
+---@field width? number m, of each platform
+---@field thickness? number m
+---@field rope? number m, up to the wheels
+---@field ratio? number of a block and tackle on the right
+---@field left_density? number kg/m^2
+---@field right_density? number kg/m^2
+---@field data? table becomes body.data of every body
+---@field categories? integer bit set: what the shape is
+---@field mask? integer bit set: what it collides with; -1 is everything
+---@field group? integer two shapes of the same group other than 0: positive always collide, negative never
+---@field contact_events? boolean "begin" and "end" events
+---@field hit_events? boolean "hit" events
+
+---Two platforms on one rope over two wheels.
+---@param world World
+---@param fields cairn.prefab.pulley_lift.Fields?
+---@return Prefab prefab
+function cairn.prefab.pulley_lift(world, fields) end
+
+---@class Prefab
+local Prefab = {}
+
+---"rope", "vehicle" and so on: the name of its function.
+---@return string kind
+function Prefab:kind() end
+
+---A new list of its bodies that live, in the order in which they were made: links, planks, bricks, pieces, bobs and wheels of gears from the first on; the chassis of a vehicle, then its wheels; the rotor of a windmill; the platform of an elevator; the static body that holds the others where it stands in the order.
+---@return table bodies
+function Prefab:bodies() end
+
+---A new list of its joints that live.
+---@return table joints
+function Prefab:joints() end
+
+---Of a vehicle: turns the driven wheels for that speed, to the right when positive.
+---@param speed number [m/s]
+function Prefab:drive(speed) end
+
+---Of a vehicle: blocks the braked wheels.
+function Prefab:brake() end
+
+---Of a vehicle: lets all wheels run.
+function Prefab:coast() end
+
+---Of an elevator: sets it off to a floor, where it stops.
+---@param floor integer
+function Prefab:send(floor) end
+
+---Of an elevator: whether it stands at the floor.
+---@param floor integer
+---@return boolean there
+function Prefab:is_at(floor) end
+
+---Of a windmill: what the wind does in the next step. Call it before each.
+---@param wind number [m/s]
+---@param dt number [s]
+function Prefab:blow(wind, dt) end
+
+---Destroys what is left of it.
+function Prefab:destroy() end
+
 cairn.camera = {}
 
 ---@class cairn.camera.new.Fields

@@ -17,6 +17,7 @@ std::string receiver(const std::string& type) {
     if (type == "Font") return "cairn.graphics.new_font(20)";
     if (type == "Random") return "cairn.random.new(1)";
     if (type == "Timer") return "cairn.timer.after(1, print)";
+    if (type == "Prefab") return "cairn.prefab.pendulum(cairn.physics.new_world{})";
     if (type == "Joint") {
         return "(function() local w = cairn.physics.new_world{} return w:add_distance_joint{ body_a = "
                "w:new_body{}, body_b = "

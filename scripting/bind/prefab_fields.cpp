@@ -1,0 +1,525 @@
+// One constant per field; for each prefab, which member of its definition each field is.
+#include "bind/prefab_fields.h"
+
+#include <array>
+#include <limits>
+
+#include "bind/function.h"
+#include "bind/member_path.h"
+#include "bind/physics_fields.h"
+#include "bind/physics_objects.h"
+
+namespace cairn::scripting {
+namespace {
+
+using namespace physics;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// A number or a boolean of a definition.
+template <class Def>
+struct PrefabParameter {
+    const Field* field = nullptr;
+    void (*set)(Def& def, double value) = nullptr;
+};
+
+template <auto First, auto... Rest>
+constexpr auto parameter(const Field& field) {
+    using Def = decltype(owner_of(First));
+    return PrefabParameter<Def>{&field, [](Def& def, double value) {
+                                    auto& place = member<First, Rest...>(def);
+                                    place = static_cast<std::remove_reference_t<decltype(place)>>(value);
+                                }};
+}
+
+template <class Def, std::size_t kCount>
+void read_parameters(const FieldReader& reader, const std::array<PrefabParameter<Def>, kCount>& parameters,
+                     Def& def) {
+    for (const PrefabParameter<Def>& parameter : parameters) {
+        const Field& field = *parameter.field;
+        if (!reader.has(field)) continue;
+        switch (field.type) {
+            case FieldType::Boolean:
+                parameter.set(def, reader.boolean(field) ? 1 : 0);
+                break;
+            case FieldType::Integer: {
+                const std::int64_t value = reader.integer(field);
+                if (value != static_cast<std::int32_t>(value)) reader.fail(field, "must fit into 32 bits");
+                parameter.set(def, static_cast<double>(value));
+                break;
+            }
+            default:
+                parameter.set(def, reader.number(field));
+        }
+    }
+}
+
+template <const auto& kParameters, std::size_t kMore = 0>
+constexpr auto fields_with(const std::array<const Field*, kMore>& more = {}) {
+    std::array<const Field*, kParameters.size() + kMore> fields{};
+    std::size_t next = 0;
+    for (const auto& parameter : kParameters) fields[next++] = parameter.field;
+    for (const Field* field : more) fields[next++] = field;
+    return fields;
+}
+
+// ---- Shared by several
+constexpr Field kX = number_field("x", 0, "0", "m");
+constexpr Field kY = number_field("y", 0, "0", "m");
+constexpr Field kDensity = number_field("density", 1, "1", "kg/m^2");
+constexpr Field kFriction = number_field("friction", 0.6, "0.6", "Coulomb coefficient");
+constexpr Field kRestitution = number_field("restitution", 0, "0", "0 to 1");
+constexpr Field kDamping = number_field("damping", 0, "0", "1/s, of the air");
+constexpr Field kPinFriction = number_field("friction_torque", 0, "0", "N m, of each pin");
+constexpr Field kHoldStart = boolean_field("hold_start", true, "whether the start is held");
+constexpr Field kHoldEnd = boolean_field("hold_end", true, "whether the end is held");
+constexpr Field kStartBody = optional_field("start_body", FieldType::Body, "by what; absent: the world");
+constexpr Field kEndBody = optional_field("end_body", FieldType::Body, "by what; absent: the world");
+constexpr Field kBreakForce =
+    within(number_field("break_force", kInfinity, "math.huge", "N, of each joint"), 0, kInfinity);
+constexpr Field kBreakTorque =
+    within(number_field("break_torque", kInfinity, "math.huge", "N m, of each joint"), 0, kInfinity);
+constexpr Field kData = optional_field("data", FieldType::Table, "becomes body.data of every body");
+constexpr const Field* kCommon[] = {&kData};
+constexpr FieldSet kCommonFields{kCommon, {&kFilterFields}};
+
+void read_end(lua_State* L, const FieldReader& reader, const Field& held, const Field& body, PrefabEnd& end) {
+    if (reader.has(held)) end.held = reader.boolean(held);
+    if (!reader.push(body)) return;
+    const auto living = living_body_at(L, -1);
+    if (!living) reader.fail(body, "it was destroyed");
+    end.body = living->id();
+    end.held = true;
+    lua_pop(L, 1);
+}
+
+/// { 1, 2, ... }
+std::vector<float> read_numbers(lua_State* L, const FieldReader& reader, const Field& field) {
+    std::vector<float> numbers;
+    reader.push(field);
+    const auto count = static_cast<lua_Integer>(lua_rawlen(L, -1));
+    for (lua_Integer i = 1; i <= count; ++i) {
+        lua_rawgeti(L, -1, i);
+        if (lua_type(L, -1) != LUA_TNUMBER) {
+            call_error(L, std::string(field.name) + "[" + std::to_string(i) + "] is " +
+                              describe_value(L, -1) + "; expected a number");
+        }
+        numbers.push_back(static_cast<float>(lua_tonumber(L, -1)));
+        lua_pop(L, 1);
+    }
+    lua_pop(L, 1);
+    return numbers;
+}
+
+template <auto Shape>
+constexpr std::array kMatter = {
+    parameter<Shape, &ShapeDef::density_kg_m2>(kDensity),
+    parameter<Shape, &ShapeDef::material, &Material::friction>(kFriction),
+    parameter<Shape, &ShapeDef::material, &Material::restitution>(kRestitution),
+};
+
+template <class T, std::size_t... kSizes>
+constexpr auto joined(const std::array<T, kSizes>&... parts) {
+    std::array<T, (kSizes + ...)> all{};
+    std::size_t next = 0;
+    const auto add = [&](const auto& part) {
+        for (const T& element : part) all[next++] = element;
+    };
+    (add(parts), ...);
+    return all;
+}
+
+/// Of the shapes of prefabs that have one description for all.
+template <class Def>
+Def read_common(const FieldReader& reader, const auto& parameters) {
+    Def def;
+    read_parameters(reader, parameters, def);
+    read_filter(reader, def.shape);
+    return def;
+}
+
+// ---- Chain
+constexpr Field kDirectionX = number_field("direction_x", 0, "0", "of any length");
+constexpr Field kDirectionY = number_field("direction_y", -1, "-1", "");
+constexpr Field kLinks = integer_field("links", 10, "10", "");
+constexpr Field kLinkLength = number_field("link_length", 0.5, "0.5", "m, from pin to pin");
+constexpr Field kLinkThickness = number_field("thickness", 0.15, "0.15", "m");
+constexpr Field kHoldChainEnd = boolean_field("hold_end", false, "whether the end is held");
+constexpr std::array kChain = joined(
+    std::array{
+        parameter<&LinkChainDef::start_m, &Position::x>(kX),
+        parameter<&LinkChainDef::start_m, &Position::y>(kY),
+        parameter<&LinkChainDef::direction, &Vec2::x>(kDirectionX),
+        parameter<&LinkChainDef::direction, &Vec2::y>(kDirectionY),
+        parameter<&LinkChainDef::links>(kLinks),
+        parameter<&LinkChainDef::link_length_m>(kLinkLength),
+        parameter<&LinkChainDef::thickness_m>(kLinkThickness),
+        parameter<&LinkChainDef::friction_torque_nm>(kPinFriction),
+        parameter<&LinkChainDef::damping_1_s>(kDamping),
+    },
+    kMatter<&LinkChainDef::shape>);
+constexpr auto kChainFields =
+    fields_with<kChain>(std::array<const Field*, 4>{&kHoldStart, &kStartBody, &kHoldChainEnd, &kEndBody});
+
+// ---- Rope
+constexpr Field kRopeLength =
+    number_field("length", 0, "0", "m, at least the distance of the ends; 0: just that");
+constexpr Field kRopeLinks = integer_field("links", 20, "20", "");
+constexpr Field kRopeRadius = number_field("radius", 0.04, "0.04", "m");
+constexpr Field kRopeDamping = number_field("damping", 1, "1", "1/s, of the air");
+constexpr Field kRopeEndX = number_field("to_x", 5, "5", "m");
+constexpr Field kEndY = number_field("to_y", 0, "0", "m");
+constexpr std::array kRope = joined(
+    std::array{
+        parameter<&RopeDef::from_m, &Position::x>(kX),
+        parameter<&RopeDef::from_m, &Position::y>(kY),
+        parameter<&RopeDef::to_m, &Position::x>(kRopeEndX),
+        parameter<&RopeDef::to_m, &Position::y>(kEndY),
+        parameter<&RopeDef::length_m>(kRopeLength),
+        parameter<&RopeDef::links>(kRopeLinks),
+        parameter<&RopeDef::radius_m>(kRopeRadius),
+        parameter<&RopeDef::friction_torque_nm>(kPinFriction),
+        parameter<&RopeDef::damping_1_s>(kRopeDamping),
+    },
+    kMatter<&RopeDef::shape>);
+constexpr auto kRopeFields =
+    fields_with<kRope>(std::array<const Field*, 4>{&kHoldStart, &kStartBody, &kHoldEnd, &kEndBody});
+
+// ---- Bridge
+constexpr Field kBridgeEndX = number_field("to_x", 10, "10", "m");
+constexpr Field kPlanks = integer_field("planks", 20, "20", "");
+constexpr Field kSlack =
+    number_field("slack", 0.01, "0.01", "how much longer than the straight way, a share");
+constexpr Field kPlankThickness = number_field("thickness", 0.2, "0.2", "m");
+constexpr Field kPlankFriction = number_field("friction_torque", 0.5, "0.5", "N m, of each pin");
+constexpr Field kPlankDensity = number_field("density", 4, "4", "kg/m^2");
+constexpr std::array kBridge = {
+    parameter<&BridgeDef::from_m, &Position::x>(kX),
+    parameter<&BridgeDef::from_m, &Position::y>(kY),
+    parameter<&BridgeDef::to_m, &Position::x>(kBridgeEndX),
+    parameter<&BridgeDef::to_m, &Position::y>(kEndY),
+    parameter<&BridgeDef::planks>(kPlanks),
+    parameter<&BridgeDef::slack>(kSlack),
+    parameter<&BridgeDef::thickness_m>(kPlankThickness),
+    parameter<&BridgeDef::friction_torque_nm>(kPlankFriction),
+    parameter<&BridgeDef::damping_1_s>(kRopeDamping),
+    parameter<&BridgeDef::strength, &JointStrength::break_force_n>(kBreakForce),
+    parameter<&BridgeDef::strength, &JointStrength::break_torque_nm>(kBreakTorque),
+    parameter<&BridgeDef::shape, &ShapeDef::density_kg_m2>(kPlankDensity),
+    parameter<&BridgeDef::shape, &ShapeDef::material, &Material::friction>(kFriction),
+    parameter<&BridgeDef::shape, &ShapeDef::material, &Material::restitution>(kRestitution),
+};
+constexpr auto kBridgeFields =
+    fields_with<kBridge>(std::array<const Field*, 4>{&kHoldStart, &kStartBody, &kHoldEnd, &kEndBody});
+
+// ---- Vehicle
+constexpr Field kVehicleLength = number_field("length", 3, "3", "m, of the chassis");
+constexpr Field kVehicleHeight = number_field("height", 0.6, "0.6", "m, of the chassis");
+constexpr Field kSuspension = number_field("suspension_frequency", 3, "3", "Hz");
+constexpr Field kSuspensionDamping = number_field("suspension_damping", 0.8, "0.8", "ratio; 1 is critical");
+constexpr Field kSuspensionTravel = number_field("suspension_travel", 0.3, "0.3", "m, up and down");
+constexpr Field kDriveTorque = number_field("drive_torque", 30, "30", "N m, of each driven wheel");
+constexpr Field kBrakeTorque = number_field("brake_torque", 60, "60", "N m, of each braked wheel");
+constexpr Field kChassisDensity = number_field("density", 2, "2", "kg/m^2, of the chassis");
+constexpr Field kTyreFriction = number_field("tyre_friction", 1, "1", "");
+constexpr Field kTyreDensity = number_field("tyre_density", 1, "1", "kg/m^2");
+constexpr Field kWheels = optional_field(
+    "wheels", FieldType::Table,
+    "a list of { x = 0, y = 0, radius = 0.4, driven = true, braked = true }, m in the chassis; absent: two");
+constexpr std::array kVehicle = {
+    parameter<&VehicleDef::position_m, &Position::x>(kX),
+    parameter<&VehicleDef::position_m, &Position::y>(kY),
+    parameter<&VehicleDef::length_m>(kVehicleLength),
+    parameter<&VehicleDef::height_m>(kVehicleHeight),
+    parameter<&VehicleDef::suspension_hz>(kSuspension),
+    parameter<&VehicleDef::suspension_damping>(kSuspensionDamping),
+    parameter<&VehicleDef::suspension_travel_m>(kSuspensionTravel),
+    parameter<&VehicleDef::drive_torque_nm>(kDriveTorque),
+    parameter<&VehicleDef::brake_torque_nm>(kBrakeTorque),
+    parameter<&VehicleDef::chassis, &ShapeDef::density_kg_m2>(kChassisDensity),
+    parameter<&VehicleDef::tyre, &ShapeDef::material, &Material::friction>(kTyreFriction),
+    parameter<&VehicleDef::tyre, &ShapeDef::density_kg_m2>(kTyreDensity),
+};
+constexpr auto kVehicleFields = fields_with<kVehicle>(std::array<const Field*, 1>{&kWheels});
+
+constexpr Field kWheelRadius = number_field("radius", 0.4, "0.4", "m");
+constexpr Field kDriven = boolean_field("driven", true, "");
+constexpr Field kBraked = boolean_field("braked", true, "");
+constexpr const Field* kWheelOwn[] = {&kX, &kY, &kWheelRadius, &kDriven, &kBraked};
+constexpr FieldSet kWheelFields{kWheelOwn};
+
+std::vector<VehicleWheelDef> read_wheels(lua_State* L, const FieldReader& reader) {
+    std::vector<VehicleWheelDef> wheels;
+    reader.push(kWheels);
+    const auto count = static_cast<lua_Integer>(lua_rawlen(L, -1));
+    for (lua_Integer i = 1; i <= count; ++i) {
+        lua_rawgeti(L, -1, i);
+        if (!lua_istable(L, -1)) {
+            call_error(
+                L, "wheels[" + std::to_string(i) + "] is " + describe_value(L, -1) + "; expected a table");
+        }
+        const FieldReader wheel(L, -1, kWheelFields);
+        wheels.push_back({.place_m = {wheel.real(kX), wheel.real(kY)},
+                          .radius_m = wheel.real(kWheelRadius),
+                          .driven = wheel.boolean(kDriven),
+                          .braked = wheel.boolean(kBraked)});
+        lua_pop(L, 1);
+    }
+    lua_pop(L, 1);
+    return wheels;
+}
+
+// ---- Ragdoll
+constexpr Field kScale = number_field("scale", 1, "1", "1: it is 1.6 m tall");
+constexpr Field kMuscle = number_field("friction_torque", 0.05, "0.05", "N m, of the hips, at scale 1");
+constexpr Field kMuscleSpring =
+    number_field("spring_frequency", 0, "0", "Hz, of springs towards how it is made; 0: limp");
+constexpr Field kMuscleDamping = number_field("spring_damping", 0.5, "0.5", "ratio; 1 is critical");
+constexpr Field kVelocityX = number_field("linear_velocity_x", 0, "0", "m/s");
+constexpr Field kVelocityY = number_field("linear_velocity_y", 0, "0", "m/s");
+constexpr Field kSkinFriction = number_field("friction", 0.2, "0.2", "Coulomb coefficient");
+constexpr std::array kRagdoll = {
+    parameter<&RagdollDef::position_m, &Position::x>(kX),
+    parameter<&RagdollDef::position_m, &Position::y>(kY),
+    parameter<&RagdollDef::scale>(kScale),
+    parameter<&RagdollDef::friction_torque_nm>(kMuscle),
+    parameter<&RagdollDef::spring_hz>(kMuscleSpring),
+    parameter<&RagdollDef::spring_damping>(kMuscleDamping),
+    parameter<&RagdollDef::velocity_m_s, &Vec2::x>(kVelocityX),
+    parameter<&RagdollDef::velocity_m_s, &Vec2::y>(kVelocityY),
+    parameter<&RagdollDef::shape, &ShapeDef::density_kg_m2>(kDensity),
+    parameter<&RagdollDef::shape, &ShapeDef::material, &Material::friction>(kSkinFriction),
+    parameter<&RagdollDef::shape, &ShapeDef::material, &Material::restitution>(kRestitution),
+};
+constexpr auto kRagdollFields = fields_with<kRagdoll>();
+
+// ---- Brick wall
+constexpr Field kColumns = integer_field("columns", 6, "6", "bricks in a course");
+constexpr Field kCourses = integer_field("courses", 8, "8", "");
+constexpr Field kBrickWidth = number_field("brick_width", 0.5, "0.5", "m");
+constexpr Field kBrickHeight = number_field("brick_height", 0.25, "0.25", "m");
+constexpr Field kMortar = number_field("mortar", 400, "400", "N/m: what a metre of mortar bears");
+constexpr std::array kWall = joined(
+    std::array{
+        parameter<&BrickWallDef::position_m, &Position::x>(kX),
+        parameter<&BrickWallDef::position_m, &Position::y>(kY),
+        parameter<&BrickWallDef::columns>(kColumns),
+        parameter<&BrickWallDef::courses>(kCourses),
+        parameter<&BrickWallDef::brick_width_m>(kBrickWidth),
+        parameter<&BrickWallDef::brick_height_m>(kBrickHeight),
+        parameter<&BrickWallDef::mortar_n_m>(kMortar),
+    },
+    kMatter<&BrickWallDef::shape>);
+constexpr auto kWallFields = fields_with<kWall>();
+
+// ---- Blob
+constexpr Field kRings = integer_field("rings", 3, "3", "of pieces about the middle one");
+constexpr Field kPieceRadius = number_field("piece_radius", 0.15, "0.15", "m");
+constexpr Field kBlobFrequency = number_field("frequency", 15, "15", "Hz, of each weld");
+constexpr Field kBlobDamping = number_field("damping_ratio", 0.7, "0.7", "1 is critical");
+constexpr std::array kBlob = joined(
+    std::array{
+        parameter<&BlobDef::position_m, &Position::x>(kX),
+        parameter<&BlobDef::position_m, &Position::y>(kY),
+        parameter<&BlobDef::rings>(kRings),
+        parameter<&BlobDef::piece_radius_m>(kPieceRadius),
+        parameter<&BlobDef::stiffness_hz>(kBlobFrequency),
+        parameter<&BlobDef::damping_ratio>(kBlobDamping),
+        parameter<&BlobDef::strength, &JointStrength::break_force_n>(kBreakForce),
+        parameter<&BlobDef::strength, &JointStrength::break_torque_nm>(kBreakTorque),
+    },
+    kMatter<&BlobDef::shape>);
+constexpr auto kBlobFields = fields_with<kBlob>();
+
+// ---- Pendulum
+constexpr Field kBobs = integer_field("bobs", 1, "1", "two make a double pendulum");
+constexpr Field kRod = number_field("rod", 1, "1", "m, from centre to centre");
+constexpr Field kBobRadius = number_field("radius", 0.15, "0.15", "m, of each bob");
+constexpr Field kStartAngle = number_field("angle", 0.5, "0.5", "rad, from straight down");
+constexpr std::array kPendulum = joined(
+    std::array{
+        parameter<&PendulumDef::pivot_m, &Position::x>(kX),
+        parameter<&PendulumDef::pivot_m, &Position::y>(kY),
+        parameter<&PendulumDef::bobs>(kBobs),
+        parameter<&PendulumDef::rod_m>(kRod),
+        parameter<&PendulumDef::radius_m>(kBobRadius),
+        parameter<&PendulumDef::angle_rad>(kStartAngle),
+        parameter<&PendulumDef::damping_1_s>(kDamping),
+    },
+    kMatter<&PendulumDef::shape>);
+constexpr auto kPendulumFields =
+    fields_with<kPendulum>(std::array<const Field*, 2>{&kHoldStart, &kStartBody});
+
+// ---- Windmill
+constexpr Field kSails = integer_field("sails", 4, "4", "2 to 24");
+constexpr Field kHubRadius = number_field("hub_radius", 0.3, "0.3", "m");
+constexpr Field kSailLength = number_field("sail_length", 2, "2", "m");
+constexpr Field kSailWidth = number_field("sail_width", 0.4, "0.4", "m");
+constexpr Field kTipRatio =
+    number_field("tip_speed_ratio", 2, "2", "speed of the tips to that of the wind when nothing brakes");
+constexpr Field kClockwise = boolean_field("clockwise", false, "which way it turns");
+constexpr Field kHubFriction = number_field("friction_torque", 0.5, "0.5", "N m, of the hub");
+constexpr std::array kWindmill = joined(
+    std::array{
+        parameter<&WindmillDef::position_m, &Position::x>(kX),
+        parameter<&WindmillDef::position_m, &Position::y>(kY),
+        parameter<&WindmillDef::sails>(kSails),
+        parameter<&WindmillDef::hub_radius_m>(kHubRadius),
+        parameter<&WindmillDef::sail_length_m>(kSailLength),
+        parameter<&WindmillDef::sail_width_m>(kSailWidth),
+        parameter<&WindmillDef::tip_speed_ratio>(kTipRatio),
+        parameter<&WindmillDef::clockwise>(kClockwise),
+        parameter<&WindmillDef::friction_torque_nm>(kHubFriction),
+    },
+    kMatter<&WindmillDef::shape>);
+constexpr auto kWindmillFields =
+    fields_with<kWindmill>(std::array<const Field*, 2>{&kHoldStart, &kStartBody});
+
+// ---- Elevator
+constexpr Field kFloors =
+    optional_field("floors", FieldType::Table, "a list of heights over y, m, ascending; absent: { 0, 3, 6 }");
+constexpr Field kPlatformWidth = number_field("width", 2, "2", "m, of the platform");
+constexpr Field kPlatformThickness = number_field("thickness", 0.2, "0.2", "m");
+constexpr Field kSpeed = number_field("speed", 1.5, "1.5", "m/s");
+constexpr Field kLoad = number_field("load", 100, "100", "kg, that it can carry");
+constexpr Field kPlatformDensity = number_field("density", 100, "100", "kg/m^2");
+constexpr Field kPlatformFriction = number_field("friction", 0.9, "0.9", "Coulomb coefficient");
+constexpr std::array kElevator = {
+    parameter<&ElevatorDef::position_m, &Position::x>(kX),
+    parameter<&ElevatorDef::position_m, &Position::y>(kY),
+    parameter<&ElevatorDef::width_m>(kPlatformWidth),
+    parameter<&ElevatorDef::thickness_m>(kPlatformThickness),
+    parameter<&ElevatorDef::speed_m_s>(kSpeed),
+    parameter<&ElevatorDef::load_kg>(kLoad),
+    parameter<&ElevatorDef::shape, &ShapeDef::density_kg_m2>(kPlatformDensity),
+    parameter<&ElevatorDef::shape, &ShapeDef::material, &Material::friction>(kPlatformFriction),
+    parameter<&ElevatorDef::shape, &ShapeDef::material, &Material::restitution>(kRestitution),
+};
+constexpr auto kElevatorFields = fields_with<kElevator>(std::array<const Field*, 1>{&kFloors});
+
+// ---- Gear train
+constexpr Field kRadii =
+    optional_field("radii", FieldType::Table, "a list of radii, m; absent: { 0.5, 1, 0.25 }");
+constexpr Field kAlongX = number_field("direction_x", 1, "1", "of the row, of any length");
+constexpr Field kAlongY = number_field("direction_y", 0, "0", "");
+constexpr Field kGearSpeed = number_field("motor_speed", 1, "1", "rad/s, of the first wheel");
+constexpr Field kGearTorque =
+    within(number_field("max_motor_torque", 0, "0", "N m; 0: no motor"), 0, kInfinity);
+constexpr std::array kGears = joined(
+    std::array{
+        parameter<&GearTrainDef::position_m, &Position::x>(kX),
+        parameter<&GearTrainDef::position_m, &Position::y>(kY),
+        parameter<&GearTrainDef::direction, &Vec2::x>(kAlongX),
+        parameter<&GearTrainDef::direction, &Vec2::y>(kAlongY),
+        parameter<&GearTrainDef::motor_speed_rad_s>(kGearSpeed),
+        parameter<&GearTrainDef::max_motor_torque_nm>(kGearTorque),
+    },
+    kMatter<&GearTrainDef::shape>);
+constexpr auto kGearFields = fields_with<kGears>(std::array<const Field*, 1>{&kRadii});
+
+// ---- Pulley lift
+constexpr Field kDistance = number_field("distance", 4, "4", "m, between the centres of the platforms");
+constexpr Field kTravel = number_field("travel", 2, "2", "m, up and down");
+constexpr Field kLiftWidth = number_field("width", 1.5, "1.5", "m, of each platform");
+constexpr Field kRopeUp = number_field("rope", 5, "5", "m, up to the wheels");
+constexpr Field kRatio = number_field("ratio", 1, "1", "of a block and tackle on the right");
+constexpr Field kLeftDensity = number_field("left_density", 1, "1", "kg/m^2");
+constexpr Field kRightDensity = number_field("right_density", 1, "1", "kg/m^2");
+constexpr std::array kLift = {
+    parameter<&PulleyLiftDef::position_m, &Position::x>(kX),
+    parameter<&PulleyLiftDef::position_m, &Position::y>(kY),
+    parameter<&PulleyLiftDef::distance_m>(kDistance),
+    parameter<&PulleyLiftDef::travel_m>(kTravel),
+    parameter<&PulleyLiftDef::width_m>(kLiftWidth),
+    parameter<&PulleyLiftDef::thickness_m>(kPlatformThickness),
+    parameter<&PulleyLiftDef::rope_m>(kRopeUp),
+    parameter<&PulleyLiftDef::ratio>(kRatio),
+    parameter<&PulleyLiftDef::left, &ShapeDef::density_kg_m2>(kLeftDensity),
+    parameter<&PulleyLiftDef::right, &ShapeDef::density_kg_m2>(kRightDensity),
+};
+constexpr auto kLiftFields = fields_with<kLift>();
+
+}  // namespace
+
+const FieldSet PrefabReader<LinkChainDef>::kFields{kChainFields, {&kCommonFields}};
+const FieldSet PrefabReader<RopeDef>::kFields{kRopeFields, {&kCommonFields}};
+const FieldSet PrefabReader<BridgeDef>::kFields{kBridgeFields, {&kCommonFields}};
+const FieldSet PrefabReader<VehicleDef>::kFields{kVehicleFields, {&kCommonFields}};
+const FieldSet PrefabReader<RagdollDef>::kFields{kRagdollFields, {&kCommonFields}};
+const FieldSet PrefabReader<BrickWallDef>::kFields{kWallFields, {&kCommonFields}};
+const FieldSet PrefabReader<BlobDef>::kFields{kBlobFields, {&kCommonFields}};
+const FieldSet PrefabReader<PendulumDef>::kFields{kPendulumFields, {&kCommonFields}};
+const FieldSet PrefabReader<WindmillDef>::kFields{kWindmillFields, {&kCommonFields}};
+const FieldSet PrefabReader<ElevatorDef>::kFields{kElevatorFields, {&kCommonFields}};
+const FieldSet PrefabReader<GearTrainDef>::kFields{kGearFields, {&kCommonFields}};
+const FieldSet PrefabReader<PulleyLiftDef>::kFields{kLiftFields, {&kCommonFields}};
+
+LinkChainDef PrefabReader<LinkChainDef>::read(lua_State* L, const FieldReader& reader) {
+    auto def = read_common<LinkChainDef>(reader, kChain);
+    read_end(L, reader, kHoldStart, kStartBody, def.start);
+    read_end(L, reader, kHoldChainEnd, kEndBody, def.end);
+    return def;
+}
+RopeDef PrefabReader<RopeDef>::read(lua_State* L, const FieldReader& reader) {
+    auto def = read_common<RopeDef>(reader, kRope);
+    read_end(L, reader, kHoldStart, kStartBody, def.from);
+    read_end(L, reader, kHoldEnd, kEndBody, def.to);
+    return def;
+}
+BridgeDef PrefabReader<BridgeDef>::read(lua_State* L, const FieldReader& reader) {
+    auto def = read_common<BridgeDef>(reader, kBridge);
+    read_end(L, reader, kHoldStart, kStartBody, def.from);
+    read_end(L, reader, kHoldEnd, kEndBody, def.to);
+    return def;
+}
+VehicleDef PrefabReader<VehicleDef>::read(lua_State* L, const FieldReader& reader) {
+    VehicleDef def;
+    read_parameters(reader, kVehicle, def);
+    read_filter(reader, def.chassis);
+    read_filter(reader, def.tyre);
+    if (reader.has(kWheels)) def.wheels = read_wheels(L, reader);
+    return def;
+}
+RagdollDef PrefabReader<RagdollDef>::read(lua_State*, const FieldReader& reader) {
+    auto def = read_common<RagdollDef>(reader, kRagdoll);
+    def.group = def.shape.filter.group;
+    return def;
+}
+BrickWallDef PrefabReader<BrickWallDef>::read(lua_State*, const FieldReader& reader) {
+    return read_common<BrickWallDef>(reader, kWall);
+}
+BlobDef PrefabReader<BlobDef>::read(lua_State*, const FieldReader& reader) {
+    return read_common<BlobDef>(reader, kBlob);
+}
+PendulumDef PrefabReader<PendulumDef>::read(lua_State* L, const FieldReader& reader) {
+    auto def = read_common<PendulumDef>(reader, kPendulum);
+    read_end(L, reader, kHoldStart, kStartBody, def.pivot);
+    return def;
+}
+WindmillDef PrefabReader<WindmillDef>::read(lua_State* L, const FieldReader& reader) {
+    auto def = read_common<WindmillDef>(reader, kWindmill);
+    read_end(L, reader, kHoldStart, kStartBody, def.hub);
+    return def;
+}
+ElevatorDef PrefabReader<ElevatorDef>::read(lua_State* L, const FieldReader& reader) {
+    auto def = read_common<ElevatorDef>(reader, kElevator);
+    if (reader.has(kFloors)) def.floors_m = read_numbers(L, reader, kFloors);
+    return def;
+}
+GearTrainDef PrefabReader<GearTrainDef>::read(lua_State* L, const FieldReader& reader) {
+    auto def = read_common<GearTrainDef>(reader, kGears);
+    if (reader.has(kRadii)) def.radii_m = read_numbers(L, reader, kRadii);
+    return def;
+}
+PulleyLiftDef PrefabReader<PulleyLiftDef>::read(lua_State*, const FieldReader& reader) {
+    PulleyLiftDef def;
+    read_parameters(reader, kLift, def);
+    read_filter(reader, def.left);
+    read_filter(reader, def.right);
+    return def;
+}
+
+void push_prefab_data(lua_State* L, const FieldReader& reader) {
+    if (!reader.push(kData)) lua_pushnil(L);
+}
+
+}  // namespace cairn::scripting
