@@ -43,6 +43,12 @@ const std::map<std::string, Content> kContents{
     {"washer", {8101, 8140, 0}},
     {"falling_1k", {1003, 1003, 0}},
     {"query_mix", {10000, 10000, 0}},
+    {"joint_grid", {10000, 10000, 19794}},
+    {"rain", {1 + 25 * 11, 5 * 501 + 25 * 13, 25 * 10}},
+    {"chain_1000", {1002, 1001, 1001}},
+    {"ragdoll_pile_200", {1 + 200 * 11, 13 + 40 + 200 * 13, 2000}},
+    {"vehicles_100", {10 + 300, 2000 + 300, 200}},
+    {"bridge_field", {50 * 61, 50 * 62, 50 * 41}},
     {"scale_1k", {1001, 1001, 0}},
     {"scale_5k", {5001, 5005, 0}},
     {"settled_10k", {10001, 10010, 0}},
@@ -106,9 +112,16 @@ TEST_CASE("a scene ends in the same state on any number of threads") {
     CHECK(hashes.size() == 2);
 }
 
+TEST_CASE("once the rain is full, as many ragdolls go as come") {
+    const Measurement m = measure_on_cairn("rain", 8 * 41 + 2);
+    CHECK(m.tally.bodies == 1 + 1000 * 11);
+    CHECK(m.tally.joints == 10000);
+}
+
 TEST_CASE("each peer that is there builds and steps the same scenes") {
     for (const EngineKind& peer : peers()) {
-        for (const std::string name : {"compounds", "smash", "tumbler"}) {
+        for (const std::string name :
+             {"compounds", "smash", "tumbler", "joint_grid", "vehicles_100", "bridge_field"}) {
             INFO(peer.name << " on " << name);
             const Scene& scene = scene_named(name);
             REQUIRE(scene.for_every_engine);

@@ -65,6 +65,9 @@ class Box2dEngine final : public Engine {
         fixture.density = def.density_kg_m2;
         fixture.friction = def.material.friction;
         fixture.restitution = def.material.restitution;
+        fixture.filter.categoryBits = static_cast<std::uint16_t>(def.filter.categories);
+        fixture.filter.maskBits = static_cast<std::uint16_t>(def.filter.mask);
+        fixture.filter.groupIndex = static_cast<std::int16_t>(def.filter.group);
         const auto add = [&](const b2Shape& shape) {
             fixture.shape = &shape;
             body_of(body)->CreateFixture(&fixture);
@@ -84,17 +87,43 @@ class Box2dEngine final : public Engine {
         body_of(body)->CreateFixture(&fixture);
     }
 
-    void add_motor(const MotorSetting& setting) override {
+    void add_revolute(BodyRef a, BodyRef b, const physics::RevoluteJointDef& def) override {
         b2RevoluteJointDef joint;
-        joint.bodyA = body_of(setting.body_a);
-        joint.bodyB = body_of(setting.body_b);
-        joint.localAnchorA = vec(setting.local_anchor_a_m);
-        joint.localAnchorB = vec(setting.local_anchor_b_m);
-        joint.enableMotor = true;
-        joint.motorSpeed = setting.speed_rad_s;
-        joint.maxMotorTorque = setting.max_torque_nm;
+        joint.bodyA = body_of(a);
+        joint.bodyB = body_of(b);
+        joint.localAnchorA = vec(def.local_anchor_a_m);
+        joint.localAnchorB = vec(def.local_anchor_b_m);
+        joint.referenceAngle = def.local_angle_a_rad - def.local_angle_b_rad;
+        joint.enableLimit = def.enable_limit;
+        joint.lowerAngle = def.lower_rad;
+        joint.upperAngle = def.upper_rad;
+        joint.enableMotor = def.enable_motor;
+        joint.motorSpeed = def.motor_speed_rad_s;
+        joint.maxMotorTorque = def.max_motor_torque_nm;
+        joint.collideConnected = def.collide_connected;
         world_.CreateJoint(&joint);
     }
+
+    void add_wheel(BodyRef a, BodyRef b, const physics::WheelJointDef& def) override {
+        b2WheelJointDef joint;
+        joint.bodyA = body_of(a);
+        joint.bodyB = body_of(b);
+        joint.localAnchorA = vec(def.local_anchor_a_m);
+        joint.localAnchorB = vec(def.local_anchor_b_m);
+        joint.localAxisA =
+            vec(rotate(physics::Rotation::from_angle(static_cast<double>(def.local_angle_a_rad)), {1, 0}));
+        b2LinearStiffness(joint.stiffness, joint.damping, def.frequency_hz, def.damping_ratio, joint.bodyA,
+                          joint.bodyB);
+        joint.enableLimit = def.enable_limit;
+        joint.lowerTranslation = def.lower_m;
+        joint.upperTranslation = def.upper_m;
+        joint.enableMotor = def.enable_motor;
+        joint.motorSpeed = def.motor_speed_rad_s;
+        joint.maxMotorTorque = def.max_motor_torque_nm;
+        world_.CreateJoint(&joint);
+    }
+
+    void remove_body(BodyRef body) override { world_.DestroyBody(body_of(body)); }
 
     void set_linear_velocity(BodyRef body, Vec2 velocity_m_s) override {
         body_of(body)->SetLinearVelocity(vec(velocity_m_s));

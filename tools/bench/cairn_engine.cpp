@@ -26,17 +26,11 @@ class CairnEngine final : public Engine {
                           {.points_m = points_m, .closed = true, .materials = std::span(&material, 1)})
             .value();
     }
-    void add_motor(const MotorSetting& setting) override {
-        world_
-            .create_joint(physics::RevoluteJointDef{.body_a = id(setting.body_a),
-                                                    .body_b = id(setting.body_b),
-                                                    .local_anchor_a_m = setting.local_anchor_a_m,
-                                                    .local_anchor_b_m = setting.local_anchor_b_m,
-                                                    .enable_motor = true,
-                                                    .motor_speed_rad_s = setting.speed_rad_s,
-                                                    .max_motor_torque_nm = setting.max_torque_nm})
-            .value();
+    void add_revolute(BodyRef a, BodyRef b, const physics::RevoluteJointDef& def) override {
+        add_joint(a, b, def);
     }
+    void add_wheel(BodyRef a, BodyRef b, const physics::WheelJointDef& def) override { add_joint(a, b, def); }
+    void remove_body(BodyRef body) override { world_.destroy_body(id(body)).value(); }
     void set_linear_velocity(BodyRef body, Vec2 velocity_m_s) override {
         world_.body(id(body))->set_linear_velocity(velocity_m_s).value();
     }
@@ -63,6 +57,13 @@ class CairnEngine final : public Engine {
     [[nodiscard]] physics::World* cairn_world() override { return &world_; }
 
   private:
+    template <class Def>
+    void add_joint(BodyRef a, BodyRef b, Def def) {
+        def.body_a = id(a);
+        def.body_b = id(b);
+        world_.create_joint(def).value();
+    }
+
     static BodyId id(BodyRef body) { return BodyId::from_bits(body.bits); }
 
     physics::World world_;

@@ -89,18 +89,9 @@ class ChipmunkEngine final : public Engine {
         if (sleeps_) cpSpaceSetSleepTimeThreshold(space_, kTimeToSleep_s);
     }
     ~ChipmunkEngine() override {
-        for (cpConstraint* joint : joints_) {
-            cpSpaceRemoveConstraint(space_, joint);
-            cpConstraintFree(joint);
-        }
-        for (cpShape* shape : shapes_) {
-            cpSpaceRemoveShape(space_, shape);
-            cpShapeFree(shape);
-        }
-        for (cpBody* body : bodies_) {
-            cpSpaceRemoveBody(space_, body);
-            cpBodyFree(body);
-        }
+        for (cpConstraint* joint : joints_) free_joint(joint);
+        for (cpShape* shape : shapes_) free_shape(shape);
+        for (cpBody* body : bodies_) free_body(body);
         cpSpaceFree(space_);
     }
 
@@ -121,6 +112,9 @@ class ChipmunkEngine final : public Engine {
         cpShape* shape = std::visit([&](const auto& g) { return new_shape(body_of(body), g); }, geometry);
         cpShapeSetFriction(shape, static_cast<double>(def.material.friction));
         cpShapeSetElasticity(shape, static_cast<double>(def.material.restitution));
+        cpShapeSetFilter(shape, cpShapeFilterNew(static_cast<cpGroup>(-std::min(def.filter.group, 0)),
+                                                 static_cast<cpBitmask>(def.filter.categories),
+                                                 static_cast<cpBitmask>(def.filter.mask)));
         if (cpBodyGetType(body_of(body)) == CP_BODY_TYPE_DYNAMIC) {
             cpShapeSetDensity(shape, static_cast<double>(def.density_kg_m2));
         }
@@ -134,14 +128,62 @@ class ChipmunkEngine final : public Engine {
         }
     }
 
-    void add_motor(const MotorSetting& setting) override {
-        cpBody* a = body_of(setting.body_a);
-        cpBody* b = body_of(setting.body_b);
-        add_joint(cpPivotJointNew2(a, b, vec(setting.local_anchor_a_m), vec(setting.local_anchor_b_m)));
-        // Its rate is that of a relative to b.
-        cpConstraint* motor = cpSimpleMotorNew(a, b, -static_cast<double>(setting.speed_rad_s));
-        cpConstraintSetMaxForce(motor, static_cast<double>(setting.max_torque_nm));
-        add_joint(motor);
+    void add_revolute(BodyRef a, BodyRef b, const physics::RevoluteJointDef& def) override {
+        cpBody* body_a = body_of(a);
+        cpBody* body_b = body_of(b);
+        const bool collide = def.collide_connected;
+        add_joint(cpPivotJointNew2(body_a, body_b, vec(def.local_anchor_a_m), vec(def.local_anchor_b_m)),
+                  collide);
+        if (def.enable_limit) {
+            const float offset = def.local_angle_a_rad - def.local_angle_b_rad;
+            add_joint(cpRotaryLimitJointNew(body_a, body_b, static_cast<double>(def.lower_rad + offset),
+                                            static_cast<double>(def.upper_rad + offset)),
+                      collide);
+        }
+        if (def.enable_motor)
+            add_turning(body_a, body_b, def.motor_speed_rad_s, def.max_motor_torque_nm, collide);
+    }
+
+    // A groove along the suspension, and a spring from its far end.
+    void add_wheel(BodyRef a, BodyRef b, const physics::WheelJointDef& def) override {
+        cpBody* body_a = body_of(a);
+        cpBody* body_b = body_of(b);
+        const Vec2 axis =
+            rotate(physics::Rotation::from_angle(static_cast<double>(def.local_angle_a_rad)), {1, 0});
+        constexpr float kReach_m = 1;
+        const Vec2 far = def.local_anchor_a_m + kReach_m * axis;
+        const Vec2 near = def.local_anchor_a_m - kReach_m * axis;
+        add_joint(cpGrooveJointNew(body_a, body_b, vec(near), vec(far), vec(def.local_anchor_b_m)), false);
+        const double mass = 1 / (1 / cpBodyGetMass(body_a) + 1 / cpBodyGetMass(body_b));
+        const double omega = 2 * static_cast<double>(physics::kPi * def.frequency_hz);
+        add_joint(cpDampedSpringNew(body_a, body_b, vec(far), vec(def.local_anchor_b_m),
+                                    static_cast<double>(kReach_m - def.target_m), mass * omega * omega,
+                                    2 * mass * static_cast<double>(def.damping_ratio) * omega),
+                  false);
+        if (def.enable_motor)
+            add_turning(body_a, body_b, def.motor_speed_rad_s, def.max_motor_torque_nm, false);
+    }
+
+    void remove_body(BodyRef ref) override {
+        cpBody* body = body_of(ref);
+        const auto drop = [](auto& list, auto&& belongs, auto&& remove) {
+            const auto first = std::stable_partition(list.begin(), list.end(),
+                                                     [&](const auto* item) { return !belongs(item); });
+            std::for_each(first, list.end(), remove);
+            list.erase(first, list.end());
+        };
+        drop(
+            joints_,
+            [&](const cpConstraint* joint) {
+                return cpConstraintGetBodyA(joint) == body || cpConstraintGetBodyB(joint) == body;
+            },
+            [&](cpConstraint* joint) { free_joint(joint); });
+        drop(
+            shapes_, [&](const cpShape* shape) { return cpShapeGetBody(shape) == body; },
+            [&](cpShape* shape) { free_shape(shape); });
+        drop(
+            bodies_, [&](const cpBody* other) { return other == body; },
+            [&](cpBody* gone) { free_body(gone); });
     }
 
     void set_linear_velocity(BodyRef body, Vec2 velocity_m_s) override {
@@ -197,7 +239,29 @@ class ChipmunkEngine final : public Engine {
     }
 
   private:
-    void add_joint(cpConstraint* joint) { joints_.push_back(cpSpaceAddConstraint(space_, joint)); }
+    void add_joint(cpConstraint* joint, bool collide) {
+        cpConstraintSetCollideBodies(joint, collide ? cpTrue : cpFalse);
+        joints_.push_back(cpSpaceAddConstraint(space_, joint));
+    }
+    // A motor's rate is that of a relative to b.
+    void add_turning(cpBody* a, cpBody* b, float speed_rad_s, float max_torque_nm, bool collide) {
+        cpConstraint* motor = cpSimpleMotorNew(a, b, -static_cast<double>(speed_rad_s));
+        cpConstraintSetMaxForce(motor, static_cast<double>(max_torque_nm));
+        add_joint(motor, collide);
+    }
+
+    void free_joint(cpConstraint* joint) {
+        cpSpaceRemoveConstraint(space_, joint);
+        cpConstraintFree(joint);
+    }
+    void free_shape(cpShape* shape) {
+        cpSpaceRemoveShape(space_, shape);
+        cpShapeFree(shape);
+    }
+    void free_body(cpBody* body) {
+        cpSpaceRemoveBody(space_, body);
+        cpBodyFree(body);
+    }
 
     template <class Visit>
     void each_touch(Visit visit) const {

@@ -26,16 +26,6 @@ struct WorldSetting {
     int threads = 1;
 };
 
-/// Turns body b about a point of body a, as fast as a motor wants.
-struct MotorSetting {
-    BodyRef body_a{};
-    BodyRef body_b{};
-    physics::Vec2 local_anchor_a_m{};
-    physics::Vec2 local_anchor_b_m{};
-    float speed_rad_s = 0;
-    float max_torque_nm = 0;
-};
-
 /// What the engine holds after the last step.
 struct Tally {
     int bodies = 0;
@@ -58,7 +48,12 @@ class Engine {
     /// knows sides.
     virtual void add_closed_chain(BodyRef body, std::span<const physics::Vec2> points_m,
                                   physics::Material material) = 0;
-    virtual void add_motor(const MotorSetting& setting) = 0;
+    // The bodies of the definitions are not looked at. Springs of revolute joints are for engines that know
+    // them.
+    virtual void add_revolute(BodyRef a, BodyRef b, const physics::RevoluteJointDef& def) = 0;
+    virtual void add_wheel(BodyRef a, BodyRef b, const physics::WheelJointDef& def) = 0;
+    /// With its shapes and joints.
+    virtual void remove_body(BodyRef body) = 0;
     virtual void set_linear_velocity(BodyRef body, physics::Vec2 velocity_m_s) = 0;
     [[nodiscard]] virtual physics::Position position(BodyRef body) const = 0;
 

@@ -45,11 +45,11 @@ Scene spinner() {
             const BodyRef rotor = engine.add({.position_m = {0, 12}, .allow_sleep = false},
                                              Box{.half_width_m = 0.4f, .half_height_m = 20, .radius_m = 0.2f},
                                              {.material = {.friction = 0}});
-            engine.add_motor({.body_a = ground,
-                              .body_b = rotor,
-                              .local_anchor_a_m = {0, 12},
-                              .speed_rad_s = 5,
-                              .max_torque_nm = std::numeric_limits<float>::infinity()});
+            engine.add_revolute(ground, rotor,
+                                {.local_anchor_a_m = {0, 12},
+                                 .enable_motor = true,
+                                 .motor_speed_rad_s = 5,
+                                 .max_motor_torque_nm = std::numeric_limits<float>::infinity()});
             const Geometry kinds[] = {Capsule{{-0.25f, 0}, {0.25f, 0}, 0.25f}, Circle{{}, 0.35f},
                                       Box{0.35f, 0.35f}};
             const ShapeDef def{.density_kg_m2 = 0.25f, .material = {.friction = 0.1f, .restitution = 0.1f}};

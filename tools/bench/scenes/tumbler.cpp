@@ -22,11 +22,11 @@ Scene tumbler() {
                 engine.add_shape(drum, Box{0.5f, 10, {-10, 0}}, heavy);
                 engine.add_shape(drum, Box{10, 0.5f, {0, 10}}, heavy);
                 engine.add_shape(drum, Box{10, 0.5f, {0, -10}}, heavy);
-                engine.add_motor({.body_a = ground,
-                                  .body_b = drum,
-                                  .local_anchor_a_m = {0, 10},
-                                  .speed_rad_s = 25 * std::numbers::pi_v<float> / 180,
-                                  .max_torque_nm = 1e8f});
+                engine.add_revolute(ground, drum,
+                                    {.local_anchor_a_m = {0, 10},
+                                     .enable_motor = true,
+                                     .motor_speed_rad_s = 25 * std::numbers::pi_v<float> / 180,
+                                     .max_motor_torque_nm = 1e8f});
                 for (int row = 0; row < 45; ++row) {
                     for (int column = 0; column < 45; ++column) {
                         engine.add({.position_m = {-9 + 0.4 * column, 1 + 0.4 * row}}, Box{0.125f, 0.125f});

@@ -1,0 +1,69 @@
+// Ragdolls rain on five storeys; once there are 1,000, the oldest make room for new ones.
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "scene.h"
+#include "scenes/ragdoll.h"
+
+namespace cairn::bench {
+
+using physics::BodyType;
+using physics::Box;
+
+namespace {
+
+constexpr int kStoreys = 5;
+constexpr int kColumns = 40;
+constexpr int kGroupSize = 5;
+constexpr int kPeriod_steps = 8;
+
+class Cloud {
+  public:
+    // One more column in each storey.
+    void pour(Engine& engine) {
+        for (int storey = 0; storey < kStoreys; ++storey) {
+            std::vector<Ragdoll>& group = groups_[static_cast<std::size_t>(storey * kColumns + next_)];
+            for (const Ragdoll& figure : group) {
+                for (const BodyRef bone : figure) engine.remove_body(bone);
+            }
+            group.clear();
+            for (int n = 0; n < kGroupSize; ++n) {
+                const int number = (storey * kColumns + next_) * kGroupSize + n + 1;
+                group.push_back(
+                    add_ragdoll(engine, {-125 + 6.25 * (next_ + 0.5) + 0.5 * n, 40.0 + 45 * storey}, number));
+            }
+        }
+        next_ = (next_ + 1) % kColumns;
+    }
+
+  private:
+    std::vector<std::vector<Ragdoll>> groups_{kStoreys * kColumns};
+    int next_ = 0;
+};
+
+}  // namespace
+
+Scene rain() {
+    return {.name = "rain",
+            .summary = "up to 1,000 ragdolls fall on five floors, 25 come and 25 go every 8 steps",
+            .steps = 1000,
+            .build = [](Engine& engine) -> BeforeStep {
+                const BodyRef ground = engine.add_body({.type = BodyType::Static});
+                for (int storey = 0; storey < kStoreys; ++storey) {
+                    for (int i = 0; i <= 500; ++i) {
+                        engine.add_shape(
+                            ground,
+                            Box{0.25f,
+                                0.25f,
+                                {-125 + 0.5f * static_cast<float>(i), 45.0f * static_cast<float>(storey)}},
+                            {});
+                    }
+                }
+                return [cloud = std::make_shared<Cloud>()](Engine& world, int step, Findings&) {
+                    if (step % kPeriod_steps == 0) cloud->pour(world);
+                };
+            }};
+}
+
+}  // namespace cairn::bench
