@@ -81,9 +81,10 @@ inline float effective_mass(const Motion& a, const Motion& b, float k) {
 struct Motions {
     std::vector<VelocityRow> velocity;
     std::vector<PoseRow> pose;
-    std::vector<VelocityRow> unconstrained;  // velocity of this substep before any constraint acted
-    std::vector<VelocityRow> by_joints;      // what joints added to it in this substep
-    std::vector<Rotation> turned;            // angle of the pose, kept for turning bodies
+    // Velocity of this substep without what contacts added to it. Where joints act too, it is kept less the
+    // velocity itself from before their passes until after them (integrator/integrate.h).
+    std::vector<VelocityRow> without_contacts;
+    std::vector<Rotation> turned;  // angle of the pose, kept for turning bodies
     std::vector<float> inverse_inertia;
     std::vector<Mover> mover;
     std::vector<std::uint8_t> locked;  // axes of each row; empty while no body has any
@@ -109,20 +110,12 @@ struct Motions {
         velocity[i].v = m.v;
         if (inverse_inertia[i] > 0) velocity[i].w = m.w / pose[i].k;
     }
-    /// The same, after a joint acted.
-    void set_by_joint(int i, const Motion& m) {
-        const VelocityRow before = velocity[i];
-        set(i, m);
-        by_joints[i].v += velocity[i].v - before.v;
-        by_joints[i].w += velocity[i].w - before.w;
-    }
 };
 
 inline void Motions::clear() {
     velocity.clear();
     pose.clear();
-    unconstrained.clear();
-    by_joints.clear();
+    without_contacts.clear();
     turned.clear();
     inverse_inertia.clear();
     mover.clear();
@@ -134,8 +127,7 @@ inline void Motions::add(Vec2 v, float w, float inverse_mass, float inverse_iner
     if (inverse_inertia_of_body > 0) k = std::sqrt(inverse_inertia_of_body);
     velocity.push_back({v, k > 0 ? w / k : 0, inverse_mass});
     pose.push_back({{}, 0, k});
-    unconstrained.push_back({});
-    by_joints.push_back({});
+    without_contacts.push_back({});
     turned.push_back({});
     inverse_inertia.push_back(inverse_inertia_of_body);
     mover.push_back(Mover::Flight);

@@ -22,26 +22,40 @@ VelocityRow accelerated(const VelocityRow& row, const Drive& drive, float k, flo
 // The impulses that contacts gave in the last substep are what its constraints added to the velocity, less
 // what joints did; contacts keep their normals and arms within a step, so their sum per body can be applied
 // without visiting them.
-void integrate_velocities(Motions& motions, std::span<const Drive> drives, float h_s, bool first_substep,
-                          int first, int last) {
+void integrate_velocities(Motions& motions, std::span<const Drive> drives, float h_s, bool afresh, int first,
+                          int last) {
     for (int i = first; i < last; ++i) {
         if (motions.mover[i] == Mover::Flight) continue;
         VelocityRow& row = motions.velocity[i];
+        VelocityRow& without = motions.without_contacts[i];
         VelocityRow guess{};
-        if (!first_substep) {
-            guess.v = row.v - motions.unconstrained[i].v - motions.by_joints[i].v;
-            guess.w = row.w - motions.unconstrained[i].w - motions.by_joints[i].w;
+        if (!afresh) {
+            guess.v = row.v - without.v;
+            guess.w = row.w - without.w;
         }
         row = accelerated(row, drives[i], motions.pose[i].k, h_s);
-        motions.unconstrained[i] = row;
-        motions.by_joints[i] = {};
+        without = row;
         row.v += guess.v;
         row.w += guess.w;
     }
 }
 
-void integrate_velocities(Motions& motions, std::span<const Drive> drives, float h_s, bool first_substep) {
-    integrate_velocities(motions, drives, h_s, first_substep, 0, motions.size());
+void integrate_velocities(Motions& motions, std::span<const Drive> drives, float h_s, bool afresh) {
+    integrate_velocities(motions, drives, h_s, afresh, 0, motions.size());
+}
+
+void begin_joints(Motions& motions, int first, int last) {
+    for (int i = first; i < last; ++i) {
+        motions.without_contacts[i].v -= motions.velocity[i].v;
+        motions.without_contacts[i].w -= motions.velocity[i].w;
+    }
+}
+
+void end_joints(Motions& motions, int first, int last) {
+    for (int i = first; i < last; ++i) {
+        motions.without_contacts[i].v += motions.velocity[i].v;
+        motions.without_contacts[i].w += motions.velocity[i].w;
+    }
 }
 
 void integrate_positions(Motions& motions, float h_s) {

@@ -8,12 +8,17 @@
 
 namespace cairn::physics {
 
-/// v += h a, then damped by e^(-c h); from the second substep on the contacts' impulses of the last one are
-/// applied again, as the first guess. Bodies moved by constraints only.
-void integrate_velocities(Motions& motions, std::span<const Drive> drives, float h_s, bool first_substep);
+/// v += h a, then damped by e^(-c h); then, unless afresh, the impulses that contacts gave in the
+/// last substep are applied again, as the first guess. Bodies moved by constraints
+/// only.
+void integrate_velocities(Motions& motions, std::span<const Drive> drives, float h_s, bool afresh);
 /// The same for rows from first up to, and without, last.
-void integrate_velocities(Motions& motions, std::span<const Drive> drives, float h_s, bool first_substep,
-                          int first, int last);
+void integrate_velocities(Motions& motions, std::span<const Drive> drives, float h_s, bool afresh, int first,
+                          int last);
+
+// What acts between the two is not taken for an impulse of contacts. Only where there are both.
+void begin_joints(Motions& motions, int first, int last);
+void end_joints(Motions& motions, int first, int last);
 
 /// Bodies moved by constraints only.
 void integrate_positions(Motions& motions, float h_s);

@@ -1,5 +1,6 @@
-// The records that take part in the next step, in a dense list.
-// Invariant: a record in the list knows its place there; every other record's place is kNone.
+// A dense list of some records.
+// Invariant: a record in the list knows its place there, in the member kPlace; every other record's place is
+// kNone.
 #pragma once
 
 #include <vector>
@@ -8,27 +9,28 @@
 
 namespace cairn::physics {
 
+template <auto kPlace>
 class ActiveList {
   public:
     /// Does nothing when the record is in the list already.
     template <class Records>
     void add(Records& records, int record) {
-        if (records[record].active_index != kNone) return;
-        records[record].active_index = static_cast<int>(list_.size());
+        if (records[record].*kPlace != kNone) return;
+        records[record].*kPlace = static_cast<int>(list_.size());
         list_.push_back(record);
     }
 
     /// Does nothing when the record is not in the list. The last one takes its place.
     template <class Records>
     void remove(Records& records, int record) {
-        const int hole = records[record].active_index;
+        const int hole = records[record].*kPlace;
         if (hole == kNone) return;
-        records[record].active_index = kNone;
+        records[record].*kPlace = kNone;
         const int last = list_.back();
         list_.pop_back();
         if (last == record) return;
         list_[hole] = last;
-        records[last].active_index = hole;
+        records[last].*kPlace = hole;
     }
 
     [[nodiscard]] int size() const { return static_cast<int>(list_.size()); }

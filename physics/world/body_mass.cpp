@@ -8,6 +8,7 @@
 
 #include "world/contact_lists.h"
 #include "world/edge_list.h"
+#include "world/joint_lists.h"
 
 namespace cairn::physics {
 namespace {
@@ -125,6 +126,8 @@ void settle_reshaped(Stores& stores) {
         entry.is_outdated = false;
         for_each_edge(stores.contacts.slots, stores.bodies.slots[body].first_contact,
                       [&](int contact, int) { relist_contact(stores, contact); });
+        for_each_edge(stores.joints.slots, stores.bodies.slots[body].first_joint,
+                      [&](int joint, int) { unseat_joint(stores, joint); });
     }
     stores.masses.reshaped.clear();
 }

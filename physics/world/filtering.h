@@ -26,7 +26,8 @@ inline bool may_collide(const Stores& stores, int shape_a, int shape_b) {
     const BodyRecord& body_a = stores.bodies.slots[a];
     const BodyRecord& body_b = stores.bodies.slots[b];
     if (body_a.type != BodyType::Dynamic && body_b.type != BodyType::Dynamic) return false;
-    bool allowed = filters_allow(stores.shapes[shape_a].def.filter, stores.shapes[shape_b].def.filter);
+    if (!filters_allow(stores.shapes[shape_a].def.filter, stores.shapes[shape_b].def.filter)) return false;
+    bool allowed = true;
     for_each_edge(stores.joints.slots, body_a.first_joint, [&](int joint, int side) {
         const JointRecord& j = stores.joints.slots[joint];
         if ((side == 0 ? j.body_b : j.body_a) == b && !j.collide_connected) allowed = false;

@@ -6,6 +6,7 @@
 #include "resolve/joints/joint_solver.h"
 #include "resolve/joints/kinds.h"
 #include "world/joint_frames.h"
+#include "world/joint_lists.h"
 #include "world/joint_rules.h"
 #include "world/joints.h"
 #include "world/prepare.h"
@@ -32,7 +33,7 @@ void gather_geared_rows(const Stores& stores, const JointRecord& gear, const Gea
     int filled = 0;
     for (int i = 0; i < 2; ++i) {
         const JointRecord& joint = geared_joint(stores, def, i);
-        c.geared[static_cast<std::size_t>(i)] = joint.active_index;
+        c.geared[static_cast<std::size_t>(i)] = joint.swept_index;
         for (const int body : {joint.body_a, joint.body_b}) {
             const int row = stores.bodies.places[body].row;
             int place = 0;
@@ -120,19 +121,28 @@ void mark_turning(Motions& motions, int row) {
 
 }  // namespace
 
-void prepare_joints(Stores& stores, const StepTime& time, StepScratch& scratch) {
+void prepare_joints(Stores& stores, const StepTime& time, StepScratch& scratch, TaskPool& tasks) {
     std::vector<JointConstraint>& joints = scratch.joints;
-    joints.resize(static_cast<std::size_t>(stores.joints.active.size()));
+    joints.resize(static_cast<std::size_t>(stores.joints.swept.size()));
     std::size_t next = 0;
     bool springs = false;
-    for (const int joint : stores.joints.active) {
+    for (const int joint : stores.joints.swept) {
         JointConstraint& c = joints[next++];
         make_constraint(stores, joint, time, c);
         forget_idle_impulses(c);
         springs = springs || c.has_spring;
         for (int i = 0; i < c.bodies; ++i) mark_turning(scratch.motions, c.rows[static_cast<std::size_t>(i)]);
     }
-    if (springs) prepare_springs(joints, scratch.motions, time.h_s, scratch.spring_loads);
+    JointLanes& lanes = stores.joints.lanes;
+    if (!lanes.empty()) {
+        lanes.place(stores.bodies.places, scratch.motions, time.impulse_ratio, time.dt_s, tasks);
+    }
+    if (!springs && !lanes.springs_changed()) return;
+    scratch.spring_loads.assign(static_cast<std::size_t>(scratch.motions.size()), 0);
+    add_spring_loads(joints, scratch.motions, scratch.spring_loads);
+    lanes.add_spring_loads(scratch.motions, scratch.spring_loads);
+    make_springs(joints, scratch.motions, time.h_s, scratch.spring_loads);
+    lanes.settle_springs(scratch.spring_loads, springs);
 }
 
 void store_joint_impulses(JointStore& joints, const StepTime& time, const StepScratch& scratch) {
@@ -146,21 +156,26 @@ void store_joint_impulses(JointStore& joints, const StepTime& time, const StepSc
     }
 }
 
-void break_joints(Stores& stores, const StepScratch& scratch, Events& events) {
-    for (const JointConstraint& c : scratch.joints) {
+void break_joints(Stores& stores, StepScratch& scratch, Events& events) {
+    std::vector<int>& joints = scratch.unseated;
+    joints.clear();
+    for (const JointConstraint& c : scratch.joints) joints.push_back(c.joint);
+    stores.joints.lanes.for_each_breakable([&](int joint) { joints.push_back(joint); });
+    for (const int joint : joints) {
         // A gear may have gone with a joint that broke before it.
-        if (!stores.joints.slots.alive(c.joint)) continue;
-        const JointRecord& record = stores.joints.slots[c.joint];
+        if (!stores.joints.slots.alive(joint)) continue;
+        const JointRecord& record = stores.joints.slots[joint];
         const JointStrength strength = strength_of(record.def);
-        const float force = length(record.reaction_force);
+        const JointMemory memory = memory_of(stores.joints, joint);
+        const float force = length(memory.reaction_force);
         if (!(force > strength.break_force_n) &&
-            !(std::fabs(record.reaction_torque) > strength.break_torque_nm)) {
+            !(std::fabs(memory.reaction_torque) > strength.break_torque_nm)) {
             continue;
         }
-        events.joint_breaks.push_back({stores.joints.slots.id(c.joint), stores.bodies.slots.id(record.body_a),
+        events.joint_breaks.push_back({stores.joints.slots.id(joint), stores.bodies.slots.id(record.body_a),
                                        stores.bodies.slots.id(record.body_b), anchor_b(stores.bodies, record),
-                                       record.reaction_force, record.reaction_torque, record.user_data});
-        destroy_joint(stores, c.joint);
+                                       memory.reaction_force, memory.reaction_torque, record.user_data});
+        destroy_joint(stores, joint);
     }
 }
 

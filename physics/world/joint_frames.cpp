@@ -50,13 +50,13 @@ JointFrames frames_of(const JointDef& def) {
     return std::visit([](const auto& d) { return frames(d); }, def);
 }
 
-double joint_angle(const BodyStore& bodies, const JointRecord& joint) {
+double joint_angle(const BodyStore& bodies, const JointRecord& joint, double last_angle_rad) {
     const JointFrames frame = frames_of(joint.def);
     const Rotation turn =
         inverse(bodies.places[joint.body_a].rotation) * bodies.places[joint.body_b].rotation;
     const double angle = deterministic::atan2(static_cast<double>(turn.s), static_cast<double>(turn.c)) +
                          static_cast<double>(frame.angle_b_rad) - static_cast<double>(frame.angle_a_rad);
-    return angle + kTurn_rad * std::round((joint.angle_rad - angle) / kTurn_rad);
+    return angle + kTurn_rad * std::round((last_angle_rad - angle) / kTurn_rad);
 }
 
 float joint_translation(const BodyStore& bodies, const JointRecord& joint) {

@@ -18,8 +18,11 @@ struct JointFrames {
 JointFrames frames_of(const JointDef& def);
 
 /// Of frame b relative to frame a, rad, now: the one of all angles whole turns apart that is nearest to the
-/// angle that the joint had.
-double joint_angle(const BodyStore& bodies, const JointRecord& joint);
+/// angle that the joint had, which is in the record while the joint has no lane.
+double joint_angle(const BodyStore& bodies, const JointRecord& joint, double last_angle_rad);
+inline double joint_angle(const BodyStore& bodies, const JointRecord& joint) {
+    return joint_angle(bodies, joint, joint.angle_rad);
+}
 
 /// Of anchor b along the x axis of frame a, m.
 float joint_translation(const BodyStore& bodies, const JointRecord& joint);

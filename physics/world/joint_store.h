@@ -1,6 +1,8 @@
 // Joints: their description as it is now, and the impulses that they remember from step to step.
 // Invariant: a joint that has laws (all but filters) is in `active` exactly when one of its bodies is awake;
-// every joint is in the lists of both bodies.
+// every joint is in the lists of both bodies. An
+// active joint is either in a lane (`seat`) or in `swept`; what it remembers is in the record unless it has a
+// lane (joint_lists.h, memory_of).
 #pragma once
 
 #include <cstdint>
@@ -9,6 +11,7 @@
 
 #include "base/slot_map.h"
 #include "resolve/joints/joint_constraint.h"
+#include "resolve/joints/joint_lanes.h"
 #include "world/active_list.h"
 #include "world/edge_list.h"
 
@@ -20,6 +23,8 @@ struct JointRecord {
     int body_b = kNone;
     Edges edges;
     int active_index = kNone;
+    int swept_index = kNone;
+    JointSeat seat;
     bool collide_connected = false;
     std::uint64_t user_data = 0;
     // Of frame b relative to frame a with its whole turns, rad; as it was at the end of the last step in
@@ -39,7 +44,10 @@ struct JointStore {
     explicit JointStore(std::uint16_t world_tag) : slots(world_tag) {}
 
     SlotMap<JointRecord, JointId> slots;
-    ActiveList active;
+    ActiveList<&JointRecord::active_index> active;
+    ActiveList<&JointRecord::swept_index> swept;  // of those, the ones without lanes
+    JointLanes lanes;
+    std::vector<std::uint32_t> colors;  // by body, bits: colours of lanes in which it stands
 };
 
 }  // namespace cairn::physics

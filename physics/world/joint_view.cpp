@@ -4,6 +4,7 @@
 #include <cairn/physics/joint.h>
 
 #include "world/joint_frames.h"
+#include "world/joint_lists.h"
 #include "world/joint_rules.h"
 #include "world/joints.h"
 
@@ -54,10 +55,10 @@ Position Joint::anchor_b() const {
     return physics::anchor_b(world_->stores.bodies, record_of(*world_, id_));
 }
 Vec2 Joint::reaction_force() const {
-    return record_of(*world_, id_).reaction_force;
+    return memory_of(world_->stores.joints, slot_of(*world_, id_)).reaction_force;
 }
 float Joint::reaction_torque() const {
-    return record_of(*world_, id_).reaction_torque;
+    return memory_of(world_->stores.joints, slot_of(*world_, id_)).reaction_torque;
 }
 std::uint64_t Joint::user_data() const {
     return record_of(*world_, id_).user_data;
@@ -77,7 +78,9 @@ float Joint::joint_angle() const {
         case JointKind::Wheel:
         case JointKind::Motor:
         case JointKind::Friction:
-            return static_cast<float>(physics::joint_angle(world_->stores.bodies, record));
+            return static_cast<float>(
+                physics::joint_angle(world_->stores.bodies, record,
+                                     memory_of(world_->stores.joints, slot_of(*world_, id_)).angle_rad));
         case JointKind::Distance:
         case JointKind::Mouse:
         case JointKind::Gear:

@@ -3,6 +3,7 @@
 
 #include "world/contacts.h"
 #include "world/joint_frames.h"
+#include "world/joint_lists.h"
 #include "world/joint_rules.h"
 #include "world/sleep.h"
 
@@ -46,35 +47,23 @@ void settle_pulley(const Stores& stores, JointRecord& record) {
                        pulley->ratio * length(anchor_b(stores.bodies, record) - pulley->wheel_b_m);
 }
 
-void settle_gear(const Stores& stores, JointRecord& record) {
+void settle_gear(Stores& stores, JointRecord& record) {
     const auto* gear = std::get_if<GearJointDef>(&record.def);
     if (!gear) return;
     const auto coordinate = [&](JointId id) {
-        return gear_coordinate(stores.bodies, stores.joints.slots[stores.joints.slots.find(id)]);
+        const int joint = stores.joints.slots.find(id);
+        unseat_joint(stores, joint);
+        return gear_coordinate(stores.bodies, stores.joints.slots[joint]);
     };
     record.geared_sum =
         coordinate(gear->joint_1) + static_cast<double>(gear->ratio) * coordinate(gear->joint_2);
-}
-
-// A gear on the joint, or kNone. It is on one of the bodies of the joint.
-int find_gear_on(const Stores& stores, int joint) {
-    const JointId id = stores.joints.slots.id(joint);
-    const JointRecord& record = stores.joints.slots[joint];
-    int found = kNone;
-    for (const int body : {record.body_a, record.body_b}) {
-        for_each_edge(stores.joints.slots, stores.bodies.slots[body].first_joint, [&](int other, int) {
-            const auto* gear = std::get_if<GearJointDef>(&stores.joints.slots[other].def);
-            if (gear && (gear->joint_1 == id || gear->joint_2 == id)) found = other;
-        });
-    }
-    return found;
 }
 
 void activate_if_awake(Stores& stores, int joint) {
     const JointRecord& record = stores.joints.slots[joint];
     if (takes_part(record) &&
         (stores.bodies.is_awake(record.body_a) || stores.bodies.is_awake(record.body_b))) {
-        stores.joints.active.add(stores.joints.slots, joint);
+        list_joint(stores, joint);
     }
 }
 
@@ -103,6 +92,7 @@ int create_joint(WorldState& world, JointDef def) {
 
 void redefine_joint(WorldState& world, int joint, JointDef def) {
     Stores& stores = world.stores;
+    unseat_joint(stores, joint);
     JointRecord& record = stores.joints.slots[joint];
     const bool collided = record.collide_connected;
     record.collide_connected = collides_connected(def);
@@ -117,6 +107,7 @@ void redefine_joint(WorldState& world, int joint, JointDef def) {
 
 void rehang_joint(Stores& stores, int joint, int side, int body) {
     auto& joints = stores.joints.slots;
+    unlist_joint(stores, joint);
     JointRecord& record = joints[joint];
     int& end = side == 0 ? record.body_a : record.body_b;
     unlink_edge(joints, stores.bodies.slots[end].first_joint, joint, side);
@@ -138,7 +129,7 @@ void destroy_joint(Stores& stores, int joint) {
     }
     const JointRecord& record = stores.joints.slots[joint];
     if (!record.collide_connected) look_for_pairs(stores, record.body_a);
-    stores.joints.active.remove(stores.joints.slots, joint);
+    unlist_joint(stores, joint);
     unlink_edge(stores.joints.slots, stores.bodies.slots[record.body_a].first_joint, joint, 0);
     unlink_edge(stores.joints.slots, stores.bodies.slots[record.body_b].first_joint, joint, 1);
     stores.joints.slots.erase(joint);

@@ -59,10 +59,13 @@ void extend_motions(BodyStore& bodies, Vec2 gravity_m_s2, float dt_s, StepScratc
 
 void choose_movers(const Stores& stores, StepScratch& scratch) {
     const BodyRows& awake = stores.bodies.rows(RowSet::Awake);
-    const std::vector<std::uint32_t>& colors = stores.contacts.colors;
+    const auto acts_on = [](const std::vector<std::uint32_t>& colors, std::size_t body) {
+        return body < colors.size() && colors[body] != 0;
+    };
     for (int row = 0; row < awake.size(); ++row) {
         const auto body = static_cast<std::size_t>(awake.body[row]);
-        if (body < colors.size() && colors[body] != 0) scratch.motions.mover[row + 1] = Mover::Substeps;
+        if (acts_on(stores.contacts.colors, body) || acts_on(stores.joints.colors, body))
+            scratch.motions.mover[row + 1] = Mover::Substeps;
     }
     for (const int i : scratch.scalar_contacts) {
         mark_mover(scratch.motions, scratch.contacts[i].a, Mover::Turning);

@@ -6,6 +6,7 @@
 #include <cairn/physics/tuning.h>
 
 #include "world/contact_lists.h"
+#include "world/joint_lists.h"
 #include "world/joints.h"
 
 namespace cairn::physics {
@@ -29,9 +30,9 @@ void update_links(Stores& stores, int body) {
     for_each_edge(stores.joints.slots, record.first_joint, [&](int joint, int) {
         const JointRecord& j = stores.joints.slots[joint];
         if (takes_part(j) && is_active(stores.bodies, j.body_a, j.body_b)) {
-            stores.joints.active.add(stores.joints.slots, joint);
+            list_joint(stores, joint);
         } else {
-            stores.joints.active.remove(stores.joints.slots, joint);
+            unlist_joint(stores, joint);
         }
     });
 }

@@ -3,6 +3,7 @@
 
 #include "integrator/integrate.h"
 #include "resolve/joints/joint_solver.h"
+#include "resolve/joints/laws.h"
 #include "world/prepare.h"
 
 namespace cairn::physics {
@@ -10,9 +11,22 @@ namespace cairn::physics {
 // Rows that a thread takes at once.
 inline constexpr int kRowsPerChunk = 1024;
 
-inline void integrate_velocities(StepScratch& scratch, float h_s, bool first_substep, TaskPool& tasks) {
+/// Which sorts of constraints act in a step.
+struct Acting {
+    bool joints = false;
+    bool contacts = false;
+};
+
+inline Acting what_acts(const Stores& stores, const StepScratch& scratch) {
+    return {!scratch.joints.empty() || !stores.joints.lanes.empty(),
+            !scratch.scalar_contacts.empty() || !stores.contacts.lanes.blocks().empty()};
+}
+
+inline void integrate_velocities(StepScratch& scratch, float h_s, Acting acting, bool first_substep,
+                                 TaskPool& tasks) {
+    const bool afresh = first_substep || !acting.contacts;
     tasks.parallel_for(scratch.motions.size(), kRowsPerChunk, [&](const Chunk& rows) {
-        integrate_velocities(scratch.motions, scratch.drives, h_s, first_substep, rows.begin, rows.end);
+        integrate_velocities(scratch.motions, scratch.drives, h_s, afresh, rows.begin, rows.end);
     });
 }
 
@@ -22,28 +36,65 @@ inline void integrate_positions(StepScratch& scratch, float h_s, TaskPool& tasks
     });
 }
 
-// Joints before contacts: what comes last is satisfied best, and overlap is worse to see than a stretched
-// joint.
+inline JointPassTime joint_time(float h_s) {
+    return {softness_of(JointStiffness{}, h_s), 1 / h_s};
+}
 
-/// The impulses of the last substep, as the first guess. Those of contacts are applied once per step:
+/// How fast springs are before anything acts.
+inline void note_spring_speeds(JointLanes& joints, StepScratch& scratch, TaskPool& tasks) {
+    note_spring_speeds(scratch.joints, scratch.motions);
+    joints.note_spring_speeds(scratch.motions, tasks);
+}
+
+/// The impulses of contacts in the last step, as the first guess of this one. Within a step
 /// integrate_velocities carries them on.
-inline void warm_start(ContactLanes& lanes, StepScratch& scratch, const StepTime& time, bool first_substep,
-                       TaskPool& tasks) {
-    warm_start_joints(scratch.joints, scratch.motions);
-    if (!first_substep) return;
+inline void warm_start_contacts(ContactLanes& lanes, StepScratch& scratch, const StepTime& time,
+                                TaskPool& tasks) {
     for (const int i : scratch.scalar_contacts) {
         warm_start_contact(scratch.contacts[i], scratch.motions, time.step_ratio, time.impulse_ratio);
     }
     lanes.warm_start(scratch.motions, time.step_ratio, time.impulse_ratio, tasks);
 }
 
-inline void solve(ContactLanes& lanes, StepScratch& scratch, const ContactRules& rules, float h_s, Pass pass,
-                  TaskPool& tasks) {
-    solve_joints(scratch.joints, scratch.motions, h_s, pass);
+/// The passes of joints: biased ones start from the impulses of the last substep.
+inline void solve_joints(JointLanes& lanes, StepScratch& scratch, float h_s, Acting acting, Pass pass,
+                         TaskPool& tasks) {
+    if (!acting.joints) return;
+    Motions& motions = scratch.motions;
+    const auto for_rows = [&](auto&& work) {
+        if (!acting.contacts) return;
+        tasks.parallel_for(motions.size(), kRowsPerChunk,
+                           [&](const Chunk& rows) { work(motions, rows.begin, rows.end); });
+    };
+    const JointPassTime time = joint_time(h_s);
+    for_rows(begin_joints);
+    if (pass == Pass::Biased) {
+        warm_start_joints(scratch.joints, motions);
+        lanes.warm_start(motions, tasks);
+    }
+    solve_joints(scratch.joints, motions, h_s, pass);
+    if (pass == Pass::Biased) {
+        lanes.solve(motions, time, tasks);
+    } else {
+        lanes.relax(motions, time, tasks);
+    }
+    for_rows(end_joints);
+}
+
+inline void solve_contacts(ContactLanes& lanes, StepScratch& scratch, const ContactRules& rules, float h_s,
+                           Pass pass, TaskPool& tasks) {
     for (const int i : scratch.scalar_contacts) {
         solve_contact(scratch.contacts[i], scratch.motions, rules, h_s, pass);
     }
     lanes.solve(scratch.motions, rules, h_s, pass, tasks);
+}
+
+// Joints before contacts: what comes last is satisfied best, and overlap is worse to see than a stretched
+// joint.
+inline void solve(Stores& stores, StepScratch& scratch, const ContactRules& rules, float h_s, Acting acting,
+                  Pass pass, TaskPool& tasks) {
+    solve_joints(stores.joints.lanes, scratch, h_s, acting, pass, tasks);
+    solve_contacts(stores.contacts.lanes, scratch, rules, h_s, pass, tasks);
 }
 
 }  // namespace cairn::physics

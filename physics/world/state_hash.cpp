@@ -2,6 +2,7 @@
 #include "base/state_hash.h"
 
 #include "world/contact_lists.h"
+#include "world/joint_lists.h"
 
 namespace cairn::physics {
 namespace {
@@ -31,10 +32,13 @@ void add_contact(StateHash& hash, const ContactStore& contacts, int contact) {
     }
 }
 
-void add_joint(StateHash& hash, const JointRecord& j) {
+void add_joint(StateHash& hash, const JointStore& joints, int joint) {
+    const JointRecord& j = joints.slots[joint];
+    const JointMemory memory = memory_of(joints, joint);
     hash.add(static_cast<std::uint64_t>(j.body_a) << 32 | static_cast<std::uint32_t>(j.body_b));
-    hash.add(j.angle_rad);
-    for (std::size_t i = 0; i < j.impulse.size(); i += 2) hash.add(j.impulse[i], j.impulse[i + 1]);
+    hash.add(memory.angle_rad);
+    for (std::size_t i = 0; i < memory.impulse.size(); i += 2)
+        hash.add(memory.impulse[i], memory.impulse[i + 1]);
 }
 
 }  // namespace
@@ -50,7 +54,7 @@ std::uint64_t hash_state(const WorldState& world) {
         if (stores.contacts.slots.alive(i)) add_contact(hash, stores.contacts, i);
     }
     for (int i = 0; i < stores.joints.slots.end_index(); ++i) {
-        if (stores.joints.slots.alive(i)) add_joint(hash, stores.joints.slots[i]);
+        if (stores.joints.slots.alive(i)) add_joint(hash, stores.joints, i);
     }
     return hash.value();
 }

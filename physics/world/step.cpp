@@ -12,6 +12,7 @@
 #include "world/fast_guard.h"
 #include "world/finalize.h"
 #include "world/joint_constraints.h"
+#include "world/joint_lists.h"
 #include "world/prepare.h"
 #include "world/sensors.h"
 #include "world/sleep.h"
@@ -43,19 +44,20 @@ void step_world(WorldState& world, float dt_s) {
     update_contacts(world, time, rules);
 
     clock.enter(Stage::Prepare);
+    seat_joints(stores, time, scratch);
     choose_movers(stores, scratch);
-    prepare_joints(stores, time, scratch);
+    prepare_joints(stores, time, scratch, tasks);
     estimate_statics(stores.contacts.lanes, def.gravity_m_s2, time, scratch);
 
     clock.enter(Stage::Solve);
-    ContactLanes& lanes = stores.contacts.lanes;
+    const Acting acting = what_acts(stores, scratch);
     for (int substep = 0; substep < time.substeps; ++substep) {
-        note_spring_speeds(scratch.joints, scratch.motions);
-        integrate_velocities(scratch, time.h_s, substep == 0, tasks);
-        warm_start(lanes, scratch, time, substep == 0, tasks);
-        solve(lanes, scratch, rules, time.h_s, Pass::Biased, tasks);
+        note_spring_speeds(stores.joints.lanes, scratch, tasks);
+        integrate_velocities(scratch, time.h_s, acting, substep == 0, tasks);
+        if (substep == 0) warm_start_contacts(stores.contacts.lanes, scratch, time, tasks);
+        solve(stores, scratch, rules, time.h_s, acting, Pass::Biased, tasks);
         integrate_positions(scratch, time.h_s, tasks);
-        solve(lanes, scratch, rules, time.h_s, Pass::Relax, tasks);
+        solve(stores, scratch, rules, time.h_s, acting, Pass::Relax, tasks);
     }
     clock.enter(Stage::Store);
     fly_freely(scratch.motions, scratch.drives, time.dt_s);

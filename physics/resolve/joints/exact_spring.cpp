@@ -49,14 +49,21 @@ ExactSpring make_exact_spring(double frequency_hz, double damping_ratio, double 
         d1 = s - 1;
         d0 = 1 - (1 - one_minus_exp(2 * damping_ratio * angle)) * s;
     }
-    // What keeps the poles of springs that share bodies within the unit circle.
+    const ExactSpring spring{static_cast<float>(d1), static_cast<float>(d0), static_cast<float>(square / h_s),
+                             damping_ratio > 0};
+    return calmed(spring, square, stiffening);
+}
+
+// What keeps the poles of springs that share bodies within the unit circle.
+ExactSpring calmed(ExactSpring spring, double square, double stiffening) {
+    const auto d1 = static_cast<double>(spring.d1);
+    const auto d0 = static_cast<double>(spring.d0);
     const double excess = (square / 2 - 2 / stiffening - (d1 - d0)) / 2;
     if (excess > 0) {
-        d1 += excess;
-        d0 -= excess;
+        spring.d1 = static_cast<float>(d1 + excess);
+        spring.d0 = static_cast<float>(d0 - excess);
     }
-    return {static_cast<float>(d1), static_cast<float>(d0), static_cast<float>(square / h_s),
-            damping_ratio > 0};
+    return spring;
 }
 
 }  // namespace cairn::physics

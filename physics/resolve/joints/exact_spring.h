@@ -17,4 +17,7 @@ struct ExactSpring {
 /// spring by itself.
 ExactSpring make_exact_spring(double frequency_hz, double damping_ratio, double h_s, double stiffening);
 
+/// The same of a spring that was made for itself alone, (w h)^2 its square.
+ExactSpring calmed(ExactSpring spring, double square, double stiffening);
+
 }  // namespace cairn::physics

@@ -59,7 +59,7 @@ class Bodies {
     }
 
     void write(Motions& motions) const {
-        for (int i = 0; i < c_.bodies; ++i) motions.set_by_joint(c_.rows[i], bodies_[i]);
+        for (int i = 0; i < c_.bodies; ++i) motions.set(c_.rows[i], bodies_[i]);
     }
 
     // Pivots up to this count as locked altogether (base/motion.h).
@@ -184,41 +184,44 @@ void add_reaction(JointConstraint& c, const Directions& directions, const Motion
     }
 }
 
+// Calls visit(constraint, law, its first direction).
+template <class Visit>
+void for_each_spring(std::span<JointConstraint> joints, const Motions& motions, Visit&& visit) {
+    for (JointConstraint& c : joints) {
+        if (!c.has_spring) continue;
+        Directions directions;
+        place(c, joints, motions, directions);
+        for (int l = 0; l < c.law_count; ++l) {
+            JointLaw& law = c.laws[l];
+            if (law.kind == LawKind::Spring) visit(c, law, directions[law.direction]);
+        }
+    }
+}
+
 }  // namespace
 
-void prepare_springs(std::span<JointConstraint> joints, const Motions& motions, float h_s,
-                     std::vector<double>& together) {
-    const auto for_each_spring = [&](auto&& visit) {
-        for (JointConstraint& c : joints) {
-            Directions directions;
-            bool placed = false;
-            for (int i = 0; i < c.law_count; ++i) {
-                if (c.laws[i].kind != LawKind::Spring) continue;
-                if (!placed) place(c, joints, motions, directions);
-                placed = true;
-                visit(c, c.laws[i], directions[c.laws[i].direction], Bodies(c, motions));
-            }
-        }
-    };
-    together.clear();
-    const auto share = [](const JointLaw& law, const Direction& d, const Bodies& bodies, int i) {
+void add_spring_loads(std::span<JointConstraint> joints, const Motions& motions,
+                      std::vector<double>& together) {
+    for_each_spring(joints, motions, [&](JointConstraint& c, JointLaw& law, const Direction& d) {
+        const Bodies bodies(c, motions);
         const double w = 2 * static_cast<double>(kPi) * static_cast<double>(law.spring_frequency_hz);
         const float k = bodies.coupling(d, d);
-        return k > 0 ? w * w * static_cast<double>(bodies.share(i, d, d) / k) : 0.0;
-    };
-    for_each_spring([&](JointConstraint& c, JointLaw& law, const Direction& d, const Bodies& bodies) {
-        together.resize(static_cast<std::size_t>(motions.size()), 0);
-        for (int i = 0; i < c.bodies; ++i)
-            together[static_cast<std::size_t>(c.rows[i])] += share(law, d, bodies, i);
+        for (int i = 0; k > 0 && i < c.bodies; ++i) {
+            together[static_cast<std::size_t>(c.rows[i])] +=
+                w * w * static_cast<double>(bodies.share(i, d, d) / k);
+        }
     });
-    for_each_spring([&](JointConstraint& c, JointLaw& law, const Direction&, const Bodies&) {
+}
+
+void make_springs(std::span<JointConstraint> joints, const Motions& motions, float h_s,
+                  const std::vector<double>& together) {
+    for_each_spring(joints, motions, [&](JointConstraint& c, JointLaw& law, const Direction&) {
         const double frequency = static_cast<double>(law.spring_frequency_hz);
         const double w = 2 * static_cast<double>(kPi) * frequency;
         double sum = 0;
         for (int i = 0; i < c.bodies; ++i) sum += together[static_cast<std::size_t>(c.rows[i])];
-        const double stiffening = std::max(sum / (w * w), 1.0);
         law.spring = make_exact_spring(frequency, static_cast<double>(law.spring_damping_ratio),
-                                       static_cast<double>(h_s), stiffening);
+                                       static_cast<double>(h_s), std::max(sum / (w * w), 1.0));
     });
 }
 

@@ -8,10 +8,13 @@
 
 namespace cairn::physics {
 
-/// Once per step, when all constraints are described: spring constants, which depend on the springs around.
-/// `together` is memory that it works in: of each row, what its springs are to it together, 1/s^2.
-void prepare_springs(std::span<JointConstraint> joints, const Motions& motions, float h_s,
-                     std::vector<double>& together);
+// Once per step, when all constraints are described: spring constants, which depend on the springs around.
+// `together` is of each row what its springs are to it together, 1/s^2; those of joints in lanes are added
+// between the two.
+void add_spring_loads(std::span<JointConstraint> joints, const Motions& motions,
+                      std::vector<double>& together);
+void make_springs(std::span<JointConstraint> joints, const Motions& motions, float h_s,
+                  const std::vector<double>& together);
 
 /// At the start of each substep, before anything acts: how fast springs are.
 void note_spring_speeds(std::span<JointConstraint> joints, const Motions& motions);

@@ -9,14 +9,10 @@
 #include "base/assert.h"
 
 namespace cairn::physics {
-namespace {
-
 Softness softness_of(const JointStiffness& stiffness, float h_s) {
     const float frequency = std::min(stiffness.frequency_hz, tuning::kMaxFrequencyShare / h_s);
     return make_soft(frequency, stiffness.damping_ratio, h_s);
 }
-
-}  // namespace
 
 JointLaw& LawBuilder::add(LawKind kind, int direction, int count) {
     CAIRN_ASSERT(c_.law_count < static_cast<int>(c_.laws.size()), "a joint has too many laws");

@@ -25,6 +25,9 @@ struct SpringSetting {
     float high = kUnlimited;
 };
 
+/// In substeps of h; what those cannot resolve is softened to what they can.
+Softness softness_of(const JointStiffness& stiffness, float h_s);
+
 /// Adds laws to a constraint. Directions and targets are those of the file of the kind.
 class LawBuilder {
   public:

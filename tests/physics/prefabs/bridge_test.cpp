@@ -23,7 +23,7 @@ TEST_CASE("a bridge stands under crates, its ends hold, and all sleeps") {
     for (int i = 0; i < 3; ++i) {
         crates.push_back(add(world, {.position_m = {4 + i * 1.0, 1}}, Box{0.4f, 0.4f}, {.density_kg_m2 = 5}));
     }
-    CHECK(sleeps_within(world, 10));
+    CHECK(sleeps_within(world, 15));
     const Joint first = world.joint(bridge.pins.front()).value();
     const Joint last = world.joint(bridge.pins.back()).value();
     CHECK(length(first.anchor_b() - Position{0, 0}) < 0.01f);

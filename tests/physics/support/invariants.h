@@ -229,6 +229,23 @@ inline void check_nothing_missed(const Stores& stores) {
     }
 }
 
+/// An active joint is swept or has a lane of its own, in a colour that both its bodies know of.
+inline void check_seats(const JointStore& joints) {
+    std::set<std::pair<bool, int>> lanes;
+    for (int joint = 0; joint < joints.slots.end_index(); ++joint) {
+        if (!joints.slots.alive(joint)) continue;
+        const JointRecord& j = joints.slots[joint];
+        const bool seated = j.seat.lane != kNone;
+        REQUIRE((j.active_index != kNone) == (seated || j.swept_index != kNone));
+        REQUIRE(!(seated && j.swept_index != kNone));
+        if (j.swept_index != kNone) REQUIRE(joints.swept[j.swept_index] == joint);
+        if (!seated) continue;
+        REQUIRE(lanes.insert({j.seat.drives, j.seat.lane}).second);
+        const std::uint32_t bit = 1u << joint_color(j.seat.bucket);
+        REQUIRE((joints.colors[static_cast<std::size_t>(j.body_b)] & bit) != 0);
+    }
+}
+
 inline void check_breakables(const Stores& stores) {
     for (std::size_t i = 0; i < stores.breakables.size(); ++i) {
         const int body = stores.breakables[i].body;
@@ -251,6 +268,7 @@ inline void check_breakables(const Stores& stores) {
 
 inline void check_world(const WorldState& world) {
     check_rows(world.stores);
+    check_seats(world.stores.joints);
     check_shapes(world.stores);
     const Stores& stores = world.stores;
     check_links(

@@ -1,0 +1,350 @@
+// Upkeep of lanes of joints, and the order of the passes.
+#include "resolve/joints/joint_lanes.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace cairn::physics {
+namespace {
+
+// What a thread takes at once: enough to be worth a microsecond.
+constexpr int kBlocksPerChunk = 24;
+
+// Blocks are rows of eight numbers of four bytes each, and nothing else.
+constexpr std::size_t kRowBytes = sizeof(Lanes<float>);
+static_assert(sizeof(PinBlock) % kRowBytes == 0 && sizeof(DriveBlock) % kRowBytes == 0);
+
+template <class Block>
+void copy_lane(Block& to, std::size_t to_lane, const Block& from, std::size_t from_lane) {
+    auto* target = reinterpret_cast<std::byte*>(&to) + to_lane * sizeof(float);
+    const auto* source = reinterpret_cast<const std::byte*>(&from) + from_lane * sizeof(float);
+    for (std::size_t row = 0; row < sizeof(Block); row += kRowBytes) {
+        std::memcpy(target + row, source + row, sizeof(float));
+    }
+}
+
+// An unused lane is of the world's row, and all its numbers are 0.
+template <class Block>
+void clear_lane(Block& block, std::size_t lane) {
+    const Block nothing{};
+    copy_lane(block, lane, nothing, 0);
+}
+
+void write_anchor(AnchorBlock& to, std::size_t lane, const AnchorLane& from) {
+    to.joint[lane] = from.joint;
+    to.body_a[lane] = from.body_a;
+    to.body_b[lane] = from.body_b;
+    to.local_ax[lane] = from.local_a.x;
+    to.local_ay[lane] = from.local_a.y;
+    to.local_bx[lane] = from.local_b.x;
+    to.local_by[lane] = from.local_b.y;
+    to.cosine[lane] = from.turn.c;
+    to.sine[lane] = from.turn.s;
+    to.turns[lane] = from.turns;
+    to.breakable =
+        static_cast<std::uint8_t>((to.breakable & ~(1 << lane)) | (from.breakable ? 1 : 0) << lane);
+}
+
+AnchorLane read_anchor(const AnchorBlock& from, std::size_t lane) {
+    return {from.joint[lane],
+            from.body_a[lane],
+            from.body_b[lane],
+            {from.local_ax[lane], from.local_ay[lane]},
+            {from.local_bx[lane], from.local_by[lane]},
+            {from.cosine[lane], from.sine[lane]},
+            from.turns[lane],
+            (from.breakable >> lane & 1) != 0};
+}
+
+std::size_t block_of(int lane) {
+    return static_cast<std::size_t>(lane / kLanes);
+}
+std::size_t place_in(int lane) {
+    return static_cast<std::size_t>(lane % kLanes);
+}
+
+const PinBlock& pin_of(const DriveBlock& block) {
+    return block.pin;
+}
+const PinBlock& pin_of(const PinBlock& block) {
+    return block;
+}
+
+}  // namespace
+
+template <class Block>
+int JointPool<Block>::add(int bucket, const AnchorLane& lane) {
+    int block = chains_[static_cast<std::size_t>(bucket)].last;
+    if (block == kNone || links_[static_cast<std::size_t>(block)].used == kLanes) block = open_block(bucket);
+    const auto i = static_cast<std::size_t>(block);
+    const int at = links_[i].used++;
+    write_anchor(anchors_[i], static_cast<std::size_t>(at), lane);
+    return block * kLanes + at;
+}
+
+template <class Block>
+int JointPool<Block>::remove(int bucket, int lane) {
+    Chain& chain = chains_[static_cast<std::size_t>(bucket)];
+    const auto last_block = static_cast<std::size_t>(chain.last);
+    const int last = --links_[last_block].used;
+    const auto last_at = static_cast<std::size_t>(last);
+    const AnchorLane moved = read_anchor(anchors_[last_block], last_at);
+    copy_lane(blocks_[block_of(lane)], place_in(lane), blocks_[last_block], last_at);
+    write_anchor(anchors_[block_of(lane)], place_in(lane), moved);
+    clear_lane(blocks_[last_block], last_at);
+    write_anchor(anchors_[last_block], last_at, AnchorLane{});
+    const bool is_last = chain.last * kLanes + last == lane;
+    if (last == 0) {
+        free_.push_back(chain.last);
+        chain.last = links_[last_block].previous;
+        (chain.last == kNone ? chain.first : links_[static_cast<std::size_t>(chain.last)].next) = kNone;
+        is_arranged_ = false;
+    }
+    return is_last ? kNone : moved.joint;
+}
+
+template <class Block>
+int JointPool<Block>::open_block(int bucket) {
+    int block = static_cast<int>(blocks_.size());
+    if (free_.empty()) {
+        blocks_.emplace_back();
+        anchors_.emplace_back();
+        links_.emplace_back();
+        free_.reserve(blocks_.capacity());
+        order_.reserve(blocks_.capacity());
+        for (std::size_t lane = 0; lane < kLanes; ++lane) write_anchor(anchors_.back(), lane, AnchorLane{});
+    } else {
+        block = free_.back();
+        free_.pop_back();
+    }
+    Chain& chain = chains_[static_cast<std::size_t>(bucket)];
+    links_[static_cast<std::size_t>(block)] = {0, chain.last, kNone};
+    (chain.last == kNone ? chain.first : links_[static_cast<std::size_t>(chain.last)].next) = block;
+    chain.last = block;
+    is_arranged_ = false;
+    return block;
+}
+
+template <class Block>
+void JointPool<Block>::arrange() {
+    if (is_arranged_) return;
+    is_arranged_ = true;
+    order_.clear();
+    used_count_ = 0;
+    for (std::size_t bucket = 0; bucket < kJointBuckets; ++bucket) {
+        ranges_[bucket] = order_.size();
+        if (chains_[bucket].first != kNone) used_[used_count_++] = static_cast<int>(bucket);
+        for (int block = chains_[bucket].first; block != kNone;
+             block = links_[static_cast<std::size_t>(block)].next) {
+            order_.push_back(block);
+        }
+    }
+    ranges_[kJointBuckets] = order_.size();
+}
+
+template <class Block>
+template <class BlockPass>
+void JointPool<Block>::for_each_bucket(TaskPool& tasks, const BlockPass& pass) const {
+    struct Part {
+        const BlockPass* pass;
+        std::span<const int> blocks;
+        JointBlockKind kind;
+    };
+    const auto body = [](const void* context, const Chunk& chunk) {
+        const Part& part = *static_cast<const Part*>(context);
+        const auto first = static_cast<std::size_t>(chunk.begin);
+        const auto count = static_cast<std::size_t>(chunk.end - chunk.begin);
+        (*part.pass)(part.blocks.subspan(first, count), part.kind);
+    };
+    std::array<Part, kJointBuckets> parts;
+    std::array<ParallelLoop, kJointBuckets> loops;
+    std::size_t count = 0;
+    for (const int bucket : buckets()) {
+        parts[count] = {&pass, blocks(bucket), joint_block_kind(bucket)};
+        loops[count] = {body, &parts[count], static_cast<int>(parts[count].blocks.size()), kBlocksPerChunk};
+        ++count;
+    }
+    if (count > 0) tasks.run_in_order({loops.data(), count});
+}
+
+template class JointPool<PinBlock>;
+template class JointPool<DriveBlock>;
+
+JointSeat JointLanes::add_pin(int bucket, const AnchorLane& lane) {
+    return {pins_.add(bucket, lane), static_cast<std::int16_t>(bucket), false};
+}
+
+JointSeat JointLanes::add_drive(int bucket, const AnchorLane& lane, const DriveLane& drive) {
+    const JointSeat seat{drives_.add(bucket, lane), static_cast<std::int16_t>(bucket), true};
+    set_drive(seat.lane, drive);
+    return seat;
+}
+
+void JointLanes::set_drive(int lane, const DriveLane& drive) {
+    DriveBlock& block = drives_.block(lane / kLanes);
+    const std::size_t at = place_in(lane);
+    block.bias_rate[at] = drive.softness.bias_rate;
+    block.mass_scale[at] = drive.softness.mass_scale;
+    block.impulse_scale[at] = drive.softness.impulse_scale;
+    block.own_d1[at] = block.spring_d1[at] = drive.spring.d1;
+    block.own_d0[at] = block.spring_d0[at] = drive.spring.d0;
+    block.spring_stiffness[at] = drive.spring.stiffness_per_s;
+    block.square[at] = drive.square;
+    block.frequency[at] = drive.spring_frequency_rad_s;
+    block.own_target[at] = drive.spring_target;
+    block.motor_speed[at] = drive.motor_speed;
+    block.motor_limit[at] = drive.motor_limit;
+    block.own_lower[at] = drive.lower;
+    block.own_upper[at] = drive.upper;
+    springs_changed_ = true;
+}
+
+int JointLanes::remove(const JointSeat& seat) {
+    if (!seat.drives) return pins_.remove(seat.bucket, seat.lane);
+    springs_changed_ = true;
+    return drives_.remove(seat.bucket, seat.lane);
+}
+
+JointMemory JointLanes::memory(const JointSeat& seat) const {
+    JointMemory memory;
+    const int block = seat.lane / kLanes;
+    const std::size_t at = place_in(seat.lane);
+    const PinBlock& pin = seat.drives ? pin_of(drives_.block(block)) : pin_of(pins_.block(block));
+    const AnchorBlock& anchors = seat.drives ? drives_.anchors(block) : pins_.anchors(block);
+    const auto impulse = [&](int direction, Role role) -> float& {
+        return memory.impulse[static_cast<std::size_t>(impulse_index(direction, role))];
+    };
+    impulse(0, Role::HoldOrSpring) = pin.impulse_x[at];
+    impulse(1, Role::HoldOrSpring) = pin.impulse_y[at];
+    if (dt_s_ > 0) memory.reaction_force = (1 / dt_s_) * Vec2{pin.total_x[at], pin.total_y[at]};
+    memory.angle_rad =
+        deterministic::atan2(static_cast<double>(anchors.sine[at]), static_cast<double>(anchors.cosine[at])) +
+        2 * static_cast<double>(kPi) * static_cast<double>(anchors.turns[at]);
+    if (!seat.drives) return memory;
+    const DriveBlock& drive = drives_.block(block);
+    impulse(2, Role::HoldOrSpring) = drive.spring_impulse[at];
+    impulse(2, Role::Motor) = drive.motor_impulse[at];
+    impulse(2, Role::Lower) = drive.lower_impulse[at];
+    impulse(2, Role::Upper) = drive.upper_impulse[at];
+    if (dt_s_ > 0) memory.reaction_torque = drive.total_angular[at] / dt_s_;
+    return memory;
+}
+
+void JointLanes::set_impulses(const JointSeat& seat, const JointImpulses& impulses) {
+    const int block = seat.lane / kLanes;
+    const std::size_t at = place_in(seat.lane);
+    PinBlock& pin = seat.drives ? drives_.block(block).pin : pins_.block(block);
+    const auto impulse = [&](int direction, Role role) {
+        return impulses[static_cast<std::size_t>(impulse_index(direction, role))];
+    };
+    pin.impulse_x[at] = impulse(0, Role::HoldOrSpring);
+    pin.impulse_y[at] = impulse(1, Role::HoldOrSpring);
+    if (!seat.drives) return;
+    // What is switched off starts from nothing when it is switched on again.
+    DriveBlock& drive = drives_.block(block);
+    if (drive.frequency[at] > 0) drive.spring_impulse[at] = impulse(2, Role::HoldOrSpring);
+    if (drive.motor_limit[at] > 0) drive.motor_impulse[at] = impulse(2, Role::Motor);
+    if (drive.own_lower[at] > -kNoLimit_rad) drive.lower_impulse[at] = impulse(2, Role::Lower);
+    if (drive.own_upper[at] < kNoLimit_rad) drive.upper_impulse[at] = impulse(2, Role::Upper);
+}
+
+void JointLanes::arrange() {
+    pins_.arrange();
+    drives_.arrange();
+}
+
+void JointLanes::place(const std::vector<Place>& places, Motions& motions, float impulse_ratio, float dt_s,
+                       TaskPool& tasks) {
+    dt_s_ = dt_s;
+    const auto place_all = [&](auto& pool) {
+        pool.for_each_bucket(tasks, [&](std::span<const int> blocks, JointBlockKind kind) {
+            place_joints(pool.anchor_data(), pool.data(), blocks, kind, places.data(), motions,
+                         impulse_ratio);
+        });
+        for (const int bucket : pool.buckets()) {
+            if (joint_block_kind(bucket) != JointBlockKind::Anchored) continue;
+            for (const int block : pool.blocks(bucket)) {
+                for (const int row : pin_of(pool.block(block)).a) {
+                    Mover& mover = motions.mover[static_cast<std::size_t>(row)];
+                    mover = std::max(mover, Mover::Substeps);
+                }
+            }
+        }
+    };
+    place_all(pins_);
+    place_all(drives_);
+}
+
+void JointLanes::add_spring_loads(const Motions& motions, std::vector<double>& together) const {
+    const auto response = [&](std::size_t row) {
+        const auto k = static_cast<double>(motions.pose[row].k);
+        return motions.velocity[row].inverse_mass > 0 ? k * k : 0.0;
+    };
+    for_each_drive([&](int, int lane) {
+        const DriveBlock& block = drives_.block(lane / kLanes);
+        const std::size_t at = place_in(lane);
+        const auto w = static_cast<double>(block.frequency[at]);
+        if (w == 0) return;
+        const auto a = static_cast<std::size_t>(block.pin.a[at]);
+        const auto b = static_cast<std::size_t>(block.pin.b[at]);
+        const double sum = response(a) + response(b);
+        if (sum == 0) return;
+        together[a] += w * w * response(a) / sum;
+        together[b] += w * w * response(b) / sum;
+    });
+}
+
+void JointLanes::settle_springs(const std::vector<double>& together, bool others) {
+    springs_changed_ = others;  // theirs may be gone in the next step
+    for_each_drive([&](int, int lane) {
+        DriveBlock& block = drives_.block(lane / kLanes);
+        const std::size_t at = place_in(lane);
+        const auto w = static_cast<double>(block.frequency[at]);
+        if (w == 0) return;
+        const double sum = together[static_cast<std::size_t>(block.pin.a[at])] +
+                           together[static_cast<std::size_t>(block.pin.b[at])];
+        const ExactSpring own{block.own_d1[at], block.own_d0[at], 0, true};
+        const ExactSpring calm =
+            calmed(own, static_cast<double>(block.square[at]), std::max(sum / (w * w), 1.0));
+        block.spring_d1[at] = calm.d1;
+        block.spring_d0[at] = calm.d0;
+    });
+}
+
+void JointLanes::note_spring_speeds(const Motions& motions, TaskPool& tasks) {
+    drives_.for_each_bucket(tasks, [&](std::span<const int> blocks, JointBlockKind) {
+        note_joint_speeds(drives_.data(), blocks, motions.velocity.data());
+    });
+}
+
+void JointLanes::warm_start(Motions& motions, TaskPool& tasks) {
+    const auto warm_start_all = [&](auto& pool) {
+        pool.for_each_bucket(tasks, [&](std::span<const int> blocks, JointBlockKind kind) {
+            warm_start_joints(pool.data(), blocks, kind, motions.velocity.data());
+        });
+    };
+    warm_start_all(pins_);
+    warm_start_all(drives_);
+}
+
+void JointLanes::solve(Motions& motions, const JointPassTime& time, TaskPool& tasks) {
+    const auto solve_all = [&](auto& pool) {
+        pool.for_each_bucket(tasks, [&](std::span<const int> blocks, JointBlockKind kind) {
+            solve_joints(pool.data(), blocks, kind, motions.velocity.data(), time);
+        });
+    };
+    solve_all(pins_);
+    solve_all(drives_);
+}
+
+void JointLanes::relax(Motions& motions, const JointPassTime& time, TaskPool& tasks) {
+    const auto relax_all = [&](auto& pool) {
+        pool.for_each_bucket(tasks, [&](std::span<const int> blocks, JointBlockKind kind) {
+            relax_joints(pool.data(), blocks, kind, motions.velocity.data(), motions.pose.data(), time);
+        });
+    };
+    relax_all(pins_);
+    relax_all(drives_);
+}
+
+}  // namespace cairn::physics

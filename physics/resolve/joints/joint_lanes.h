@@ -1,0 +1,204 @@
+// Where revolute joints live while they act: in SIMD lanes, eight to a block, blocks in buckets by colour. A
+// joint keeps its lane from step to step; plain pins, which are many, stand apart from those with drives,
+// which take three times the memory. Invariant: lanes of a bucket are dense: all its blocks but the last are
+// full. Within a colour no body that can be moved stands in two lanes, so lanes and blocks of a colour may be
+// solved in any order with the same result.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/motion.h"
+#include "base/place.h"
+#include "base/slot_map.h"
+#include "base/task_pool.h"
+#include "resolve/joints/joint_block.h"
+#include "resolve/joints/joint_constraint.h"
+#include "resolve/joints/joint_kernels.h"
+
+namespace cairn::physics {
+
+inline constexpr int kJointColors = 32;
+inline constexpr int kJointBuckets = kJointColors * kJointBlockKinds;
+
+constexpr int joint_bucket(int color, JointBlockKind kind) {
+    return color * kJointBlockKinds + static_cast<int>(kind);
+}
+constexpr int joint_color(int bucket) {
+    return bucket / kJointBlockKinds;
+}
+constexpr JointBlockKind joint_block_kind(int bucket) {
+    return static_cast<JointBlockKind>(bucket % kJointBlockKinds);
+}
+
+/// The lane of a joint: the number of its block times kLanes, plus the place in it.
+struct JointSeat {
+    int lane = kNone;  // kNone: it has none
+    std::int16_t bucket = 0;
+    bool drives = false;  // which pool
+};
+
+/// What a joint remembers from step to step, and what it did in the last one.
+struct JointMemory {
+    JointImpulses impulse{};
+    double angle_rad = 0;
+    Vec2 reaction_force;
+    float reaction_torque = 0;
+};
+
+/// Where a joint is on its bodies.
+struct AnchorLane {
+    std::int32_t joint = kNone;
+    std::int32_t body_a = kNone;
+    std::int32_t body_b = kNone;
+    Vec2 local_a;  // m, from the centre of mass
+    Vec2 local_b;
+    Rotation turn;    // of b relative to a, without the angles of the frames
+    float turns = 0;  // whole ones, beyond the angle of `turn`
+    bool breakable = false;
+};
+
+/// What acts on the angle of a joint, in the units of a substep. The angle counts without those of the
+/// frames.
+struct DriveLane {
+    Softness softness;
+    float spring_frequency_rad_s = 0;
+    float square = 0;  // (w h)^2
+    ExactSpring spring{0, 0, 0, true};
+    float spring_target = 0;
+    float motor_speed = 0;
+    float motor_limit = 0;
+    float lower = -kNoLimit_rad;
+    float upper = kNoLimit_rad;
+};
+
+/// Blocks of one sort and their buckets.
+template <class Block>
+class JointPool {
+  public:
+    int add(int bucket, const AnchorLane& lane);
+    /// The result is the joint that took the freed lane, or kNone.
+    int remove(int bucket, int lane);
+
+    [[nodiscard]] Block& block(int block) { return blocks_[static_cast<std::size_t>(block)]; }
+    [[nodiscard]] const Block& block(int block) const { return blocks_[static_cast<std::size_t>(block)]; }
+    [[nodiscard]] const AnchorBlock& anchors(int block) const {
+        return anchors_[static_cast<std::size_t>(block)];
+    }
+
+    /// Lists the blocks of all buckets. Adding and removing ends that.
+    void arrange();
+    /// As of the last `arrange`: the buckets that hold joints, and the blocks, bucket by bucket.
+    [[nodiscard]] std::span<const int> buckets() const { return {used_.data(), used_count_}; }
+    [[nodiscard]] std::span<const int> blocks() const { return order_; }
+    [[nodiscard]] std::span<const int> blocks(int bucket) const {
+        const auto i = static_cast<std::size_t>(bucket);
+        return std::span(order_).subspan(ranges_[i], ranges_[i + 1] - ranges_[i]);
+    }
+
+    /// Runs pass(blocks, kind) for all buckets, one after the other, each cut into parts for threads.
+    template <class BlockPass>
+    void for_each_bucket(TaskPool& tasks, const BlockPass& pass) const;
+
+    Block* data() { return blocks_.data(); }
+    AnchorBlock* anchor_data() { return anchors_.data(); }
+
+  private:
+    struct Link {
+        int used = 0;  // lanes
+        int previous = kNone;
+        int next = kNone;
+    };
+    struct Chain {
+        int first = kNone;
+        int last = kNone;
+    };
+
+    int open_block(int bucket);
+
+    std::vector<Block> blocks_;
+    std::vector<AnchorBlock> anchors_;  // beside the blocks
+    std::vector<Link> links_;           // beside the blocks
+    std::vector<int> free_;
+    std::array<Chain, kJointBuckets> chains_;
+    bool is_arranged_ = true;
+    std::vector<int> order_;
+    std::array<std::size_t, kJointBuckets + 1> ranges_{};
+    std::array<int, kJointBuckets> used_{};
+    std::size_t used_count_ = 0;
+};
+
+class JointLanes {
+  public:
+    JointSeat add_pin(int bucket, const AnchorLane& lane);
+    JointSeat add_drive(int bucket, const AnchorLane& lane, const DriveLane& drive);
+    void set_drive(int lane, const DriveLane& drive);
+    /// The result is the joint that took the freed lane, or kNone.
+    int remove(const JointSeat& seat);
+
+    /// Impulses and reaction. The angle is without those of the frames.
+    [[nodiscard]] JointMemory memory(const JointSeat& seat) const;
+    void set_impulses(const JointSeat& seat, const JointImpulses& impulse);
+
+    [[nodiscard]] bool empty() const { return pins_.blocks().empty() && drives_.blocks().empty(); }
+    /// Calls visit(joint, lane) for each joint with a drive.
+    template <class Visit>
+    void for_each_drive(Visit&& visit) const;
+    /// Calls visit(joint) for each joint that can break.
+    template <class Visit>
+    void for_each_breakable(Visit&& visit) const;
+
+    /// Of the substeps for which the drives were made, s.
+    float h_s = 0;
+
+    // The stages of a step, in their order.
+
+    void arrange();
+    /// Where all anchors are. Marks who carries joints without being moved by them.
+    void place(const std::vector<Place>& places, Motions& motions, float impulse_ratio, float dt_s,
+               TaskPool& tasks);
+    /// Whether springs came, went or changed since `settle_springs` was last told of none that are swept.
+    [[nodiscard]] bool springs_changed() const { return springs_changed_; }
+    /// As prepare_springs, in two halves: what each row has of springs, and what comes of it.
+    void add_spring_loads(const Motions& motions, std::vector<double>& together) const;
+    void settle_springs(const std::vector<double>& together, bool others);
+    void note_spring_speeds(const Motions& motions, TaskPool& tasks);
+    void warm_start(Motions& motions, TaskPool& tasks);
+    void solve(Motions& motions, const JointPassTime& time, TaskPool& tasks);
+    void relax(Motions& motions, const JointPassTime& time, TaskPool& tasks);
+
+  private:
+    JointPool<PinBlock> pins_;
+    JointPool<DriveBlock> drives_;
+    bool springs_changed_ = false;
+    float dt_s_ = 0;
+};
+
+template <class Visit>
+void JointLanes::for_each_drive(Visit&& visit) const {
+    for (const int block : drives_.blocks()) {
+        const AnchorBlock& anchors = drives_.anchors(block);
+        for (int lane = 0; lane < kLanes; ++lane) {
+            const int joint = anchors.joint[static_cast<std::size_t>(lane)];
+            if (joint != kNone) visit(joint, block * kLanes + lane);
+        }
+    }
+}
+
+template <class Visit>
+void JointLanes::for_each_breakable(Visit&& visit) const {
+    const auto visit_all = [&](const auto& pool) {
+        for (const int block : pool.blocks()) {
+            const AnchorBlock& anchors = pool.anchors(block);
+            for (unsigned bits = anchors.breakable, lane = 0; bits != 0; bits >>= 1, ++lane) {
+                if (bits & 1) visit(anchors.joint[lane]);
+            }
+        }
+    };
+    visit_all(pins_);
+    visit_all(drives_);
+}
+
+}  // namespace cairn::physics

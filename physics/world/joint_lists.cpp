@@ -1,0 +1,192 @@
+// Moves of joints between lists and lanes.
+#include "world/joint_lists.h"
+
+#include <bit>
+#include <cmath>
+
+#include "resolve/joints/laws.h"
+#include "world/joint_frames.h"
+#include "world/joint_rules.h"
+#include "world/joints.h"
+#include "world/prepare.h"
+
+namespace cairn::physics {
+namespace {
+
+constexpr double kTurn_rad = 2 * static_cast<double>(kPi);
+
+bool can_be_moved(const BodyRecord& body) {
+    return body.inverse_mass > 0;
+}
+
+// Springs without damping start from a guess of their own, and gears look at the constraints of their joints:
+// both are for the scalar solver, as are axes that do not move.
+bool fits_lane(const Stores& stores, int joint) {
+    const JointRecord& record = stores.joints.slots[joint];
+    const auto* def = std::get_if<RevoluteJointDef>(&record.def);
+    if (def == nullptr || (def->enable_spring && def->damping_ratio == 0)) return false;
+    const BodyRecord& a = stores.bodies.slots[record.body_a];
+    const BodyRecord& b = stores.bodies.slots[record.body_b];
+    if (!can_be_moved(b) || locked_axes(a) != 0 || locked_axes(b) != 0) return false;
+    return find_gear_on(stores, joint) == kNone;
+}
+
+bool is_plain(const RevoluteJointDef& def) {
+    const JointStiffness usual;
+    return !def.enable_spring && !def.enable_motor && !def.enable_limit &&
+           def.stiffness.frequency_hz == usual.frequency_hz &&
+           def.stiffness.damping_ratio == usual.damping_ratio;
+}
+
+AnchorLane make_anchor(const Stores& stores, int joint) {
+    const JointRecord& record = stores.joints.slots[joint];
+    const auto& def = std::get<RevoluteJointDef>(record.def);
+    AnchorLane lane;
+    lane.joint = joint;
+    lane.body_a = record.body_a;
+    lane.body_b = record.body_b;
+    lane.local_a = def.local_anchor_a_m - stores.bodies.slots[record.body_a].mass.center_m;
+    lane.local_b = def.local_anchor_b_m - stores.bodies.slots[record.body_b].mass.center_m;
+    lane.turn =
+        inverse(stores.bodies.places[record.body_a].rotation) * stores.bodies.places[record.body_b].rotation;
+    const double frames =
+        static_cast<double>(def.local_angle_b_rad) - static_cast<double>(def.local_angle_a_rad);
+    const double angle =
+        deterministic::atan2(static_cast<double>(lane.turn.s), static_cast<double>(lane.turn.c)) + frames;
+    lane.turns = static_cast<float>(std::round((joint_angle(stores.bodies, record) - angle) / kTurn_rad));
+    const JointStrength strength = strength_of(record.def);
+    lane.breakable = std::isfinite(strength.break_force_n) || std::isfinite(strength.break_torque_nm);
+    return lane;
+}
+
+DriveLane make_drive(const RevoluteJointDef& def, float h_s) {
+    const float frames = def.local_angle_b_rad - def.local_angle_a_rad;
+    DriveLane drive;
+    drive.softness = softness_of(def.stiffness, h_s);
+    if (def.enable_spring) {
+        drive.spring_frequency_rad_s = 2 * kPi * def.frequency_hz;
+        drive.square = (drive.spring_frequency_rad_s * h_s) * (drive.spring_frequency_rad_s * h_s);
+        drive.spring = make_exact_spring(static_cast<double>(def.frequency_hz),
+                                         static_cast<double>(def.damping_ratio), static_cast<double>(h_s), 1);
+        drive.spring_target = def.target_rad - frames;
+    }
+    if (def.enable_motor) {
+        drive.motor_speed = def.motor_speed_rad_s;
+        drive.motor_limit = def.max_motor_torque_nm * h_s;
+    }
+    if (def.enable_limit) {
+        drive.lower = std::max(def.lower_rad - frames, -kNoLimit_rad);
+        drive.upper = std::min(def.upper_rad - frames, kNoLimit_rad);
+    }
+    return drive;
+}
+
+bool try_to_seat(Stores& stores, int joint, float h_s) {
+    if (!fits_lane(stores, joint)) return false;
+    JointStore& joints = stores.joints;
+    JointRecord& record = joints.slots[joint];
+    const bool both = can_be_moved(stores.bodies.slots[record.body_a]);
+    std::uint32_t used = joints.colors[static_cast<std::size_t>(record.body_b)];
+    if (both) used |= joints.colors[static_cast<std::size_t>(record.body_a)];
+    const int color = std::countr_one(used);
+    if (color >= kJointColors) return false;
+    joints.colors[static_cast<std::size_t>(record.body_b)] |= 1u << color;
+    if (both) joints.colors[static_cast<std::size_t>(record.body_a)] |= 1u << color;
+
+    const int bucket = joint_bucket(color, both ? JointBlockKind::TwoBodies : JointBlockKind::Anchored);
+    const auto& def = std::get<RevoluteJointDef>(record.def);
+    const AnchorLane anchor = make_anchor(stores, joint);
+    record.seat = is_plain(def) ? joints.lanes.add_pin(bucket, anchor)
+                                : joints.lanes.add_drive(bucket, anchor, make_drive(def, h_s));
+    joints.lanes.set_impulses(record.seat, record.impulse);
+    return true;
+}
+
+double frame_angle(const JointRecord& record) {
+    const auto& def = std::get<RevoluteJointDef>(record.def);
+    return static_cast<double>(def.local_angle_b_rad) - static_cast<double>(def.local_angle_a_rad);
+}
+
+void leave_lane(Stores& stores, int joint) {
+    JointStore& joints = stores.joints;
+    JointRecord& record = joints.slots[joint];
+    if (record.seat.lane == kNone) return;
+    const JointMemory memory = memory_of(joints, joint);
+    record.impulse = memory.impulse;
+    record.angle_rad = memory.angle_rad;
+    record.reaction_force = memory.reaction_force;
+    record.reaction_torque = memory.reaction_torque;
+
+    const std::uint32_t others = ~(1u << joint_color(record.seat.bucket));
+    joints.colors[static_cast<std::size_t>(record.body_b)] &= others;
+    if (joint_block_kind(record.seat.bucket) == JointBlockKind::TwoBodies)
+        joints.colors[static_cast<std::size_t>(record.body_a)] &= others;
+    const int moved = joints.lanes.remove(record.seat);
+    if (moved != kNone) joints.slots[moved].seat.lane = record.seat.lane;
+    record.seat = {};
+}
+
+}  // namespace
+
+void list_joint(Stores& stores, int joint) {
+    const JointRecord& record = stores.joints.slots[joint];
+    if (record.active_index != kNone) return;
+    stores.joints.active.add(stores.joints.slots, joint);
+    stores.joints.swept.add(stores.joints.slots, joint);
+}
+
+void unlist_joint(Stores& stores, int joint) {
+    leave_lane(stores, joint);
+    stores.joints.active.remove(stores.joints.slots, joint);
+    stores.joints.swept.remove(stores.joints.slots, joint);
+}
+
+void unseat_joint(Stores& stores, int joint) {
+    if (stores.joints.slots[joint].seat.lane == kNone) return;
+    leave_lane(stores, joint);
+    stores.joints.swept.add(stores.joints.slots, joint);
+}
+
+void seat_joints(Stores& stores, const StepTime& time, StepScratch& scratch) {
+    JointStore& joints = stores.joints;
+    joints.lanes.arrange();
+    if (joints.lanes.h_s != time.h_s) {
+        joints.lanes.h_s = time.h_s;
+        joints.lanes.for_each_drive([&](int joint, int lane) {
+            const auto& def = std::get<RevoluteJointDef>(joints.slots[joint].def);
+            joints.lanes.set_drive(lane, make_drive(def, time.h_s));
+        });
+    }
+    if (joints.swept.size() == 0) return;
+    const auto bodies = static_cast<std::size_t>(stores.bodies.slots.end_index());
+    if (joints.colors.size() < bodies) joints.colors.resize(bodies, 0);
+    scratch.unseated.assign(joints.swept.begin(), joints.swept.end());
+    for (const int joint : scratch.unseated) {
+        if (try_to_seat(stores, joint, time.h_s)) joints.swept.remove(joints.slots, joint);
+    }
+    joints.lanes.arrange();
+}
+
+JointMemory memory_of(const JointStore& joints, int joint) {
+    const JointRecord& record = joints.slots[joint];
+    if (record.seat.lane == kNone)
+        return {record.impulse, record.angle_rad, record.reaction_force, record.reaction_torque};
+    JointMemory memory = joints.lanes.memory(record.seat);
+    memory.angle_rad += frame_angle(record);
+    return memory;
+}
+
+int find_gear_on(const Stores& stores, int joint) {
+    const JointId id = stores.joints.slots.id(joint);
+    const JointRecord& record = stores.joints.slots[joint];
+    int found = kNone;
+    for (const int body : {record.body_a, record.body_b}) {
+        for_each_edge(stores.joints.slots, stores.bodies.slots[body].first_joint, [&](int other, int) {
+            const auto* gear = std::get_if<GearJointDef>(&stores.joints.slots[other].def);
+            if (gear && (gear->joint_1 == id || gear->joint_2 == id)) found = other;
+        });
+    }
+    return found;
+}
+
+}  // namespace cairn::physics

@@ -1,0 +1,27 @@
+// In which lists a joint is: active while one of its bodies is awake; then either in a SIMD lane, or swept as
+// a scalar.
+#pragma once
+
+#include "world/world_state.h"
+
+namespace cairn::physics {
+
+struct StepTime;
+
+/// A joint that has laws becomes active; it gets its lane with the next step.
+void list_joint(Stores& stores, int joint);
+/// It is active no more, and remembers its impulses.
+void unlist_joint(Stores& stores, int joint);
+/// After something changed that lanes keep a copy of: the joint is swept until the next step, and remembers.
+void unseat_joint(Stores& stores, int joint);
+
+/// Stage: lanes for joints that fit into them and have none.
+void seat_joints(Stores& stores, const StepTime& time, StepScratch& scratch);
+
+/// What the joint remembers, wherever it is.
+JointMemory memory_of(const JointStore& joints, int joint);
+
+/// A gear on the joint, or kNone. It is on one of the bodies of the joint.
+int find_gear_on(const Stores& stores, int joint);
+
+}  // namespace cairn::physics

@@ -1,0 +1,201 @@
+// Joints in lanes against the scalar solver of all kinds, which is a second implementation of the same laws.
+#include "resolve/joints/joint_lanes.h"
+
+#include <catch2/catch.hpp>
+#include <vector>
+
+#include <cairn/physics/simd.h>
+
+#include "integrator/integrate.h"
+#include "physics/support/random.h"
+#include "resolve/joints/joint_solver.h"
+#include "resolve/joints/kinds.h"
+
+namespace cairn::physics {
+namespace {
+
+using test::Random;
+
+constexpr float kSubstep_s = 1.0f / 240;
+constexpr int kPairs = 21;  // a body a and a body b each: all of one colour
+
+// Both solvers on the same bodies.
+struct Twins {
+    std::vector<RevoluteJointDef> defs;
+    std::vector<Place> places{Place{}};
+    Motions swept;
+    Motions in_lanes;
+    std::vector<JointConstraint> constraints;
+    JointLanes lanes;
+    std::vector<JointSeat> seats;
+    TaskPool tasks{1, nullptr};
+
+    Twins(bool drives, bool anchored) {
+        Random random(anchored ? 7 : 5);
+        for (Motions* motions : {&swept, &in_lanes}) motions->add({}, 0, 0, 0);
+        for (int pair = 0; pair < kPairs; ++pair) {
+            add_body(random, !anchored);
+            add_body(random, true);
+        }
+        for (int pair = 0; pair < kPairs; ++pair) join(random, pair, drives, anchored);
+        std::vector<double> together(places.size(), 0);
+        lanes.arrange();
+        lanes.place(places, in_lanes, 1, 4 * kSubstep_s, tasks);
+        add_spring_loads(constraints, swept, together);
+        make_springs(constraints, swept, kSubstep_s, together);
+        lanes.settle_springs(together, false);
+    }
+
+    void add_body(Random& random, bool pushed) {
+        const Vec2 v = random.vector(-2, 2);
+        const float w = random.real_f(-20, 20);
+        const float inverse_mass = pushed ? random.real_f(0.1, 2) : 0;
+        const float inverse_inertia = pushed ? random.real_f(0.1, 9) : 0;
+        for (Motions* motions : {&swept, &in_lanes}) {
+            motions->add(v, w, inverse_mass, inverse_inertia);
+            motions->mover.back() = Mover::Turning;
+        }
+        const Rotation rotation = Rotation::from_angle(random.real(-3, 3));
+        const Vec2 center = random.vector(-0.1, 0.1);
+        places.push_back({Position{} + center, rotation, static_cast<int>(places.size())});
+    }
+
+    void join(Random& random, int pair, bool drives, bool anchored) {
+        const int a = 1 + 2 * pair;
+        const int b = a + 1;
+        RevoluteJointDef def{.local_anchor_a_m = random.vector(-1, 1),
+                             .local_anchor_b_m = random.vector(-1, 1)};
+        const Rotation turn = inverse(places[static_cast<std::size_t>(a)].rotation) *
+                              places[static_cast<std::size_t>(b)].rotation;
+        const float angle = turn.angle_rad();
+        if (drives) {
+            def.enable_limit = true;
+            def.lower_rad = angle - random.real_f(-0.2, 0.2);
+            def.upper_rad = def.lower_rad + random.real_f(0, 0.3);
+            def.enable_motor = true;
+            def.motor_speed_rad_s = 3;
+            def.max_motor_torque_nm = 5;
+            def.enable_spring = true;
+            def.frequency_hz = random.real_f(1, 30);
+            def.damping_ratio = random.real_f(0.1, 2);
+            def.target_rad = 0.3f;
+        }
+        defs.push_back(def);
+
+        JointConstraint c;
+        c.kind = JointKind::Revolute;
+        c.rows = {a, b};
+        c.anchors = {a, b, rotate(places[static_cast<std::size_t>(a)].rotation, def.local_anchor_a_m),
+                     rotate(places[static_cast<std::size_t>(b)].rotation, def.local_anchor_b_m),
+                     places[static_cast<std::size_t>(b)].center - places[static_cast<std::size_t>(a)].center};
+        c.start_angle_rad = angle;
+        JointStart start;
+        start.h_s = kSubstep_s;
+        describe(c, def, start);
+        constraints.push_back(c);
+
+        const int bucket = joint_bucket(0, anchored ? JointBlockKind::Anchored : JointBlockKind::TwoBodies);
+        const AnchorLane anchor{pair, a, b, def.local_anchor_a_m, def.local_anchor_b_m, turn};
+        seats.push_back(drives ? lanes.add_drive(bucket, anchor, drive_of(def))
+                               : lanes.add_pin(bucket, anchor));
+    }
+
+    static DriveLane drive_of(const RevoluteJointDef& def) {
+        DriveLane drive;
+        drive.softness = softness_of(def.stiffness, kSubstep_s);
+        drive.spring_frequency_rad_s = 2 * kPi * def.frequency_hz;
+        drive.square = drive.spring_frequency_rad_s * kSubstep_s * drive.spring_frequency_rad_s * kSubstep_s;
+        drive.spring =
+            make_exact_spring(static_cast<double>(def.frequency_hz), static_cast<double>(def.damping_ratio),
+                              static_cast<double>(kSubstep_s), 1);
+        drive.spring_target = def.target_rad;
+        drive.motor_speed = def.motor_speed_rad_s;
+        drive.motor_limit = def.max_motor_torque_nm * kSubstep_s;
+        drive.lower = def.lower_rad;
+        drive.upper = def.upper_rad;
+        return drive;
+    }
+
+    void substep() {
+        const JointPassTime time{softness_of(JointStiffness{}, kSubstep_s), 1 / kSubstep_s};
+        note_spring_speeds(constraints, swept);
+        lanes.note_spring_speeds(in_lanes, tasks);
+        for (Motions* motions : {&swept, &in_lanes}) {
+            for (std::size_t row = 1; row < places.size(); ++row) {
+                if (motions->velocity[row].inverse_mass > 0) motions->velocity[row].v += Vec2{0, -0.04f};
+            }
+        }
+        warm_start_joints(constraints, swept);
+        lanes.warm_start(in_lanes, tasks);
+        solve_joints(constraints, swept, kSubstep_s, Pass::Biased);
+        lanes.solve(in_lanes, time, tasks);
+        integrate_positions(swept, kSubstep_s);
+        integrate_positions(in_lanes, kSubstep_s);
+        solve_joints(constraints, swept, kSubstep_s, Pass::Relax);
+        lanes.relax(in_lanes, time, tasks);
+    }
+
+    void check_agree() const {
+        for (std::size_t row = 0; row < places.size(); ++row) {
+            INFO("row " << row);
+            const VelocityRow& expected = swept.velocity[row];
+            const VelocityRow& found = in_lanes.velocity[row];
+            const float room = 2e-3f * (1 + length(expected.v) + std::fabs(expected.w));
+            CHECK(length(found.v - expected.v) < room);
+            CHECK(std::fabs(found.w - expected.w) < room);
+        }
+        for (std::size_t i = 0; i < constraints.size(); ++i) {
+            INFO("joint " << i);
+            const JointMemory memory = lanes.memory(seats[i]);
+            for (std::size_t k = 0; k < memory.impulse.size(); ++k) {
+                const float expected = constraints[i].impulse[k];
+                CHECK(std::fabs(memory.impulse[k] - expected) < 2e-3f * (1 + std::fabs(expected)));
+            }
+        }
+    }
+};
+
+}  // namespace
+
+TEST_CASE("pins and drives in lanes do what the scalar solver does, at every SIMD level") {
+    const auto levels = available_simd_levels();
+    for (const SimdLevel level : levels) {
+        force_simd_level(level).value();
+        for (const bool drives : {false, true}) {
+            for (const bool anchored : {false, true}) {
+                INFO(name(level) << (drives ? ", drives" : ", pins") << (anchored ? ", anchored" : ""));
+                Twins twins(drives, anchored);
+                for (int i = 0; i < 4; ++i) twins.substep();
+                twins.check_agree();
+            }
+        }
+    }
+    force_simd_level(levels.back()).value();
+}
+
+TEST_CASE("a lane that another takes keeps its impulses, and the rest stay dense") {
+    JointLanes lanes;
+    std::vector<JointSeat> seats;
+    const int bucket = joint_bucket(3, JointBlockKind::TwoBodies);
+    for (int joint = 0; joint < 20; ++joint) {
+        seats.push_back(lanes.add_pin(bucket, {.joint = joint}));
+        JointImpulses impulse{};
+        impulse[0] = static_cast<float>(joint);
+        lanes.set_impulses(seats.back(), impulse);
+    }
+    for (const std::size_t gone : {std::size_t{2}, std::size_t{11}, std::size_t{0}}) {
+        const int moved = lanes.remove(seats[gone]);
+        if (moved != kNone) seats[static_cast<std::size_t>(moved)].lane = seats[gone].lane;
+        seats[gone].lane = kNone;
+    }
+    int kept = 0;
+    for (std::size_t joint = 0; joint < seats.size(); ++joint) {
+        if (seats[joint].lane == kNone) continue;
+        ++kept;
+        CHECK(seats[joint].lane < 17);
+        CHECK(lanes.memory(seats[joint]).impulse[0] == static_cast<float>(joint));
+    }
+    CHECK(kept == 17);
+}
+
+}  // namespace cairn::physics
