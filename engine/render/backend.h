@@ -1,5 +1,8 @@
 // What draws triangles: the only part of rendering that differs between a window, memory, and nothing.
-// Invariant: everything arrives in output pixels, with texture coordinates in 0 .. 1 and finite numbers only.
+// Invariant: everything arrives in output pixels, with texture coordinates in 0 .. 1 and finite numbers only;
+// all colors, those of textures too, are multiplied by their alpha. So a canvas can be drawn as it lies, and
+// a filter does not mix the invisible color of a transparent pixel into a sprite's edge. Source: T. Porter,
+// T. Duff, "Compositing Digital Images", 1984.
 //
 // To add a back-end: derive from RenderBackend, and let Platform::create choose it.
 #pragma once
@@ -24,8 +27,10 @@ struct Rgba8 {
     friend bool operator==(Rgba8, Rgba8) = default;
 };
 
-/// Components outside 0 .. 1 are clamped; NaN counts as 0.
+/// Multiplied by its alpha. Components outside 0 .. 1 are clamped first; NaN counts as 0.
 Rgba8 to_rgba8(Color color);
+/// Multiplies the colors of a picture by their alpha.
+void premultiply(Image& image);
 
 struct RenderVertex {
     Vec2 position;
@@ -53,17 +58,23 @@ class RenderBackend {
     /// Whether textures are looked at; if not, images need not be decoded.
     virtual bool keeps_pixels() const = 0;
 
+    /// The picture is premultiplied.
     virtual Result<BackendTexture> create_texture(const Image& image) = 0;
+    /// A transparent texture that can be a target.
+    virtual Result<BackendTexture> create_canvas(Size size) = 0;
     /// Replaces the part of a texture whose top left is (x, y); the part lies inside.
     virtual void update_texture(BackendTexture texture, int x, int y, const Image& part) = 0;
     virtual void destroy_texture(BackendTexture texture) = 0;
 
-    /// Fills the whole output; the color's alpha counts as 1.
+    /// What clear and draw act on from now on: a canvas, or with 0 the output.
+    virtual void set_target(BackendTexture canvas) = 0;
+    /// Fills the whole target.
     virtual void clear(Color color) = 0;
     /// Textures are sampled linearly and clamped at their edges. Drawing is cut to `scissor`, which lies
-    /// inside the output.
+    /// inside the target.
     virtual void draw(std::span<const RenderVertex> vertices, std::span<const int> indices,
                       BackendTexture texture, BlendMode blend, const PixelRect& scissor) = 0;
+    /// The output's.
     virtual Result<Image> read_pixels() = 0;
     virtual void present() = 0;
 };

@@ -18,6 +18,8 @@ class Batch {
     void set_blend_mode(BlendMode mode);
     void set_scissor(const PixelRect& scissor);
     void flush();
+    BlendMode blend_mode() const { return blend_; }
+    const PixelRect& scissor() const { return scissor_; }
 
     /// Counts since reset_stats, without what is not flushed yet.
     const RenderStats& stats() const { return stats_; }

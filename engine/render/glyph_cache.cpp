@@ -1,5 +1,5 @@
 // The packing of characters into textures. Invariant: pictures are a pixel apart, and what lies between them
-// is white and transparent, so that linear filtering neither mixes neighbours nor darkens a letter's edge.
+// is transparent, so that linear filtering does not mix neighbours.
 #include "render/glyph_cache.h"
 
 #include <algorithm>
@@ -11,8 +11,7 @@ namespace {
 
 Image blank_page(int side) {
     Image image{{side, side}, {}};
-    image.rgba.assign(4 * static_cast<std::size_t>(side) * side, 255);
-    for (std::size_t i = 3; i < image.rgba.size(); i += 4) image.rgba[i] = 0;
+    image.rgba.assign(4 * static_cast<std::size_t>(side) * side, 0);
     return image;
 }
 

@@ -8,7 +8,6 @@
 #include <cairn/engine/log.h>
 #include <cairn/engine/renderer.h>
 
-#include "render/bleed.h"
 #include "render/renderer_state.h"
 
 namespace cairn::engine {
@@ -69,7 +68,7 @@ Result<TextureId> Renderer::load_texture(std::string_view path) {
     if (state_->backend->keeps_pixels()) {
         Result<Image> image = decode_image(*file, path);
         if (!image) return image.error();
-        bleed_into_transparent(*image);
+        premultiply(*image);
         const Result<BackendTexture> made = state_->backend->create_texture(*image);
         if (!made) return Error{"image '" + texture.path + "': " + made.error().message};
         texture.size = image->size;
@@ -93,7 +92,9 @@ Result<TextureId> Renderer::create_texture(const Image& image) {
     Texture texture;
     texture.size = image.size;
     if (state_->backend->keeps_pixels()) {
-        const Result<BackendTexture> made = state_->backend->create_texture(image);
+        Image premultiplied = image;
+        premultiply(premultiplied);
+        const Result<BackendTexture> made = state_->backend->create_texture(premultiplied);
         if (!made) return made.error();
         texture.backend_texture = *made;
     }
@@ -110,18 +111,28 @@ bool Renderer::is_valid(TextureId texture) const {
 }
 
 void Renderer::destroy_texture(TextureId texture) {
-    const Texture* found = state_->textures.find(texture);
+    State& s = *state_;
+    const bool is_in_use =
+        texture == s.canvas || std::any_of(s.suspended.begin(), s.suspended.end(),
+                                           [&](const auto& target) { return target.canvas == texture; });
+    if (is_in_use && !texture.is_null()) return s.doomed.push_back(texture);
+    s.destroy(texture);
+}
+
+void Renderer::State::destroy(TextureId texture) {
+    const Texture* found = textures.find(texture);
     if (!found) return;
-    state_->batch.flush();
-    if (found->backend_texture) state_->backend->destroy_texture(found->backend_texture);
-    state_->textures_by_path.erase(found->path);
-    state_->textures.erase(texture);
+    batch.flush();
+    if (found->backend_texture) backend->destroy_texture(found->backend_texture);
+    textures_by_path.erase(found->path);
+    textures.erase(texture);
 }
 
 const Texture* Renderer::State::find_texture(TextureId texture, std::string_view function) {
     const Texture* found = textures.find(texture);
     if (!found) complain_once("texture", function);
-    return found;
+    // A canvas that is being drawn into cannot be looked at.
+    return texture == canvas ? nullptr : found;
 }
 
 void Renderer::State::complain_once(std::string_view what, std::string_view function) {
@@ -142,6 +153,7 @@ float Renderer::pixel_scale() const {
 
 void Renderer::begin_frame(Color clear) {
     State& s = *state_;
+    s.end_all_canvases();
     s.viewport = s.backend->viewport();
     s.batch.reset_stats();
     s.transforms.assign(1, {});
@@ -149,6 +161,7 @@ void Renderer::begin_frame(Color clear) {
     clear.a = 1;
     if (!s.viewport.has_bars()) {
         s.backend->clear(clear);
+        s.scissor.reset();
         s.batch.set_scissor(whole(s.viewport.output));
         return;
     }
@@ -159,6 +172,7 @@ void Renderer::begin_frame(Color clear) {
 
 void Renderer::end_frame() {
     State& s = *state_;
+    s.end_all_canvases();
     s.batch.flush();
     s.last_frame = s.batch.stats();
     s.transforms.assign(1, {});
@@ -166,6 +180,7 @@ void Renderer::end_frame() {
 }
 
 Result<Image> Renderer::capture() {
+    state_->end_all_canvases();
     state_->batch.flush();
     return state_->backend->read_pixels();
 }
@@ -222,9 +237,13 @@ void Renderer::set_blend_mode(BlendMode mode) {
 }
 
 void Renderer::set_scissor(std::optional<Rect> area) {
+    state_->scissor = area;
     // Without an area the bars stay outside, so that a game's picture ends where its logical size ends.
     state_->batch.set_scissor(
         logical_pixels(state_->viewport, area.value_or(logical_area(state_->viewport))));
+}
+std::optional<Rect> Renderer::scissor() const {
+    return state_->scissor;
 }
 
 }  // namespace cairn::engine

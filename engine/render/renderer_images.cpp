@@ -1,6 +1,7 @@
-// Images. Invariant: an image drawn at whole pixels, without rotation and in its own size, is shown pixel by
-// pixel.
+// Images and nine-patches. Invariant: an image drawn at whole pixels, without rotation and in its own size,
+// is shown pixel by pixel.
 #include <algorithm>
+#include <array>
 #include <utility>
 #include <vector>
 
@@ -37,6 +38,42 @@ void Renderer::draw_image(TextureId texture, const ImageDraw& draw) {
                          std::clamp(size.y, 0.0f, 1.0f - std::clamp(low.y, 0.0f, 1.0f))};
     state_->fill(std::move(corners), Brush(draw.tint, uv_from_source * output_from_source.inverse(), bounds),
                  found->backend_texture);
+}
+
+void Renderer::draw_nine_patch(TextureId texture, const NinePatchDraw& draw) {
+    const Texture* found = state_->find_texture(texture, "draw_nine_patch");
+    if (!found) return;
+    const auto image_width = static_cast<float>(found->size.width);
+    const auto image_height = static_cast<float>(found->size.height);
+    const Rect source = draw.source.value_or(Rect{0, 0, image_width, image_height});
+    const Rect& area = draw.area;
+    if (!(source.width > 0 && source.height > 0 && area.width > 0 && area.height > 0)) return;
+
+    // Four cuts each way; borders that do not fit share what there is.
+    const auto cuts = [&](float start, float length, float near, float far) {
+        const float fit = near + far > length ? length / (near + far) : 1;
+        return std::array{start, start + near * fit, start + length - far * fit, start + length};
+    };
+    const auto xs = cuts(area.x, area.width, draw.left * draw.scale, draw.right * draw.scale);
+    const auto ys = cuts(area.y, area.height, draw.top * draw.scale, draw.bottom * draw.scale);
+    const auto us = cuts(source.x, source.width, draw.left, draw.right);
+    const auto vs = cuts(source.y, source.height, draw.top, draw.bottom);
+
+    const Affine2 map = state_->output_transform();
+    std::array<Vec2, 16> points;
+    for (std::size_t i = 0; i < points.size(); ++i) points[i] = map.apply({xs[i % 4], ys[i / 4]});
+    if (!state_->prepare(points, 0)) return;
+    const Rgba8 color = to_rgba8(draw.tint);
+    TriangleList& out = state_->batch.triangles(found->backend_texture);
+    const auto unit = [](float v) { return std::clamp(v, 0.0f, 1.0f); };
+    const int first = static_cast<int>(out.vertices.size());
+    for (std::size_t i = 0; i < points.size(); ++i)
+        out.add({points[i], color, {unit(us[i % 4] / image_width), unit(vs[i / 4] / image_height)}});
+    for (int row = 0; row < 3; ++row)
+        for (int column = 0; column < 3; ++column) {
+            const int corner = first + 4 * row + column;
+            out.add_quad(corner, corner + 1, corner + 5, corner + 4);
+        }
 }
 
 }  // namespace cairn::engine

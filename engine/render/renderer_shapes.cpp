@@ -27,6 +27,13 @@ std::array<Vec2, 4> corners(const Rect& r) {
     return {Vec2{r.x, r.y}, {r.x + r.width, r.y}, {r.x + r.width, r.y + r.height}, {r.x, r.y + r.height}};
 }
 
+constexpr float kTurn = 6.28318531f;
+
+/// What takes the unit circle to an ellipse in output pixels.
+Affine2 unit_circle_to(Vec2 center, Vec2 radii, const Affine2& map) {
+    return map * Affine2::translation(center) * Affine2::scaling(radii);
+}
+
 /// Radii and widths: NaN, infinity, zero and less draw nothing.
 bool is_positive(float length) {
     return length > 0 && std::isfinite(length);
@@ -72,6 +79,23 @@ void Renderer::fill_circle(Vec2 center, float radius, Color color) {
         state_->fill(circle_points(center, radius, state_->output_transform()), Brush(color), 0);
 }
 
+void Renderer::fill_ellipse(Vec2 center, Vec2 radii, Color color) {
+    if (!is_positive(radii.x) || !is_positive(radii.y)) return;
+    state_->fill(circle_points({0, 0}, 1, unit_circle_to(center, radii, state_->output_transform())),
+                 Brush(color), 0);
+}
+
+void Renderer::fill_sector(Vec2 center, float radius, float from_rad, float to_rad, Color color) {
+    const float turn = to_rad - from_rad;
+    if (!is_positive(radius) || !std::isfinite(turn) || turn == 0) return;
+    if (std::fabs(turn) >= kTurn) return fill_circle(center, radius, color);
+    const Affine2 map = state_->output_transform();
+    // From the center all of it can be seen, however wide it is.
+    std::vector<Vec2> points = {map.apply(center)};
+    for (const Vec2 p : arc_points(center, radius, from_rad, to_rad, map)) points.push_back(p);
+    if (state_->prepare(points, 1)) fill_star(points, Brush(color), state_->batch.triangles(0));
+}
+
 void Renderer::fill_capsule(Vec2 a, Vec2 b, float radius, Color color) {
     if (is_positive(radius))
         state_->fill(capsule_points(a, b, radius, state_->output_transform()), Brush(color), 0);
@@ -100,6 +124,19 @@ void Renderer::outline_circle(Vec2 center, float radius, float width, Color colo
     if (!is_positive(radius)) return;
     state_->outline(circle_points(center, radius, state_->output_transform()), true, width, LineCap::Round,
                     color);
+}
+
+void Renderer::outline_ellipse(Vec2 center, Vec2 radii, float width, Color color) {
+    if (!is_positive(radii.x) || !is_positive(radii.y)) return;
+    state_->outline(circle_points({0, 0}, 1, unit_circle_to(center, radii, state_->output_transform())), true,
+                    width, LineCap::Round, color);
+}
+
+void Renderer::draw_arc(Vec2 center, float radius, float from_rad, float to_rad, float width, Color color) {
+    if (!is_positive(radius) || !std::isfinite(to_rad - from_rad)) return;
+    if (std::fabs(to_rad - from_rad) >= kTurn) return outline_circle(center, radius, width, color);
+    state_->outline(arc_points(center, radius, from_rad, to_rad, state_->output_transform()), false, width,
+                    LineCap::Butt, color);
 }
 
 void Renderer::outline_capsule(Vec2 a, Vec2 b, float radius, float width, Color color) {

@@ -23,6 +23,16 @@ struct Texture {
     BackendTexture backend_texture = 0;  ///< 0 when the back-end keeps no pixels
     Size size;
     std::string path;  ///< empty when it was made from an image in memory
+    bool is_canvas = false;
+};
+
+/// Where drawing went before a canvas was begun, and how.
+struct SuspendedTarget {
+    TextureId canvas;  ///< null: the output
+    Viewport viewport;
+    std::vector<Affine2> transforms;
+    BlendMode blend;
+    std::optional<Rect> scissor;
 };
 
 struct Renderer::State {
@@ -40,6 +50,10 @@ struct Renderer::State {
     const Texture* find_texture(TextureId texture, std::string_view function);
     void complain_once(std::string_view what, std::string_view function);
 
+    /// Ends every canvas that a frame has left open, and destroys those that were to go.
+    void end_all_canvases();
+    void destroy(TextureId texture);
+
     void fill(std::vector<Vec2> output_points, const Brush& brush, BackendTexture texture);
     void outline(std::vector<Vec2> output_points, bool closed, float width, LineCap cap, Color color);
 
@@ -54,6 +68,10 @@ struct Renderer::State {
 
     Batch batch;
     GlyphCache glyphs;
+    std::optional<Rect> scissor;
+    TextureId canvas;  ///< in use; null: the output
+    std::vector<SuspendedTarget> suspended;
+    std::vector<TextureId> doomed;  ///< destroyed while in use
     RenderStats last_frame;
     std::map<std::string, bool, std::less<>> complaints;
 };

@@ -50,6 +50,9 @@ class Brush {
 /// A convex polygon of either winding. One without area adds nothing.
 void fill_convex(std::span<const Vec2> points, const Brush& brush, TriangleList& out);
 
+/// A polygon that need not be convex, but whose every point can be seen from its first one.
+void fill_star(std::span<const Vec2> points, const Brush& brush, TriangleList& out);
+
 /// A line of the given width along the points; `closed` joins the last one to the first. Lines thinner than a
 /// pixel are drawn one pixel wide and fainter instead.
 void stroke(std::span<const Vec2> points, bool closed, float width, LineCap cap, const Brush& brush,
@@ -60,6 +63,9 @@ int circle_segments(float radius_pixels);
 
 /// Points of a circle after `output_from_local`. Their polygon has the area of the true circle.
 std::vector<Vec2> circle_points(Vec2 center, float radius, const Affine2& output_from_local);
+/// Points along an arc from one angle to another, both ends included.
+std::vector<Vec2> arc_points(Vec2 center, float radius, float from_rad, float to_rad,
+                             const Affine2& output_from_local);
 /// Points of a capsule: two half circles around a and b.
 std::vector<Vec2> capsule_points(Vec2 a, Vec2 b, float radius, const Affine2& output_from_local);
 

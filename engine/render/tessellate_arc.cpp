@@ -1,5 +1,5 @@
-// Circles and capsules as polygons. Invariant: a chord is never further than a tenth of a pixel from its arc,
-// up to the largest number of segments.
+// Circles, arcs and capsules as polygons. Invariant: a chord is never further than a tenth of a pixel from
+// its arc, up to the largest number of segments.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -42,6 +42,21 @@ std::vector<Vec2> circle_points(Vec2 center, float radius, const Affine2& output
     for (int i = 0; i < n; ++i)
         points.push_back(
             output_from_local.apply(on_circle(center, polygon_radius, sector * static_cast<float>(i))));
+    return points;
+}
+
+std::vector<Vec2> arc_points(Vec2 center, float radius, float from_rad, float to_rad,
+                             const Affine2& output_from_local) {
+    const int whole_turn = circle_segments(radius * output_from_local.mean_scale());
+    const float turns = std::min(std::fabs(to_rad - from_rad) / (2 * kPi), 1.0f);
+    const int n = std::max(1, static_cast<int>(std::ceil(turns * static_cast<float>(whole_turn))));
+    std::vector<Vec2> points;
+    points.reserve(static_cast<std::size_t>(n) + 1);
+    for (int i = 0; i <= n; ++i) {
+        const float share = static_cast<float>(i) / static_cast<float>(n);
+        points.push_back(
+            output_from_local.apply(on_circle(center, radius, from_rad + (to_rad - from_rad) * share)));
+    }
     return points;
 }
 

@@ -21,7 +21,7 @@ std::uint8_t to_byte(float component) {
     return static_cast<std::uint8_t>(std::min(component, 1.0f) * 255 + 0.5f);
 }
 
-/// The corners without repetitions, turned so that the area is positive.
+/// The corners without repetitions, turned so that the area is positive; the first stays the first.
 std::vector<Vec2> tidy_corners(std::span<const Vec2> points, float& area) {
     std::vector<Vec2> corners;
     corners.reserve(points.size());
@@ -36,15 +36,52 @@ std::vector<Vec2> tidy_corners(std::span<const Vec2> points, float& area) {
         const Vec2 b = corners[(i + 1) % corners.size()] - corners[0];
         doubled += cross(a, b);
     }
-    if (doubled < 0) std::reverse(corners.begin(), corners.end());
+    if (doubled < 0) std::reverse(corners.begin() + 1, corners.end());
     area = 0.5f * std::fabs(doubled);
     return corners;
+}
+
+/// The outward normal of the edge that starts at each corner. With positive area, outward is to the right.
+std::vector<Vec2> edge_normals(const std::vector<Vec2>& corners) {
+    const std::size_t n = corners.size();
+    std::vector<Vec2> normals(n);
+    for (std::size_t i = 0; i < n; ++i) {
+        const Vec2 edge = corners[(i + 1) % n] - corners[i];
+        normals[i] = Vec2{edge.y, -edge.x} * (1 / length(edge));
+    }
+    return normals;
+}
+
+/// The inner contour as a fan around its first point, and the rim around it.
+void add_filled(const std::vector<Vec2>& corners, const std::vector<Vec2>& normals, float inset,
+                const Brush& paint, TriangleList& out) {
+    const std::size_t n = corners.size();
+    const int first = static_cast<int>(out.vertices.size());
+    for (std::size_t i = 0; i < n; ++i) {
+        const Vec2 before = normals[(i + n - 1) % n];
+        const Vec2 after = normals[i];
+        // Along this vector, a step of 1 moves the corner 1 away from both edges.
+        Vec2 miter = (before + after) * (1 / std::max(1 + dot(before, after), 1e-3f));
+        const float reach = length(miter);
+        if (reach > kMaxMiter) miter = miter * (kMaxMiter / reach);
+        out.add(paint.vertex(corners[i] - miter * inset, 1));
+        out.add(paint.vertex(corners[i] + miter * 0.5f, 0));
+    }
+    const int count = static_cast<int>(n);
+    for (int i = 1; i + 1 < count; ++i) out.add_triangle(first, first + 2 * i, first + 2 * i + 2);
+    for (int i = 0; i < count; ++i) {
+        const int here = first + 2 * i;
+        const int next = first + 2 * ((i + 1) % count);
+        out.add_quad(here, here + 1, next + 1, next);
+    }
 }
 
 }  // namespace
 
 Rgba8 to_rgba8(Color color) {
-    return {to_byte(color.r), to_byte(color.g), to_byte(color.b), to_byte(color.a)};
+    const auto unit = [](float v) { return v > 0 ? std::min(v, 1.0f) : 0.0f; };
+    const float a = unit(color.a);
+    return {to_byte(unit(color.r) * a), to_byte(unit(color.g) * a), to_byte(unit(color.b) * a), to_byte(a)};
 }
 
 Brush Brush::faded(float factor) const {
@@ -69,14 +106,9 @@ void fill_convex(std::span<const Vec2> points, const Brush& brush, TriangleList&
     const std::size_t n = corners.size();
     if (n < 3 || area <= 0) return;
 
-    // The outward normal of the edge that starts at each corner. With positive area, outward is to the right.
-    std::vector<Vec2> normals(n);
+    const std::vector<Vec2> normals = edge_normals(corners);
     Vec2 centroid;
-    for (std::size_t i = 0; i < n; ++i) {
-        const Vec2 edge = corners[(i + 1) % n] - corners[i];
-        normals[i] = Vec2{edge.y, -edge.x} * (1 / length(edge));
-        centroid = centroid + corners[i] * (1 / static_cast<float>(n));
-    }
+    for (const Vec2 corner : corners) centroid = centroid + corner * (1 / static_cast<float>(n));
     float inradius = std::numeric_limits<float>::max();
     for (std::size_t i = 0; i < n; ++i) inradius = std::min(inradius, dot(normals[i], corners[i] - centroid));
     if (!(inradius > 0)) return;
@@ -87,24 +119,18 @@ void fill_convex(std::span<const Vec2> points, const Brush& brush, TriangleList&
     const float inset = std::min(0.5f, inradius);
     const Brush paint = inset < 0.5f ? brush.faded(2 * inset / (inset + 0.5f)) : brush;
 
-    const int first = static_cast<int>(out.vertices.size());
-    for (std::size_t i = 0; i < n; ++i) {
-        const Vec2 before = normals[(i + n - 1) % n];
-        const Vec2 after = normals[i];
-        // Along this vector, a step of 1 moves the corner 1 away from both edges.
-        Vec2 miter = (before + after) * (1 / std::max(1 + dot(before, after), 1e-3f));
-        const float reach = length(miter);
-        if (reach > kMaxMiter) miter = miter * (kMaxMiter / reach);
-        out.add(paint.vertex(corners[i] - miter * inset, 1));
-        out.add(paint.vertex(corners[i] + miter * 0.5f, 0));
-    }
-    const int count = static_cast<int>(n);
-    for (int i = 1; i + 1 < count; ++i) out.add_triangle(first, first + 2 * i, first + 2 * i + 2);
-    for (int i = 0; i < count; ++i) {
-        const int here = first + 2 * i;
-        const int next = first + 2 * ((i + 1) % count);
-        out.add_quad(here, here + 1, next + 1, next);
-    }
+    add_filled(corners, normals, inset, paint, out);
+}
+
+void fill_star(std::span<const Vec2> points, const Brush& brush, TriangleList& out) {
+    float area = 0;
+    const std::vector<Vec2> corners = tidy_corners(points, area);
+    if (corners.size() < 3 || area <= 0) return;
+    float perimeter = 0;
+    for (std::size_t i = 0; i < corners.size(); ++i)
+        perimeter += length(corners[(i + 1) % corners.size()] - corners[i]);
+    // Twice the area over the perimeter is the inradius of what has one.
+    add_filled(corners, edge_normals(corners), std::min(0.5f, 2 * area / perimeter), brush, out);
 }
 
 }  // namespace cairn::engine

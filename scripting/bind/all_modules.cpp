@@ -12,10 +12,11 @@ namespace {
 
 // In the order of the reference.
 constexpr std::array kModules = {
-    &kCoreModule,    &kPhysicsModule, &kWorldMethods, &kBodyMethods,   &kShapeMethods,   &kJointMethods,
-    &kPrefabModule,  &kPrefabMethods, &kCameraModule, &kCameraMethods, &kGraphicsModule, &kImageMethods,
-    &kFontMethods,   &kAudioModule,   &kInputModule,  &kWindowModule,  &kFilesModule,    &kRandomModule,
-    &kRandomMethods, &kTimerModule,   &kTimerMethods, &kLevelModule,   &kTestModule,
+    &kCoreModule,   &kPhysicsModule, &kWorldMethods, &kBodyMethods,   &kShapeMethods,   &kJointMethods,
+    &kPrefabModule, &kPrefabMethods, &kCameraModule, &kCameraMethods, &kGraphicsModule, &kImageMethods,
+    &kFontMethods,  &kCanvasMethods, &kQuadMethods,  &kAtlasMethods,  &kBatchMethods,   &kAudioModule,
+    &kInputModule,  &kWindowModule,  &kFilesModule,  &kRandomModule,  &kRandomMethods,  &kTimerModule,
+    &kTimerMethods, &kLevelModule,   &kTestModule,
 };
 
 struct TypeOfObject {
@@ -24,11 +25,20 @@ struct TypeOfObject {
     lua_CFunction finalize;
 };
 constexpr TypeOfObject kTypes[] = {
-    {ObjectTag::World, &kWorldMethods, finalize_world}, {ObjectTag::Body, &kBodyMethods, nullptr},
-    {ObjectTag::Shape, &kShapeMethods, nullptr},        {ObjectTag::Joint, &kJointMethods, nullptr},
-    {ObjectTag::Camera, &kCameraMethods, nullptr},      {ObjectTag::Image, &kImageMethods, nullptr},
-    {ObjectTag::Font, &kFontMethods, nullptr},          {ObjectTag::Random, &kRandomMethods, nullptr},
-    {ObjectTag::Timer, &kTimerMethods, nullptr},        {ObjectTag::Prefab, &kPrefabMethods, finalize_prefab},
+    {ObjectTag::World, &kWorldMethods, finalize_world},
+    {ObjectTag::Body, &kBodyMethods, nullptr},
+    {ObjectTag::Shape, &kShapeMethods, nullptr},
+    {ObjectTag::Joint, &kJointMethods, nullptr},
+    {ObjectTag::Camera, &kCameraMethods, nullptr},
+    {ObjectTag::Image, &kImageMethods, nullptr},
+    {ObjectTag::Font, &kFontMethods, nullptr},
+    {ObjectTag::Random, &kRandomMethods, nullptr},
+    {ObjectTag::Timer, &kTimerMethods, nullptr},
+    {ObjectTag::Prefab, &kPrefabMethods, finalize_prefab},
+    {ObjectTag::Canvas, &kCanvasMethods, finalize_canvas},
+    {ObjectTag::Quad, &kQuadMethods, nullptr},
+    {ObjectTag::Atlas, &kAtlasMethods, nullptr},
+    {ObjectTag::Batch, &kBatchMethods, finalize_batch},
 };
 
 constexpr std::string_view kPrefix = "cairn.";

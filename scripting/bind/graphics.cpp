@@ -4,6 +4,7 @@
 #include "bind/graphics_objects.h"
 #include "bind/graphics_shapes.h"
 #include "bind/modules.h"
+#include "bind/pictures.h"
 #include "data/nearest.h"
 #include "lua/sandbox.h"
 #include "lua/state.h"
@@ -52,7 +53,10 @@ void set_blend_mode(lua_State* L, std::string_view mode) {
     engine::Renderer& renderer = drawing_context(L).services.renderer;
     if (mode == "alpha") return renderer.set_blend_mode(engine::BlendMode::Alpha);
     if (mode == "add") return renderer.set_blend_mode(engine::BlendMode::Add);
-    argument_error(L, 1, "\"alpha\" or \"add\"");
+    if (mode == "multiply") return renderer.set_blend_mode(engine::BlendMode::Multiply);
+    if (mode == "screen") return renderer.set_blend_mode(engine::BlendMode::Screen);
+    if (mode == "replace") return renderer.set_blend_mode(engine::BlendMode::Replace);
+    argument_error(L, 1, "\"alpha\", \"add\", \"multiply\", \"screen\" or \"replace\"");
 }
 void set_scissor(lua_State* L, std::optional<float> x, std::optional<float> y, std::optional<float> width,
                  std::optional<float> height) {
@@ -64,7 +68,7 @@ void set_scissor(lua_State* L, std::optional<float> x, std::optional<float> y, s
 void clear(lua_State* L, float r, float g, float b) {
     Context& context = drawing_context(L);
     engine::Renderer& renderer = context.services.renderer;
-    const engine::Size size = renderer.logical_size();
+    const engine::Size size = renderer.target_size();
     check_or_raise(L, renderer.push_transform());
     renderer.reset_transform();
     renderer.fill_rectangle({0, 0, static_cast<float>(size.width), static_cast<float>(size.height)},
@@ -89,6 +93,20 @@ void rotate(lua_State* L, float angle) {
 void scale(lua_State* L, float x, std::optional<float> y) {
     drawing_context(L).services.renderer.scale({x, y.value_or(x)});
 }
+void shear(lua_State* L, float x, float y) {
+    drawing_context(L).services.renderer.apply_transform({1, y, x, 1, 0, 0});
+}
+void origin(lua_State* L) {
+    drawing_context(L).services.renderer.reset_transform();
+}
+std::tuple<float, float> transform_point(lua_State* L, float x, float y) {
+    const Vec2 p = drawing_context(L).services.renderer.transform().apply({x, y});
+    return {p.x, p.y};
+}
+std::tuple<float, float> inverse_transform_point(lua_State* L, float x, float y) {
+    const Vec2 p = drawing_context(L).services.renderer.transform().inverse().apply({x, y});
+    return {p.x, p.y};
+}
 
 // ---- Images
 
@@ -100,46 +118,48 @@ Pushed new_image(lua_State* L, std::string_view path) {
 }
 
 /// The image is mirrored where y points up, so that it stands upright there too.
-void draw_upright(lua_State* L, const ImageObject& image, engine::ImageDraw draw) {
+void draw_upright(lua_State* L, const Picture& picture, engine::ImageDraw draw) {
     Context& context = drawing_context(L);
     if (is_y_up(context.services.renderer)) draw.scale.y = -draw.scale.y;
     draw.tint = context.draw.color;
-    context.services.renderer.draw_image(image.texture, draw);
+    context.services.renderer.draw_image(picture.texture, draw);
 }
 
-void draw(lua_State* L, ImageObject* image, float x, float y, std::optional<float> angle,
+void draw(lua_State* L, Picture picture, float x, float y, std::optional<float> angle,
           std::optional<float> scale_x, std::optional<float> scale_y, std::optional<float> origin_x,
           std::optional<float> origin_y) {
     const float width_scale = scale_x.value_or(1);
-    draw_upright(L, *image,
+    draw_upright(L, picture,
                  {.position = {x, y},
                   .rotation_rad = angle.value_or(0),
                   .scale = {width_scale, scale_y.value_or(width_scale)},
-                  .origin = {origin_x.value_or(0), origin_y.value_or(0)}});
+                  .origin = {origin_x.value_or(0), origin_y.value_or(0)},
+                  .source = picture.source});
 }
 
-void draw_sized(lua_State* L, ImageObject* image, float x, float y, float width, float height,
+void draw_sized(lua_State* L, Picture picture, float x, float y, float width, float height,
                 std::optional<float> angle) {
-    const auto image_width = static_cast<float>(image->size.width);
-    const auto image_height = static_cast<float>(image->size.height);
-    draw_upright(L, *image,
+    const engine::Rect& source = picture.source;
+    draw_upright(L, picture,
                  {.position = {x, y},
                   .rotation_rad = angle.value_or(0),
-                  .scale = {width / image_width, height / image_height},
-                  .origin = {image_width / 2, image_height / 2}});
+                  .scale = {width / source.width, height / source.height},
+                  .origin = {source.width / 2, source.height / 2},
+                  .source = source});
 }
 
-void draw_region(lua_State* L, ImageObject* image, float source_x, float source_y, float source_width,
+void draw_region(lua_State* L, Picture picture, float source_x, float source_y, float source_width,
                  float source_height, float x, float y, float width, float height,
                  std::optional<float> angle) {
     if (!(source_width > 0 && source_height > 0))
         call_error(L, "the part of the image must be wider and higher than 0");
-    draw_upright(L, *image,
+    draw_upright(L, picture,
                  {.position = {x, y},
                   .rotation_rad = angle.value_or(0),
                   .scale = {width / source_width, height / source_height},
                   .origin = {source_width / 2, source_height / 2},
-                  .source = engine::Rect{source_x, source_y, source_width, source_height}});
+                  .source = engine::Rect{picture.source.x + source_x, picture.source.y + source_y,
+                                         source_width, source_height}});
 }
 
 /// The affine map that takes three of the points, those that span the largest triangle with the first, to
@@ -167,7 +187,7 @@ std::optional<engine::Affine2> uv_map(const std::vector<Vec2>& points, const std
     return frame(uvs) * frame(points).inverse();
 }
 
-void draw_polygon(lua_State* L, ImageObject* image, TableArgument points, TableArgument uvs) {
+void draw_polygon(lua_State* L, Picture picture, TableArgument points, TableArgument uvs) {
     Context& context = drawing_context(L);
     const std::vector<Vec2> corners = read_point_list(L, points, 3);
     const std::vector<Vec2> places = read_point_list(L, uvs, 3);
@@ -177,9 +197,41 @@ void draw_polygon(lua_State* L, ImageObject* image, TableArgument points, TableA
                           " places in the image; one for each point is needed");
     }
     if (const auto uv_from_point = uv_map(corners, places)) {
-        context.services.renderer.fill_convex_polygon(corners, image->texture, *uv_from_point,
-                                                      context.draw.color);
+        engine::Renderer& renderer = context.services.renderer;
+        const engine::Size size = renderer.texture_size(picture.texture);
+        renderer.fill_convex_polygon(corners, picture.texture,
+                                     picture.texture_from_picture(size) * *uv_from_point, context.draw.color);
     }
+}
+
+void draw_nine_patch(lua_State* L, Picture picture, float x, float y, float width, float height, float left,
+                     std::optional<float> top, std::optional<float> right, std::optional<float> bottom,
+                     std::optional<float> scale) {
+    Context& context = drawing_context(L);
+    engine::NinePatchDraw patch{.area = {x, y, width, height},
+                                .left = left,
+                                .top = top.value_or(left),
+                                .right = right.value_or(left),
+                                .bottom = bottom.value_or(top.value_or(left)),
+                                .scale = scale.value_or(1),
+                                .source = picture.source,
+                                .tint = context.draw.color};
+    for (const float border : {patch.left, patch.top, patch.right, patch.bottom})
+        if (!(border >= 0)) call_error(L, "the borders must be at least 0");
+    if (patch.left + patch.right > picture.source.width || patch.top + patch.bottom > picture.source.height)
+        call_error(
+            L,
+            "the borders must leave room: left + right is more than the image's width, or top + bottom "
+            "more than its height");
+    if (!(patch.scale > 0)) argument_error(L, 10, "a number above 0");
+    engine::Renderer& renderer = context.services.renderer;
+    if (!is_y_up(renderer)) return renderer.draw_nine_patch(picture.texture, patch);
+    // Turned upside down about the area's middle, so that it stands upright.
+    check_or_raise(L, renderer.push_transform());
+    renderer.translate({0, 2 * y + height});
+    renderer.scale({1, -1});
+    renderer.draw_nine_patch(picture.texture, patch);
+    check_or_raise(L, renderer.pop_transform());
 }
 
 // ---- Text
@@ -255,13 +307,20 @@ std::tuple<std::int64_t, std::int64_t> stats(lua_State* L) {
 
 constexpr std::array<std::string_view, 1> kReturnsImage = {"Image"};
 constexpr std::array<std::string_view, 1> kReturnsFont = {"Font"};
+constexpr std::array<std::string_view, 1> kReturnsCanvas = {"Canvas"};
+constexpr std::array<std::string_view, 1> kReturnsQuad = {"Quad"};
+constexpr std::array<std::string_view, 1> kReturnsAtlas = {"Atlas"};
+constexpr std::array<std::string_view, 1> kReturnsBatch = {"Batch"};
 
 constexpr Function kFunctions[] = {
     function<&set_color>("set_color", "r, g, b, a = 1", "",
                          "Of all that is drawn; it tints images. Starts white."),
     function<&color>("color", "", "r, g, b, a", ""),
     function<&set_line_width>("set_line_width", "width", "", "In the present units. Starts 1."),
-    function<&set_blend_mode>("set_blend_mode", "mode", "", "\"alpha\" covers, \"add\" adds light."),
+    function<&set_blend_mode>(
+        "set_blend_mode", "mode", "",
+        "\"alpha\" covers, \"add\" adds light, \"multiply\" darkens, \"screen\" lightens up to white, "
+        "\"replace\" takes the place of what was there, transparency too."),
     function<&set_scissor>(
         "set_scissor", "x [px] = nil, y [px] = nil, width [px] = nil, height [px] = nil", "",
         "Only what lies inside is drawn; screen pixels, whatever the transform. Without arguments: "
@@ -272,11 +331,21 @@ constexpr Function kFunctions[] = {
     function<&translate>("translate", "x, y", "", ""),
     function<&rotate>("rotate", "angle [rad]", "", "From the x axis towards the y axis."),
     function<&scale>("scale", "x, y = x", "", ""),
+    function<&shear>("shear", "x, y", "", "(1, 0) goes to (1, y), and (0, 1) to (x, 1)."),
+    function<&origin>("origin", "", "",
+                      "Forgets the transforms since the last push: drawing is in screen pixels."),
+    function<&transform_point>("transform_point", "x, y", "x [px], y [px]",
+                               "Where on the screen, or in the canvas, a point lies."),
+    function<&inverse_transform_point>("inverse_transform_point", "x [px], y [px]", "x, y",
+                                       "The point that is drawn there."),
     function<&rectangle>(
         "rectangle", "mode, x, y, width, height, radius = 0", "",
         "`mode` is \"fill\" or \"line\"; (x, y) is the corner of least x and y; the radius rounds the "
         "corners inward."),
     function<&circle>("circle", "mode, x, y, radius", "", ""),
+    function<&ellipse>("ellipse", "mode, x, y, radius_x, radius_y", "", ""),
+    function<&arc>("arc", "mode, x, y, radius, from [rad], to [rad]", "",
+                   "\"fill\" draws the slice of a disc between two angles, \"line\" the arc alone."),
     function<&capsule>("capsule", "mode, x1, y1, x2, y2, radius", "", ""),
     function<&polygon>("polygon", "mode, points", "", "Convex; points = { x1, y1, x2, y2, ... }."),
     function<&line>(
@@ -287,8 +356,21 @@ constexpr Function kFunctions[] = {
                     "Triangles without smooth edges: three vertices each, { x, y, r, g, b, a, ... }, with an "
                     "image { x, y, "
                     "r, g, b, a, u, v, ... }. For gradients."),
-    function_pushing<&new_image>("new_image", "path", "image", kReturnsImage,
-                                 "Loads a PNG or JPEG file; the same path gives the same picture."),
+    function_pushing<&new_image>(
+        "new_image", "path", "image", kReturnsImage,
+        "Loads a PNG or JPEG file; the same path gives the same picture. Wherever an image "
+        "is drawn, a Canvas or a Quad can be too."),
+    function_pushing<&new_canvas>("new_canvas", "width [px], height [px]", "canvas", kReturnsCanvas,
+                                  "Makes a transparent picture to draw into. Its pixels are logical ones."),
+    function_pushing<&new_quad>("new_quad", "image, x [px], y [px], width [px], height [px]", "quad",
+                                kReturnsQuad,
+                                "A part of an image, to be drawn like one; it must lie inside."),
+    function_pushing<&new_atlas>(
+        "new_atlas", "path", "atlas", kReturnsAtlas,
+        "Loads many named parts of one image: a JSON file as TexturePacker, free-tex-packer "
+        "and Aseprite write them, \"hash\" or \"array\", without rotation and trimming."),
+    function_pushing<&new_batch>("new_batch", "image", "batch", kReturnsBatch,
+                                 "A list of sprites from one image that is drawn with one call."),
     function<&draw>(
         "draw",
         "image, x, y, angle [rad] = 0, scale_x = 1, scale_y = scale_x, origin_x [px] = 0, origin_y [px] = 0",
@@ -306,6 +388,15 @@ constexpr Function kFunctions[] = {
         "A convex polygon, { x1, y1, ... }, filled with the image; uvs = { u1, v1, ... } says which "
         "place of the image, 0 to 1 from its top left, lies at each point. The image is laid on flat: "
         "three of the points decide how."),
+    function<&draw_nine_patch>(
+        "draw_nine_patch",
+        "image, x, y, width, height, left [px], top [px] = left, right [px] = left, bottom [px] = top, scale "
+        "= 1",
+        "",
+        "Fills a rectangle with an image whose corners keep their size and whose sides are stretched only "
+        "along "
+        "themselves: frames, panels, buttons. The borders are of the image; `scale` is how large one of its "
+        "pixels is drawn."),
     function_pushing<&new_font>("new_font", "size [px], path = \"fonts/default.ttf\"", "font", kReturnsFont,
                                 "Loads a TrueType font; size 4 to 256."),
     function<&set_font>("set_font", "font", "", "Starts with the default font at 18 pixels."),

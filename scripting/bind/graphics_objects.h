@@ -1,4 +1,4 @@
-// Images and fonts as Lua values, and what drawing functions share.
+// Images, what is like them, and fonts as Lua values, and what drawing functions share.
 #pragma once
 
 #include <vector>
@@ -17,6 +17,33 @@ struct ImageObject : ObjectHeader {
     engine::TextureId texture;
     engine::Size size;
 };
+/// A picture that is drawn into. Its texture goes when the garbage collector finds it.
+struct CanvasObject : ObjectHeader {
+    static constexpr ObjectTag kTag = ObjectTag::Canvas;
+    engine::TextureId texture;
+    engine::Size size;
+};
+/// A part of an image or canvas, which is user value 1.
+struct QuadObject : ObjectHeader {
+    static constexpr ObjectTag kTag = ObjectTag::Quad;
+    engine::TextureId texture;
+    engine::Rect source;  ///< in pixels
+};
+
+/// What can be drawn like an image: an Image, a Canvas, or a Quad, which is a part of either.
+struct Picture {
+    engine::TextureId texture;
+    engine::Rect source;  ///< in pixels
+
+    /// From places in the picture, 0 to 1 from its top left, to those in its texture.
+    [[nodiscard]] engine::Affine2 texture_from_picture(engine::Size texture_size) const;
+};
+template <>
+struct Argument<Picture> {
+    static constexpr std::string_view kType = "Image|Canvas|Quad";
+    static Picture get(lua_State* L, int index);
+};
+
 struct FontObject : ObjectHeader {
     static constexpr ObjectTag kTag = ObjectTag::Font;
     engine::FontId font;
@@ -30,6 +57,24 @@ struct Argument<ImageObject*> {
         auto* image = object_at<ImageObject>(L, index);
         if (image == nullptr) argument_error(L, index, "an Image");
         return image;
+    }
+};
+template <>
+struct Argument<CanvasObject*> {
+    static constexpr std::string_view kType = "Canvas";
+    static CanvasObject* get(lua_State* L, int index) {
+        auto* canvas = object_at<CanvasObject>(L, index);
+        if (canvas == nullptr) argument_error(L, index, "a Canvas");
+        return canvas;
+    }
+};
+template <>
+struct Argument<QuadObject*> {
+    static constexpr std::string_view kType = "Quad";
+    static QuadObject* get(lua_State* L, int index) {
+        auto* quad = object_at<QuadObject>(L, index);
+        if (quad == nullptr) argument_error(L, index, "a Quad");
+        return quad;
     }
 };
 template <>

@@ -93,6 +93,20 @@ void circle(lua_State* L, std::string_view mode, float x, float y, float radius)
     renderer.outline_circle({x, y}, radius, context.draw.line_width, context.draw.color);
 }
 
+void ellipse(lua_State* L, std::string_view mode, float x, float y, float radius_x, float radius_y) {
+    Context& context = drawing_context(L);
+    engine::Renderer& renderer = context.services.renderer;
+    if (is_filled(L, mode)) return renderer.fill_ellipse({x, y}, {radius_x, radius_y}, context.draw.color);
+    renderer.outline_ellipse({x, y}, {radius_x, radius_y}, context.draw.line_width, context.draw.color);
+}
+
+void arc(lua_State* L, std::string_view mode, float x, float y, float radius, float from, float to) {
+    Context& context = drawing_context(L);
+    engine::Renderer& renderer = context.services.renderer;
+    if (is_filled(L, mode)) return renderer.fill_sector({x, y}, radius, from, to, context.draw.color);
+    renderer.draw_arc({x, y}, radius, from, to, context.draw.line_width, context.draw.color);
+}
+
 void capsule(lua_State* L, std::string_view mode, float x1, float y1, float x2, float y2, float radius) {
     Context& context = drawing_context(L);
     engine::Renderer& renderer = context.services.renderer;
@@ -124,7 +138,7 @@ void line(lua_State* L, AnyArgument points) {
     context.services.renderer.draw_polyline(path, context.draw.line_width, context.draw.color);
 }
 
-void mesh(lua_State* L, TableArgument vertices, std::optional<ImageObject*> image) {
+void mesh(lua_State* L, TableArgument vertices, std::optional<Picture> image) {
     Context& context = drawing_context(L);
     const std::size_t stride = image ? 8 : 6;
     std::vector<float> numbers;
@@ -139,9 +153,14 @@ void mesh(lua_State* L, TableArgument vertices, std::optional<ImageObject*> imag
         const float* n = &numbers[i * stride];
         corners[i] = {{n[0], n[1]}, {n[2], n[3], n[4], n[5]}, image ? Vec2{n[6], n[7]} : Vec2{}};
     }
+    engine::Renderer& renderer = context.services.renderer;
+    if (image) {
+        const engine::Affine2 map = image->texture_from_picture(renderer.texture_size(image->texture));
+        for (engine::MeshVertex& corner : corners) corner.uv = map.apply(corner.uv);
+    }
     std::vector<std::uint32_t> indices(corners.size());
     std::iota(indices.begin(), indices.end(), 0u);
-    context.services.renderer.draw_mesh(corners, indices, image ? (*image)->texture : engine::TextureId{});
+    renderer.draw_mesh(corners, indices, image ? image->texture : engine::TextureId{});
 }
 
 }  // namespace cairn::scripting

@@ -21,6 +21,10 @@ extern const Module kCameraMethods;
 extern const Module kGraphicsModule;  // cairn.graphics
 extern const Module kImageMethods;
 extern const Module kFontMethods;
+extern const Module kCanvasMethods;
+extern const Module kQuadMethods;
+extern const Module kAtlasMethods;
+extern const Module kBatchMethods;
 extern const Module kAudioModule;   // cairn.audio
 extern const Module kInputModule;   // cairn.input
 extern const Module kWindowModule;  // cairn.window
@@ -36,6 +40,10 @@ extern const Module kTestModule;   // cairn.test
 int finalize_world(lua_State* L);
 /// The same of a Prefab.
 int finalize_prefab(lua_State* L);
+
+/// Frees the texture of a Canvas, and the sprites of a Batch.
+int finalize_canvas(lua_State* L);
+int finalize_batch(lua_State* L);
 
 /// Adds `cairn.random.visual` to the table on top of the stack, and makes math.random use the gameplay
 /// stream.

@@ -22,9 +22,13 @@ enum class ObjectTag : std::uint32_t {
     Font,
     Random,
     Timer,
-    Prefab
+    Prefab,
+    Canvas,
+    Quad,
+    Atlas,
+    Batch
 };
-inline constexpr int kObjectTagCount = static_cast<int>(ObjectTag::Prefab) + 1;
+inline constexpr int kObjectTagCount = static_cast<int>(ObjectTag::Batch) + 1;
 
 struct ObjectHeader {
     ObjectTag tag;
@@ -55,6 +59,14 @@ constexpr const char* object_type_name(ObjectTag tag) {
             return "Timer";
         case ObjectTag::Prefab:
             return "Prefab";
+        case ObjectTag::Canvas:
+            return "Canvas";
+        case ObjectTag::Quad:
+            return "Quad";
+        case ObjectTag::Atlas:
+            return "Atlas";
+        case ObjectTag::Batch:
+            return "Batch";
     }
     return "userdata";
 }

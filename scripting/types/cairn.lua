@@ -1336,7 +1336,7 @@ function cairn.graphics.color() end
 ---@param width number
 function cairn.graphics.set_line_width(width) end
 
----"alpha" covers, "add" adds light.
+---"alpha" covers, "add" adds light, "multiply" darkens, "screen" lightens up to white, "replace" takes the place of what was there, transparency too.
 ---@param mode string
 function cairn.graphics.set_blend_mode(mode) end
 
@@ -1371,6 +1371,28 @@ function cairn.graphics.rotate(angle) end
 ---@param y number?
 function cairn.graphics.scale(x, y) end
 
+---(1, 0) goes to (1, y), and (0, 1) to (x, 1).
+---@param x number
+---@param y number
+function cairn.graphics.shear(x, y) end
+
+---Forgets the transforms since the last push: drawing is in screen pixels.
+function cairn.graphics.origin() end
+
+---Where on the screen, or in the canvas, a point lies.
+---@param x number
+---@param y number
+---@return number x [px]
+---@return number y [px]
+function cairn.graphics.transform_point(x, y) end
+
+---The point that is drawn there.
+---@param x number [px]
+---@param y number [px]
+---@return number x
+---@return number y
+function cairn.graphics.inverse_transform_point(x, y) end
+
 ---`mode` is "fill" or "line"; (x, y) is the corner of least x and y; the radius rounds the corners inward.
 ---@param mode string
 ---@param x number
@@ -1385,6 +1407,22 @@ function cairn.graphics.rectangle(mode, x, y, width, height, radius) end
 ---@param y number
 ---@param radius number
 function cairn.graphics.circle(mode, x, y, radius) end
+
+---@param mode string
+---@param x number
+---@param y number
+---@param radius_x number
+---@param radius_y number
+function cairn.graphics.ellipse(mode, x, y, radius_x, radius_y) end
+
+---"fill" draws the slice of a disc between two angles, "line" the arc alone.
+---@param mode string
+---@param x number
+---@param y number
+---@param radius number
+---@param from number [rad]
+---@param to number [rad]
+function cairn.graphics.arc(mode, x, y, radius, from, to) end
 
 ---@param mode string
 ---@param x1 number
@@ -1405,16 +1443,41 @@ function cairn.graphics.line(points) end
 
 ---Triangles without smooth edges: three vertices each, { x, y, r, g, b, a, ... }, with an image { x, y, r, g, b, a, u, v, ... }. For gradients.
 ---@param vertices table
----@param image Image?
+---@param image Image|Canvas|Quad?
 function cairn.graphics.mesh(vertices, image) end
 
----Loads a PNG or JPEG file; the same path gives the same picture.
+---Loads a PNG or JPEG file; the same path gives the same picture. Wherever an image is drawn, a Canvas or a Quad can be too.
 ---@param path string
 ---@return Image image
 function cairn.graphics.new_image(path) end
 
+---Makes a transparent picture to draw into. Its pixels are logical ones.
+---@param width integer [px]
+---@param height integer [px]
+---@return Canvas canvas
+function cairn.graphics.new_canvas(width, height) end
+
+---A part of an image, to be drawn like one; it must lie inside.
+---@param image Image|Canvas|Quad
+---@param x number [px]
+---@param y number [px]
+---@param width number [px]
+---@param height number [px]
+---@return Quad quad
+function cairn.graphics.new_quad(image, x, y, width, height) end
+
+---Loads many named parts of one image: a JSON file as TexturePacker, free-tex-packer and Aseprite write them, "hash" or "array", without rotation and trimming.
+---@param path string
+---@return Atlas atlas
+function cairn.graphics.new_atlas(path) end
+
+---A list of sprites from one image that is drawn with one call.
+---@param image Image|Canvas|Quad
+---@return Batch batch
+function cairn.graphics.new_batch(image) end
+
 ---Draws an image with its origin (pixels from its top left) at (x, y). Under a camera the scale is metres per pixel of the image.
----@param image Image
+---@param image Image|Canvas|Quad
 ---@param x number
 ---@param y number
 ---@param angle number? [rad]
@@ -1425,7 +1488,7 @@ function cairn.graphics.new_image(path) end
 function cairn.graphics.draw(image, x, y, angle, scale_x, scale_y, origin_x, origin_y) end
 
 ---Draws an image centred at (x, y) with a size in the present units.
----@param image Image
+---@param image Image|Canvas|Quad
 ---@param x number
 ---@param y number
 ---@param width number
@@ -1434,7 +1497,7 @@ function cairn.graphics.draw(image, x, y, angle, scale_x, scale_y, origin_x, ori
 function cairn.graphics.draw_sized(image, x, y, width, height, angle) end
 
 ---As draw_sized, with a part of the image.
----@param image Image
+---@param image Image|Canvas|Quad
 ---@param source_x number [px]
 ---@param source_y number [px]
 ---@param source_width number [px]
@@ -1447,10 +1510,23 @@ function cairn.graphics.draw_sized(image, x, y, width, height, angle) end
 function cairn.graphics.draw_region(image, source_x, source_y, source_width, source_height, x, y, width, height, angle) end
 
 ---A convex polygon, { x1, y1, ... }, filled with the image; uvs = { u1, v1, ... } says which place of the image, 0 to 1 from its top left, lies at each point. The image is laid on flat: three of the points decide how.
----@param image Image
+---@param image Image|Canvas|Quad
 ---@param points table
 ---@param uvs table
 function cairn.graphics.draw_polygon(image, points, uvs) end
+
+---Fills a rectangle with an image whose corners keep their size and whose sides are stretched only along themselves: frames, panels, buttons. The borders are of the image; `scale` is how large one of its pixels is drawn.
+---@param image Image|Canvas|Quad
+---@param x number
+---@param y number
+---@param width number
+---@param height number
+---@param left number [px]
+---@param top number? [px]
+---@param right number? [px]
+---@param bottom number? [px]
+---@param scale number?
+function cairn.graphics.draw_nine_patch(image, x, y, width, height, left, top, right, bottom, scale) end
 
 ---Loads a TrueType font; size 4 to 256.
 ---@param size number [px]
@@ -1521,6 +1597,87 @@ function Font:height() end
 
 ---@return number size [px]
 function Font:size() end
+
+---@class Canvas
+local Canvas = {}
+
+---From here on drawing goes into the canvas, from its top left, with transforms, blend mode and scissor of its own; only in `cairn.draw`. With a color it is filled with it first, else it keeps what it shows, from picture to picture too.
+---@param r number?
+---@param g number?
+---@param b number?
+---@param a number?
+function Canvas:attach(r, g, b, a) end
+
+---Drawing goes where it went before `attach`.
+function Canvas:detach() end
+
+---@return integer width [px]
+---@return integer height [px]
+function Canvas:size() end
+
+---@class Quad
+local Quad = {}
+
+---@return number width [px]
+---@return number height [px]
+function Quad:size() end
+
+---Where in its image it lies.
+---@return number x [px]
+---@return number y [px]
+---@return number width [px]
+---@return number height [px]
+function Quad:region() end
+
+---@class Atlas
+local Atlas = {}
+
+---A part by its name; an unknown one is an error.
+---@param name string
+---@return Quad quad
+function Atlas:quad(name) end
+
+---A new list of all names, as the file has them.
+---@return string[] names
+function Atlas:names() end
+
+---@class Batch
+local Batch = {}
+
+---Adds a sprite, placed as cairn.graphics.draw places images: the whole image, or the quad, which must be a part of it.
+---@param x number
+---@param y number
+---@param angle number? [rad]
+---@param scale_x number?
+---@param scale_y number?
+---@param origin_x number? [px]
+---@param origin_y number? [px]
+---@param quad Image|Canvas|Quad?
+---@return integer index
+function Batch:add(x, y, angle, scale_x, scale_y, origin_x, origin_y, quad) end
+
+---Adds a sprite for each body of the world that is a key of `quads`, where it is between the last two steps: the Quad that is its value, or the whole image for `true`. `scale` is metres per pixel of the image.
+---@param world World
+---@param quads table
+---@param scale number
+function Batch:add_bodies(world, quads, scale) end
+
+---Tints what is added from here on.
+---@param r number
+---@param g number
+---@param b number
+---@param a number?
+function Batch:set_color(r, g, b, a) end
+
+---Takes all sprites out.
+function Batch:clear() end
+
+---How many sprites it holds.
+---@return integer count
+function Batch:count() end
+
+---Draws all of it in the order of adding; only in `cairn.draw`.
+function Batch:draw() end
 
 cairn.audio = {}
 

@@ -37,8 +37,7 @@ FontFace::Glyph trimmed(const SDL_Surface& surface) {
     glyph.image.size = {right - left, bottom - top};
     glyph.image.rgba.reserve(4 * static_cast<std::size_t>(right - left) * (bottom - top));
     for (int y = top; y < bottom; ++y)
-        for (int x = left; x < right; ++x)
-            glyph.image.rgba.insert(glyph.image.rgba.end(), {255, 255, 255, alpha(x, y)});
+        for (int x = left; x < right; ++x) glyph.image.rgba.insert(glyph.image.rgba.end(), 4, alpha(x, y));
     return glyph;
 }
 

@@ -30,12 +30,29 @@ Size output_size(SDL_Renderer* renderer) {
     return size;
 }
 
+/// The factors of (what is drawn, what lies under it) for premultiplied colors; those of the rasterizer's
+/// blended().
 SDL_BlendMode to_sdl(BlendMode mode) {
+    const auto compose = [](SDL_BlendFactor color, SDL_BlendFactor under, SDL_BlendFactor alpha,
+                            SDL_BlendFactor alpha_under) {
+        return SDL_ComposeCustomBlendMode(color, under, SDL_BLENDOPERATION_ADD, alpha, alpha_under,
+                                          SDL_BLENDOPERATION_ADD);
+    };
     switch (mode) {
         case BlendMode::Alpha:
-            return SDL_BLENDMODE_BLEND;
+            return compose(SDL_BLENDFACTOR_ONE, SDL_BLENDFACTOR_ONE_MINUS_SRC_ALPHA, SDL_BLENDFACTOR_ONE,
+                           SDL_BLENDFACTOR_ONE_MINUS_SRC_ALPHA);
         case BlendMode::Add:
-            return SDL_BLENDMODE_ADD;
+            return compose(SDL_BLENDFACTOR_ONE, SDL_BLENDFACTOR_ONE, SDL_BLENDFACTOR_ZERO,
+                           SDL_BLENDFACTOR_ONE);
+        case BlendMode::Multiply:
+            return compose(SDL_BLENDFACTOR_DST_COLOR, SDL_BLENDFACTOR_ONE_MINUS_SRC_ALPHA,
+                           SDL_BLENDFACTOR_ZERO, SDL_BLENDFACTOR_ONE);
+        case BlendMode::Screen:
+            return compose(SDL_BLENDFACTOR_ONE, SDL_BLENDFACTOR_ONE_MINUS_SRC_COLOR, SDL_BLENDFACTOR_ONE,
+                           SDL_BLENDFACTOR_ONE_MINUS_SRC_ALPHA);
+        case BlendMode::Replace:
+            return SDL_BLENDMODE_NONE;
     }
     return SDL_BLENDMODE_NONE;
 }
@@ -57,14 +74,23 @@ class AcceleratedBackend final : public RenderBackend {
         if (!texture ||
             SDL_UpdateTexture(texture.get(), nullptr, image.rgba.data(), 4 * image.size.width) != 0)
             return sdl_error("cannot make a texture");
-        SDL_SetTextureScaleMode(texture.get(), SDL_ScaleModeLinear);
-        for (std::size_t i = 0; i < textures_.size(); ++i)
-            if (!textures_[i]) {
-                textures_[i] = std::move(texture);
-                return static_cast<BackendTexture>(i + 1);
-            }
-        textures_.push_back(std::move(texture));
-        return static_cast<BackendTexture>(textures_.size());
+        return keep(std::move(texture));
+    }
+
+    Result<BackendTexture> create_canvas(Size size) override {
+        TexturePtr texture(SDL_CreateTexture(renderer_.get(), SDL_PIXELFORMAT_RGBA32,
+                                             SDL_TEXTUREACCESS_TARGET, size.width, size.height));
+        if (!texture) return sdl_error("cannot make a canvas");
+        // What a new target shows is not defined.
+        SDL_Texture* before = SDL_GetRenderTarget(renderer_.get());
+        SDL_SetRenderTarget(renderer_.get(), texture.get());
+        clear({0, 0, 0, 0});
+        SDL_SetRenderTarget(renderer_.get(), before);
+        return keep(std::move(texture));
+    }
+
+    void set_target(BackendTexture canvas) override {
+        SDL_SetRenderTarget(renderer_.get(), canvas ? textures_[canvas - 1].get() : nullptr);
     }
 
     void update_texture(BackendTexture texture, int x, int y, const Image& part) override {
@@ -77,7 +103,7 @@ class AcceleratedBackend final : public RenderBackend {
     void clear(Color color) override {
         const Rgba8 c = to_rgba8(color);
         SDL_RenderSetClipRect(renderer_.get(), nullptr);
-        SDL_SetRenderDrawColor(renderer_.get(), c.r, c.g, c.b, 255);
+        SDL_SetRenderDrawColor(renderer_.get(), c.r, c.g, c.b, c.a);
         SDL_RenderClear(renderer_.get());
     }
 
@@ -115,6 +141,17 @@ class AcceleratedBackend final : public RenderBackend {
     void present() override { SDL_RenderPresent(renderer_.get()); }
 
   private:
+    BackendTexture keep(TexturePtr texture) {
+        SDL_SetTextureScaleMode(texture.get(), SDL_ScaleModeLinear);
+        for (std::size_t i = 0; i < textures_.size(); ++i)
+            if (!textures_[i]) {
+                textures_[i] = std::move(texture);
+                return static_cast<BackendTexture>(i + 1);
+            }
+        textures_.push_back(std::move(texture));
+        return static_cast<BackendTexture>(textures_.size());
+    }
+
     SDL_Window* window_;
     WindowDef def_;
     RendererPtr renderer_;
@@ -135,13 +172,18 @@ class UnacceleratedBackend final : public RenderBackend {
     Result<BackendTexture> create_texture(const Image& image) override {
         return surface_.create_texture(image);
     }
+    Result<BackendTexture> create_canvas(Size size) override { return surface_.create_canvas(size); }
+    void set_target(BackendTexture canvas) override {
+        surface_.set_target(canvas);
+        draws_output_ = canvas == 0;
+    }
     void update_texture(BackendTexture texture, int x, int y, const Image& part) override {
         surface_.update_texture(texture, x, y, part);
     }
     void destroy_texture(BackendTexture texture) override { surface_.destroy_texture(texture); }
 
     void clear(Color color) override {
-        surface_.set_viewport(viewport());
+        if (draws_output_) surface_.set_viewport(viewport());
         surface_.clear(color);
     }
 
@@ -171,6 +213,7 @@ class UnacceleratedBackend final : public RenderBackend {
     WindowDef def_;
     RendererPtr renderer_;
     SurfaceBackend surface_;
+    bool draws_output_ = true;
     TexturePtr screen_;
     Size screen_size_;
 };

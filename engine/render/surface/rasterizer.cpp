@@ -98,23 +98,29 @@ Texel sample(const Image& texture, float u, float v) {
     return texel;
 }
 
-/// color: r, g, b, a in 0 .. 255.
-void blend_pixel(std::uint8_t* pixel, const Texel& color, BlendMode blend) {
-    const float alpha = color[3] * (1.0f / 255);
-    for (std::size_t i = 0; i < 3; ++i) {
-        const float under = pixel[i];
-        float result = under;
-        switch (blend) {
-            case BlendMode::Alpha:
-                result = under + (color[i] - under) * alpha;
-                break;
-            case BlendMode::Add:
-                result = under + color[i] * alpha;
-                break;
-        }
-        pixel[i] = static_cast<std::uint8_t>(std::clamp(result + 0.5f, 0.0f, 255.0f));
+/// Component i of what a color, 0 .. 255 and premultiplied, makes of what lies under it.
+float blended(float under, const Texel& color, std::size_t i, BlendMode blend) {
+    constexpr std::size_t kAlpha = 3;
+    const float uncovered = 1 - color[kAlpha] * (1.0f / 255);
+    switch (blend) {
+        case BlendMode::Alpha:
+            return color[i] + under * uncovered;
+        case BlendMode::Add:
+            return i == kAlpha ? under : under + color[i];
+        case BlendMode::Multiply:
+            return i == kAlpha ? under : under * (color[i] * (1.0f / 255) + uncovered);
+        case BlendMode::Screen:
+            return color[i] + under * (1 - color[i] * (1.0f / 255));
+        case BlendMode::Replace:
+            return color[i];
     }
-    pixel[3] = 255;
+    return under;
+}
+
+void blend_pixel(std::uint8_t* pixel, const Texel& color, BlendMode blend) {
+    for (std::size_t i = 0; i < 4; ++i)
+        pixel[i] =
+            static_cast<std::uint8_t>(std::clamp(blended(pixel[i], color, i, blend) + 0.5f, 0.0f, 255.0f));
 }
 
 }  // namespace

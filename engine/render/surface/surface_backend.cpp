@@ -1,4 +1,4 @@
-// The back-end that draws into memory. Invariant: every pixel of the picture is opaque.
+// The back-end that draws into memory. Invariant: a picture that is read back is opaque.
 #include "render/surface/surface_backend.h"
 
 #include <algorithm>
@@ -9,6 +9,19 @@
 
 namespace cairn::engine {
 
+namespace {
+
+void fill(Image& image, Rgba8 color) {
+    for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
+        image.rgba[i] = color.r;
+        image.rgba[i + 1] = color.g;
+        image.rgba[i + 2] = color.b;
+        image.rgba[i + 3] = color.a;
+    }
+}
+
+}  // namespace
+
 SurfaceBackend::SurfaceBackend(const Viewport& viewport) {
     set_viewport(viewport);
 }
@@ -18,7 +31,7 @@ void SurfaceBackend::set_viewport(const Viewport& viewport) {
     if (picture_.size == viewport.output) return;
     picture_.size = viewport.output;
     picture_.rgba.resize(4 * static_cast<std::size_t>(viewport.output.width) * viewport.output.height);
-    clear({0, 0, 0, 1});
+    fill(picture_, {0, 0, 0, 255});
 }
 
 Result<BackendTexture> SurfaceBackend::create_texture(const Image& image) {
@@ -27,6 +40,12 @@ Result<BackendTexture> SurfaceBackend::create_texture(const Image& image) {
     if (free_slot == textures_.end()) free_slot = textures_.insert(free_slot, Image{});
     *free_slot = image;
     return static_cast<BackendTexture>(free_slot - textures_.begin()) + 1;
+}
+
+Result<BackendTexture> SurfaceBackend::create_canvas(Size size) {
+    Image blank{size, {}};
+    blank.rgba.resize(4 * static_cast<std::size_t>(size.width) * size.height);
+    return create_texture(blank);
 }
 
 void SurfaceBackend::update_texture(BackendTexture texture, int x, int y, const Image& part) {
@@ -44,13 +63,14 @@ void SurfaceBackend::destroy_texture(BackendTexture texture) {
 }
 
 void SurfaceBackend::clear(Color color) {
-    const Rgba8 c = to_rgba8(color);
-    for (std::size_t i = 0; i < picture_.rgba.size(); i += 4) {
-        picture_.rgba[i] = c.r;
-        picture_.rgba[i + 1] = c.g;
-        picture_.rgba[i + 2] = c.b;
-        picture_.rgba[i + 3] = 255;
-    }
+    fill(target(), to_rgba8(color));
+}
+
+Result<Image> SurfaceBackend::read_pixels() {
+    Image image = picture_;
+    for (std::size_t i = 3; i < image.rgba.size(); i += 4)
+        image.rgba[i] = 255;  // BlendMode::Replace writes others
+    return image;
 }
 
 void SurfaceBackend::draw(std::span<const RenderVertex> vertices, std::span<const int> indices,
@@ -58,7 +78,7 @@ void SurfaceBackend::draw(std::span<const RenderVertex> vertices, std::span<cons
     const Image* image = texture ? &textures_[texture - 1] : nullptr;
     for (std::size_t i = 0; i + 2 < indices.size(); i += 3)
         rasterize_triangle(vertices[indices[i]], vertices[indices[i + 1]], vertices[indices[i + 2]], image,
-                           blend, scissor, picture_);
+                           blend, scissor, target());
 }
 
 }  // namespace cairn::engine

@@ -16,22 +16,28 @@ class SurfaceBackend final : public RenderBackend {
 
     /// Throws the picture away when the output's size changes.
     void set_viewport(const Viewport& viewport);
+    /// Its alpha means nothing: the picture counts as opaque.
     const Image& picture() const { return picture_; }
 
     Viewport viewport() const override { return viewport_; }
     bool keeps_pixels() const override { return true; }
     Result<BackendTexture> create_texture(const Image& image) override;
+    Result<BackendTexture> create_canvas(Size size) override;
+    void set_target(BackendTexture canvas) override { target_ = canvas; }
     void update_texture(BackendTexture texture, int x, int y, const Image& part) override;
     void destroy_texture(BackendTexture texture) override;
     void clear(Color color) override;
     void draw(std::span<const RenderVertex> vertices, std::span<const int> indices, BackendTexture texture,
               BlendMode blend, const PixelRect& scissor) override;
-    Result<Image> read_pixels() override { return picture_; }
+    Result<Image> read_pixels() override;
     void present() override {}
 
   private:
+    Image& target() { return target_ ? textures_[target_ - 1] : picture_; }
+
     Viewport viewport_;
     Image picture_;
+    BackendTexture target_ = 0;
     std::vector<Image> textures_;  ///< texture id - 1; without area: free
 };
 

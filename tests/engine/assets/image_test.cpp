@@ -6,7 +6,7 @@
 #include <cairn/engine/image.h>
 
 #include "engine/support/temporary_folder.h"
-#include "render/bleed.h"
+#include "render/backend.h"
 
 using namespace cairn::engine;
 
@@ -95,8 +95,8 @@ TEST_CASE("the size of a JPEG is found behind its other segments") {
         CHECK_FALSE(read_image_size(std::span(jpeg).first(length), "a.jpg"));
 }
 
-TEST_CASE("transparent pixels take the color of their visible neighbours and stay transparent") {
-    Image image{{3, 1}, {10, 20, 30, 255, 0, 0, 0, 0, 0, 0, 0, 0}};
-    bleed_into_transparent(image);
-    CHECK(image.rgba == std::vector<std::uint8_t>{10, 20, 30, 255, 10, 20, 30, 0, 0, 0, 0, 0});
+TEST_CASE("premultiplied colors are the colors times their alpha, rounded") {
+    Image image{{3, 1}, {10, 20, 30, 255, 200, 100, 1, 51, 255, 255, 255, 0}};
+    premultiply(image);
+    CHECK(image.rgba == std::vector<std::uint8_t>{10, 20, 30, 255, 40, 20, 0, 51, 0, 0, 0, 0});
 }

@@ -93,8 +93,8 @@ TEST_CASE("alpha covers and light adds") {
     };
     cover({100, 200, 50, 255}, BlendMode::Alpha);
     CHECK(rgb(image, 0, 0) == 0x64c832u);
-    cover({200, 0, 50, 51}, BlendMode::Alpha);  // a fifth
-    CHECK(rgb(image, 0, 0) == 0x78a032u);       // 100 + 100/5, 200 - 200/5, 50
+    cover({40, 0, 10, 51}, BlendMode::Alpha);  // a fifth of 200, 0, 50
+    CHECK(rgb(image, 0, 0) == 0x78a032u);      // 100 + 100/5, 200 - 200/5, 50
     cover({255, 100, 0, 255}, BlendMode::Add);
     CHECK(rgb(image, 0, 0) == 0xffff32u);  // 120 + 255 and 160 + 100, both cut off at 255
 }

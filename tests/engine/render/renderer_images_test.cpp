@@ -127,3 +127,34 @@ TEST_CASE("the null renderer knows the sizes of images") {
     REQUIRE(texture);
     CHECK(d.renderer->texture_size(*texture) == Size{4, 2});
 }
+
+TEST_CASE_METHOD(Images, "a nine-patch keeps its corners and stretches the rest") {
+    // 3 x 3 pixels of nine colors; the borders are one pixel each, drawn twice as large.
+    Image nine{{3, 3}, {}};
+    for (int i = 0; i < 9; ++i)
+        nine.rgba.insert(nine.rgba.end(), {std::uint8_t(20 * i), std::uint8_t(250 - 20 * i), 7, 255});
+    const auto patch = renderer->create_texture(nine);
+    REQUIRE(patch);
+    renderer->draw_nine_patch(
+        *patch, {.area = {10, 10, 30, 20}, .left = 1, .top = 1, .right = 1, .bottom = 1, .scale = 2});
+    const Image image = capture();
+    // The outermost pixels of each corner; filters mix further in.
+    CHECK(rgb(image, 10, 10) == rgb(nine, 0, 0));
+    CHECK(rgb(image, 39, 10) == rgb(nine, 2, 0));
+    CHECK(rgb(image, 10, 29) == rgb(nine, 0, 2));
+    CHECK(rgb(image, 39, 29) == rgb(nine, 2, 2));
+    const auto red = [&](int x, int y) { return static_cast<int>(image.pixel(x, y)[0]); };
+    CHECK(std::abs(red(25, 20) - 80) <= 4);  // the middle
+    CHECK(std::abs(red(25, 10) - 20) <= 4);  // the middle of the upper side
+    CHECK(rgb(image, 9, 20) == 0x808080u);
+    CHECK(rgb(image, 40, 20) == 0x808080u);
+}
+
+TEST_CASE_METHOD(Images, "a nine-patch smaller than its borders shrinks them") {
+    renderer->draw_nine_patch(texture,
+                              {.area = {10, 10, 2, 2}, .left = 2, .top = 1, .right = 2, .bottom = 1});
+    const Image image = capture();
+    CHECK(rgb(image, 10, 10) != 0x808080u);
+    CHECK(rgb(image, 12, 10) == 0x808080u);
+    CHECK(rgb(image, 9, 10) == 0x808080u);
+}

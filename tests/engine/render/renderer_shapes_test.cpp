@@ -164,3 +164,47 @@ TEST_CASE_METHOD(Drawing,
     CHECK(rgb(image, 0, 20) == 0xff0000u);
     CHECK(rgb(image, 63, 47) == 0xff0000u);
 }
+
+TEST_CASE_METHOD(Drawing, "an ellipse covers its area") {
+    renderer->begin_frame(kBlack);
+    renderer->fill_ellipse({31.5f, 24.2f}, {22, 9}, kRed);
+    const Image image = capture();
+    CHECK(red_area(image) == Approx(3.14159265 * 22 * 9).epsilon(0.005));
+    CHECK(rgb(image, 12, 24) == 0xff0000u);
+    CHECK(rgb(image, 31, 12) == 0u);
+}
+
+TEST_CASE_METHOD(Drawing, "a slice of a disc covers its share of the area, however wide, without seams") {
+    constexpr double kPi = 3.14159265;
+    for (const double turn : {0.4, 1.5, 2.8, 3.5, 5.0, 6.1, -4.0, 7.0}) {
+        renderer->begin_frame(kBlack);
+        renderer->fill_sector({32, 24}, 20, 0.3f, static_cast<float>(0.3 + turn), {1, 0, 0, 0.5f});
+        const Image image = capture();
+        INFO(turn);
+        const double share = std::min(std::abs(turn) / (2 * kPi), 1.0);
+        CHECK(red_area(image) == Approx(share * kPi * 20 * 20 / 2).epsilon(0.015));
+        // Half of red at most: nothing is covered twice.
+        int most = 0;
+        for (std::size_t i = 0; i < image.rgba.size(); i += 4) most = std::max<int>(most, image.rgba[i]);
+        CHECK(most == 128);
+        renderer->end_frame();
+    }
+}
+
+TEST_CASE_METHOD(Drawing, "an arc covers its length times its width") {
+    renderer->begin_frame(kBlack);
+    renderer->draw_arc({32, 24}, 16, 1, 3.5f, 3, kRed);
+    CHECK(red_area(capture()) == Approx(16 * 2.5 * 3).epsilon(0.02));
+}
+
+TEST_CASE_METHOD(Drawing, "slices, arcs and ellipses of no size or of nonsense draw nothing") {
+    renderer->begin_frame(kBlack);
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    renderer->fill_sector({20, 20}, 0, 0, 1, kRed);
+    renderer->fill_sector({20, 20}, 5, 1, 1, kRed);
+    renderer->fill_sector({20, 20}, 5, nan, 1, kRed);
+    renderer->draw_arc({20, 20}, 5, 0, nan, 1, kRed);
+    renderer->fill_ellipse({20, 20}, {-1, 5}, kRed);
+    renderer->fill_ellipse({nan, 20}, {5, 5}, kRed);
+    CHECK(red_area(capture()) == 0);
+}

@@ -156,7 +156,7 @@ TEST_CASE("the outer vertices of every rim are transparent, and inner ones carry
     REQUIRE(list.vertices.size() == 8);
     for (std::size_t i = 0; i < 8; ++i) {
         CHECK(list.vertices[i].color.a == (i % 2 == 0 ? 128 : 0));
-        CHECK(list.vertices[i].color.r == 255);
+        CHECK(list.vertices[i].color.r == list.vertices[i].color.a);  // premultiplied
     }
 }
 

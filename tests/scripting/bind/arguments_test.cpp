@@ -17,6 +17,10 @@ std::string receiver(const std::string& type) {
     if (type == "Font") return "cairn.graphics.new_font(20)";
     if (type == "Random") return "cairn.random.new(1)";
     if (type == "Timer") return "cairn.timer.after(1, print)";
+    if (type == "Canvas") return "cairn.graphics.new_canvas(4, 4)";
+    if (type == "Quad") return "cairn.graphics.new_quad(cairn.graphics.new_image('pixel.png'), 0, 0, 1, 1)";
+    if (type == "Atlas") return "cairn.graphics.new_atlas('atlas.json')";
+    if (type == "Batch") return "cairn.graphics.new_batch(cairn.graphics.new_image('pixel.png'))";
     if (type == "Prefab") return "cairn.prefab.pendulum(cairn.physics.new_world{})";
     if (type == "Joint") {
         return "(function() local w = cairn.physics.new_world{} return w:add_distance_joint{ body_a = "
@@ -63,7 +67,8 @@ TEST_CASE("nonsense in any argument raises an error that names the binding, and 
                                                "coroutine.create(print)"};
     for (const Module* module : all_modules()) {
         if (std::string(module->name) == "cairn.test") continue;  // only there in tests of games
-        LuaBench bench(GameFiles{{"pixel.png", kPixel}});
+        LuaBench bench(GameFiles{{"pixel.png", kPixel},
+                                 {"atlas.json", R"({"frames": {}, "meta": {"image": "pixel.png"}})"}});
         const std::string path = module->is_type ? receiver(module->name) : module->name;
         REQUIRE(bench.run("receiver = " + path) == "");
         for (const Function& function : module->functions) {

@@ -1,3 +1,5 @@
+#include "scripting/support/drawing.h"
+
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -5,28 +7,6 @@
 
 namespace cairn::scripting::test {
 namespace {
-
-/// Runs `code` as cairn.draw on a software-rendered picture and gives that picture.
-engine::Image picture_of(LuaBench& bench, const std::string& code) {
-    REQUIRE(bench.run("function cairn.draw() " + code + " end") == "");
-    engine::Renderer& renderer = *bench.machine().renderer;
-    renderer.begin_frame({0, 0, 0, 1});
-    const auto error = bench.game().draw(1);
-    if (error) FAIL(error->to_text());
-    auto image = renderer.capture();
-    renderer.end_frame();
-    if (!image) FAIL(image.error().message);
-    return *std::move(image);
-}
-
-bool is_color(const engine::Image& image, int x, int y, int r, int g, int b) {
-    const std::uint8_t* p = image.pixel(x, y);
-    INFO("pixel " << x << ' ' << y << " is " << int(p[0]) << ' ' << int(p[1]) << ' ' << int(p[2]));
-    CHECK(std::abs(p[0] - r) <= 2);
-    CHECK(std::abs(p[1] - g) <= 2);
-    CHECK(std::abs(p[2] - b) <= 2);
-    return true;
-}
 
 const std::map<std::string, std::string> kSmall = {{"conf.lua", "{ width = 200, height = 100 }"}};
 
@@ -123,22 +103,16 @@ TEST_CASE("drawing outside of cairn.draw and wrong modes are errors") {
     CHECK(bench.run("cairn.camera.new{}:attach()").find("call it inside cairn.draw") != std::string::npos);
     CHECK(bench.run("cairn.camera.new{ height = 0 }").find("height is 0") != std::string::npos);
     CHECK(bench.run("cairn.graphics.new_image('none.png')").find("none.png") != std::string::npos);
-    const auto draw_error = [&](const std::string& code) {
-        REQUIRE(bench.run("function cairn.draw() " + code + " end") == "");
-        bench.machine().renderer->begin_frame({});
-        const auto error = bench.game().draw(1);
-        bench.machine().renderer->end_frame();
-        return error ? error->message : "";
-    };
-    CHECK(draw_error("cairn.graphics.circle('full', 0, 0, 1)") ==
+    CHECK(draw_error(bench, "cairn.graphics.circle('full', 0, 0, 1)") ==
           "test.lua:1: cairn.graphics.circle: mode is \"full\"; expected \"fill\" or \"line\"");
-    CHECK(draw_error("cairn.graphics.line(1, 2, 3)").find("got 3 numbers") != std::string::npos);
-    CHECK(draw_error("cairn.graphics.polygon('fill', { 1, 2, 3, 'x' })").find("member 4 is \"x\"") !=
+    CHECK(draw_error(bench, "cairn.graphics.line(1, 2, 3)").find("got 3 numbers") != std::string::npos);
+    CHECK(draw_error(bench, "cairn.graphics.polygon('fill', { 1, 2, 3, 'x' })").find("member 4 is \"x\"") !=
           std::string::npos);
-    CHECK(draw_error("cairn.graphics.mesh({ 1, 2, 3 })").find("got 3 numbers") != std::string::npos);
-    CHECK(draw_error("cairn.graphics.pop()").find("cairn.graphics.pop: ") != std::string::npos);
-    CHECK(draw_error("cairn.camera.new{}:detach()").find("no camera is attached") != std::string::npos);
-    CHECK(draw_error("for i = 1, 100 do cairn.graphics.push() end").find("cairn.graphics.push: ") !=
+    CHECK(draw_error(bench, "cairn.graphics.mesh({ 1, 2, 3 })").find("got 3 numbers") != std::string::npos);
+    CHECK(draw_error(bench, "cairn.graphics.pop()").find("cairn.graphics.pop: ") != std::string::npos);
+    CHECK(draw_error(bench, "cairn.camera.new{}:detach()").find("no camera is attached") !=
+          std::string::npos);
+    CHECK(draw_error(bench, "for i = 1, 100 do cairn.graphics.push() end").find("cairn.graphics.push: ") !=
           std::string::npos);
 }
 

@@ -25,8 +25,11 @@ class Files;
 class RenderBackend;
 
 enum class BlendMode {
-    Alpha,  ///< covers by its alpha
-    Add,    ///< adds light: sparks, glows
+    Alpha,     ///< covers by its alpha
+    Add,       ///< adds light: sparks, glows
+    Multiply,  ///< darkens by its color: shadows, tinted glass
+    Screen,    ///< lightens without ever reaching beyond white: fog, soft glows
+    Replace,   ///< puts itself in place of what was there, transparency too: holes in canvases
 };
 
 enum class LineCap {
@@ -61,6 +64,19 @@ struct TextDraw {
     float wrap_width = 0;  ///< lines are broken at spaces to be no wider than this; 0: only at '\n'
 };
 
+/// A picture whose corners keep their size, whose sides are stretched along themselves, and whose middle is
+/// stretched both ways: frames and buttons of any size.
+struct NinePatchDraw {
+    Rect area = {};  ///< what the picture fills
+    float left = 0;  ///< the borders, in pixels of the source
+    float top = 0;
+    float right = 0;
+    float bottom = 0;
+    float scale = 1;  ///< drawing units per pixel of the borders; they shrink where the area is less
+    std::optional<Rect> source = {};  ///< in pixels of the image; absent: the whole image
+    Color tint = {1, 1, 1, 1};
+};
+
 /// The work of the last finished frame.
 struct RenderStats {
     int draw_calls = 0;
@@ -84,7 +100,11 @@ class Renderer {
     /// The size in the image's pixels; {0, 0} for a null or stale handle.
     Size texture_size(TextureId texture) const;
     bool is_valid(TextureId texture) const;
+    /// A canvas in use stays until the frame ends.
     void destroy_texture(TextureId texture);
+
+    /// A transparent picture to draw into, which then is drawn like any other; its pixels are logical ones.
+    Result<TextureId> create_canvas(Size size);
 
     /// The same path and size give the same handle. Size is the height of a line's letters, in logical
     /// pixels, in 4 .. 256.
@@ -104,6 +124,16 @@ class Renderer {
     Result<Image> capture();
     const RenderStats& stats() const;
 
+    /// From here on drawing goes into the canvas, with a state of its own, until the end_canvas that belongs
+    /// to it; with `clear` it loses what was in it. At most 8 deep, and no canvas twice. A canvas does not
+    /// show itself: drawing it then draws nothing.
+    Result<void> begin_canvas(TextureId canvas, std::optional<Color> clear);
+    Result<void> end_canvas();
+    /// The canvas in use, or null.
+    TextureId current_canvas() const;
+    /// Of what is drawn into: the canvas in use, or the picture's logical size.
+    Size target_size() const;
+
     // ---- State; begin_frame resets it
 
     /// At most 64 deep.
@@ -122,11 +152,16 @@ class Renderer {
     void set_blend_mode(BlendMode mode);
     /// In logical pixels, not moved by the transform; absent: the whole picture.
     void set_scissor(std::optional<Rect> area);
+    /// What set_scissor was given last.
+    std::optional<Rect> scissor() const;
 
     // ---- Shapes; widths and radii are in the coordinates of the current transform
 
     void fill_rectangle(const Rect& rect, Color color);
     void fill_circle(Vec2 center, float radius, Color color);
+    void fill_ellipse(Vec2 center, Vec2 radii, Color color);
+    /// The slice of a disc that lies between two angles, seen from its center.
+    void fill_sector(Vec2 center, float radius, float from_rad, float to_rad, Color color);
     void fill_capsule(Vec2 a, Vec2 b, float radius, Color color);
     /// Either winding; fewer than 3 points draw nothing.
     void fill_convex_polygon(std::span<const Vec2> points, Color color);
@@ -137,6 +172,8 @@ class Renderer {
     /// Outlines lie half inside and half outside of the true edge.
     void outline_rectangle(const Rect& rect, float width, Color color);
     void outline_circle(Vec2 center, float radius, float width, Color color);
+    void outline_ellipse(Vec2 center, Vec2 radii, float width, Color color);
+    void draw_arc(Vec2 center, float radius, float from_rad, float to_rad, float width, Color color);
     void outline_capsule(Vec2 a, Vec2 b, float radius, float width, Color color);
     void outline_polygon(std::span<const Vec2> points, float width, Color color);
     void draw_polyline(std::span<const Vec2> points, float width, Color color, LineCap cap = LineCap::Round);
@@ -150,6 +187,7 @@ class Renderer {
     // ---- Images and text
 
     void draw_image(TextureId texture, const ImageDraw& draw);
+    void draw_nine_patch(TextureId texture, const NinePatchDraw& draw);
     /// UTF-8; a byte that is not, and a character that the font lacks, draw a replacement mark.
     void draw_text(FontId font, std::string_view text, const TextDraw& draw);
     /// The width of the longest line and the height of all lines, the same numbers in every back-end.

@@ -1,0 +1,14 @@
+// What can be drawn like an image, besides images: canvases, quads, atlases; and batches of sprites. As
+// bindings of cairn.graphics.
+#pragma once
+
+#include "bind/graphics_objects.h"
+
+namespace cairn::scripting {
+
+Pushed new_canvas(lua_State* L, std::int64_t width, std::int64_t height);
+Pushed new_quad(lua_State* L, Picture image, float x, float y, float width, float height);
+Pushed new_atlas(lua_State* L, std::string_view path);
+Pushed new_batch(lua_State* L, Picture image);
+
+}  // namespace cairn::scripting
