@@ -16,7 +16,7 @@ constexpr std::array kModules = {
     &kPrefabModule, &kPrefabMethods, &kCameraModule, &kCameraMethods, &kGraphicsModule, &kImageMethods,
     &kFontMethods,  &kCanvasMethods, &kQuadMethods,  &kAtlasMethods,  &kBatchMethods,   &kAudioModule,
     &kInputModule,  &kWindowModule,  &kFilesModule,  &kRandomModule,  &kRandomMethods,  &kTimerModule,
-    &kTimerMethods, &kLevelModule,   &kTestModule,
+    &kTimerMethods, &kTweenModule,   &kTweenMethods, &kSceneModule,   &kLevelModule,    &kTestModule,
 };
 
 struct TypeOfObject {
@@ -33,6 +33,7 @@ constexpr TypeOfObject kTypes[] = {
     {ObjectTag::Image, &kImageMethods, nullptr},
     {ObjectTag::Font, &kFontMethods, nullptr},
     {ObjectTag::Random, &kRandomMethods, nullptr},
+    {ObjectTag::Tween, &kTweenMethods, nullptr},
     {ObjectTag::Timer, &kTimerMethods, nullptr},
     {ObjectTag::Prefab, &kPrefabMethods, finalize_prefab},
     {ObjectTag::Canvas, &kCanvasMethods, finalize_canvas},

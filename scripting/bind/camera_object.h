@@ -1,7 +1,7 @@
 // Camera as a Lua value.
 #pragma once
 
-#include <cairn/engine/camera.h>
+#include <cairn/engine/camera_rig.h>
 
 #include "bind/function.h"
 #include "bind/object.h"
@@ -10,13 +10,13 @@ namespace cairn::scripting {
 
 struct CameraObject : ObjectHeader {
     static constexpr ObjectTag kTag = ObjectTag::Camera;
-    engine::Camera2D camera;
-    engine::Vec2 shake_px;  ///< how far the picture is moved, pixels, y down
+    engine::CameraRig rig;
+    engine::Vec2 offset_px;  ///< how far the picture is moved, pixels, y down
 };
 
 struct CameraRef {
     CameraObject& object;
-    engine::Camera2D& camera;
+    engine::CameraRig& rig;
 };
 template <>
 struct Argument<CameraRef> {

@@ -17,6 +17,7 @@
 
 #include "bind/played_saves.h"
 #include "bind/timers.h"
+#include "bind/tweens.h"
 
 namespace cairn::scripting {
 
@@ -52,6 +53,8 @@ struct Context {
     engine::Random visual_random;  ///< of what decides nothing
     engine::InputState input{};
     Timers timers{};
+    Tweens tweens{};
+    std::vector<int> scenes{};  ///< references in the registry, the top one last
 
     std::uint64_t frame = 0;  ///< updates so far
     double alpha = 1;         ///< of the picture being drawn

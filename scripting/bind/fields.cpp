@@ -25,6 +25,8 @@ bool has_type(lua_State* L, FieldType type) {
             return lua_type(L, -1) == LUA_TSTRING;
         case FieldType::Table:
             return lua_istable(L, -1);
+        case FieldType::Function:
+            return lua_isfunction(L, -1);
         case FieldType::Body:
             return is_object(L, -1, ObjectTag::Body);
         case FieldType::Joint:
@@ -65,6 +67,8 @@ const char* field_type_with_article(FieldType type) {
             return "a string";
         case FieldType::Table:
             return "a table";
+        case FieldType::Function:
+            return "a function";
         case FieldType::Body:
             return "a Body";
         case FieldType::Joint:
@@ -85,6 +89,8 @@ const char* field_type_name(FieldType type) {
             return "string";
         case FieldType::Table:
             return "table";
+        case FieldType::Function:
+            return "function";
         case FieldType::Body:
             return "Body";
         case FieldType::Joint:

@@ -12,7 +12,7 @@
 
 namespace cairn::scripting {
 
-enum class FieldType { Number, Integer, Boolean, String, Table, Body, Joint };
+enum class FieldType { Number, Integer, Boolean, String, Table, Function, Body, Joint };
 
 struct Field {
     const char* name;

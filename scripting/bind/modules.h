@@ -33,6 +33,9 @@ extern const Module kRandomModule;  // cairn.random
 extern const Module kRandomMethods;
 extern const Module kTimerModule;  // cairn.timer
 extern const Module kTimerMethods;
+extern const Module kTweenModule;  // cairn.tween
+extern const Module kTweenMethods;
+extern const Module kSceneModule;  // cairn.scene
 extern const Module kLevelModule;  // cairn.level
 extern const Module kTestModule;   // cairn.test
 

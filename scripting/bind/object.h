@@ -26,9 +26,10 @@ enum class ObjectTag : std::uint32_t {
     Canvas,
     Quad,
     Atlas,
-    Batch
+    Batch,
+    Tween
 };
-inline constexpr int kObjectTagCount = static_cast<int>(ObjectTag::Batch) + 1;
+inline constexpr int kObjectTagCount = static_cast<int>(ObjectTag::Tween) + 1;
 
 struct ObjectHeader {
     ObjectTag tag;
@@ -67,6 +68,8 @@ constexpr const char* object_type_name(ObjectTag tag) {
             return "Atlas";
         case ObjectTag::Batch:
             return "Batch";
+        case ObjectTag::Tween:
+            return "Tween";
     }
     return "userdata";
 }

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include <cairn/engine/random.h>
+#include <cairn/physics/math.h>
 
 #include "bind/context.h"
 #include "bind/modules.h"
@@ -49,6 +50,35 @@ std::int64_t integer_from(lua_State* L, engine::Random& random, std::int64_t low
     return random.range(low, high);
 }
 
+/// Source: G. Marsaglia, T. A. Bray, "A Convenient Method for Generating Normal Variables", 1964 (polar
+/// method).
+double normal_from(engine::Random& random, double mean, double deviation) {
+    while (true) {
+        const double u = random.uniform(-1, 1);
+        const double v = random.uniform(-1, 1);
+        const double s = u * u + v * v;
+        if (s > 0 && s < 1) return mean + deviation * u * std::sqrt(-2 * physics::deterministic::log(s) / s);
+    }
+}
+
+Pushed choose_from(lua_State* L, engine::Random& random, TableArgument list) {
+    const auto count = static_cast<lua_Integer>(lua_rawlen(L, list.index));
+    if (count == 0) call_error(L, "the list is empty");
+    lua_rawgeti(L, list.index, random.range(1, count));
+    return {1};
+}
+
+/// Source: R. Durstenfeld, "Algorithm 235: Random permutation", 1964.
+void shuffle_with(lua_State* L, engine::Random& random, TableArgument list) {
+    for (auto i = static_cast<lua_Integer>(lua_rawlen(L, list.index)); i > 1; --i) {
+        const lua_Integer other = random.range(1, i);
+        lua_rawgeti(L, list.index, i);
+        lua_rawgeti(L, list.index, other);
+        lua_rawseti(L, list.index, i);
+        lua_rawseti(L, list.index, other);
+    }
+}
+
 double uniform(lua_State* L) {
     return context_of(L).random.uniform();
 }
@@ -57,6 +87,18 @@ double number(lua_State* L, double low, double high) {
 }
 std::int64_t integer(lua_State* L, std::int64_t low, std::int64_t high) {
     return integer_from(L, context_of(L).random, low, high);
+}
+double normal(lua_State* L, std::optional<double> mean, std::optional<double> deviation) {
+    return normal_from(context_of(L).random, mean.value_or(0), deviation.value_or(1));
+}
+bool chance(lua_State* L, double probability) {
+    return context_of(L).random.uniform() < probability;
+}
+Pushed choose(lua_State* L, TableArgument list) {
+    return choose_from(L, context_of(L).random, list);
+}
+void shuffle(lua_State* L, TableArgument list) {
+    shuffle_with(L, context_of(L).random, list);
 }
 void seed(lua_State* L, std::int64_t seed) {
     context_of(L).random = engine::Random(static_cast<std::uint64_t>(seed));
@@ -75,17 +117,37 @@ double self_number(lua_State* L, RandomObject* self, double low, double high) {
 std::int64_t self_integer(lua_State* L, RandomObject* self, std::int64_t low, std::int64_t high) {
     return integer_from(L, self->generator(), low, high);
 }
+double self_normal(RandomObject* self, std::optional<double> mean, std::optional<double> deviation) {
+    return normal_from(self->generator(), mean.value_or(0), deviation.value_or(1));
+}
+bool self_chance(RandomObject* self, double probability) {
+    return self->generator().uniform() < probability;
+}
+Pushed self_choose(lua_State* L, RandomObject* self, TableArgument list) {
+    return choose_from(L, self->generator(), list);
+}
+void self_shuffle(lua_State* L, RandomObject* self, TableArgument list) {
+    shuffle_with(L, self->generator(), list);
+}
 void self_seed(RandomObject* self, std::int64_t seed) {
     self->generator() = engine::Random(static_cast<std::uint64_t>(seed));
 }
 
 constexpr std::array<std::string_view, 1> kReturnsRandom = {"Random"};
+constexpr std::array<std::string_view, 1> kReturnsAny = {"any"};
 
 constexpr Function kFunctions[] = {
     function<&uniform>("uniform", "", "number", "In [0, 1)."),
     function<&number>("number", "low, high", "number", "In [low, high)."),
     function<&integer>("integer", "low, high", "integer",
                        "In [low, high], both included, all equally likely."),
+    function<&normal>("normal", "mean = 0, deviation = 1", "number",
+                      "Normally distributed: most lie near the mean."),
+    function<&chance>("chance", "probability", "happens", "True with that probability, 0 to 1."),
+    function_pushing<&choose>("choose", "list", "member", kReturnsAny,
+                              "One of a list's members, all equally likely."),
+    function<&shuffle>("shuffle", "list", "",
+                       "Brings the members of a list into a random order, all equally likely."),
     function<&seed>("seed", "seed", "", "Starts the stream anew."),
     function_pushing<&new_random>("new", "seed", "random", kReturnsRandom,
                                   "A generator of its own; it is not part of the state hash."),
@@ -94,6 +156,10 @@ constexpr Function kMethods[] = {
     function<&self_uniform>("uniform", "", "number", "In [0, 1)."),
     function<&self_number>("number", "low, high", "number", "In [low, high)."),
     function<&self_integer>("integer", "low, high", "integer", "In [low, high], both included."),
+    function<&self_normal>("normal", "mean = 0, deviation = 1", "number", "Normally distributed."),
+    function<&self_chance>("chance", "probability", "happens", "True with that probability, 0 to 1."),
+    function_pushing<&self_choose>("choose", "list", "member", kReturnsAny, "One of a list's members."),
+    function<&self_shuffle>("shuffle", "list", "", "Brings the members of a list into a random order."),
     function<&self_seed>("seed", "seed", "", "Starts the stream anew."),
 };
 

@@ -83,23 +83,55 @@ struct Game::CallbackCall {
     const char* name;
     int cairn;                                             ///< reference to the table of the callbacks
     const std::function<int(lua_State*)>& push_arguments;  ///< gives their number
+    bool reaches_scenes = true;                            ///< not load, which is before all scenes
+    bool is_for_visible_scenes = false;                    ///< not only for the top one
     bool result = false;
-    std::string problem;
+    std::string problem = {};
 };
 
 int Game::run_callback(lua_State* L) {
     auto& callback = *static_cast<CallbackCall*>(lua_touserdata(L, 1));
     lua_rawgeti(L, LUA_REGISTRYINDEX, callback.cairn);
     lua_getfield(L, -1, callback.name);
-    if (lua_isnil(L, -1)) return 0;
-    if (!lua_isfunction(L, -1)) {
+    if (lua_isfunction(L, -1)) {
+        lua_call(L, callback.push_arguments(L), 1);
+        callback.result = lua_toboolean(L, -1) != 0;
+    } else if (!lua_isnil(L, -1)) {
         callback.problem =
             std::string("cairn.") + callback.name + " is " + describe_value(L, -1) + "; expected a function";
         return 0;
     }
-    lua_call(L, callback.push_arguments(L), 1);
-    callback.result = lua_toboolean(L, -1) != 0;
+    lua_settop(L, 1);
+    if (callback.reaches_scenes) run_scene_callbacks(L, callback);
     return 0;
+}
+
+void Game::run_scene_callbacks(lua_State* L, CallbackCall& callback) {
+    // Taken onto the stack first: a callback may change the scenes.
+    const std::vector<int>& scenes = context_of(L).scenes;
+    luaL_checkstack(L, static_cast<int>(scenes.size()) + LUA_MINSTACK, "scenes");
+    for (auto scene = scenes.rbegin(); scene != scenes.rend(); ++scene) {
+        lua_rawgeti(L, LUA_REGISTRYINDEX, *scene);
+        if (!callback.is_for_visible_scenes) break;
+        lua_getfield(L, -1, "overlay");
+        const bool is_overlay = lua_toboolean(L, -1) != 0;
+        lua_pop(L, 1);
+        if (!is_overlay) break;
+    }
+    // From the lowest to the top one.
+    for (int scene = lua_gettop(L); scene > 1; --scene) {
+        lua_getfield(L, scene, callback.name);
+        if (lua_isfunction(L, -1)) {
+            lua_pushvalue(L, scene);
+            lua_call(L, 1 + callback.push_arguments(L), 1);
+            callback.result = callback.result || lua_toboolean(L, -1) != 0;
+        } else if (!lua_isnil(L, -1)) {
+            callback.problem = std::string("the scene's ") + callback.name + " is " + describe_value(L, -1) +
+                               "; expected a function";
+            return;
+        }
+        lua_settop(L, scene - 1);
+    }
 }
 
 template <class... Arguments>
@@ -108,7 +140,9 @@ std::optional<ScriptError> Game::call(const char* name, bool* result, const Argu
         (push(L, arguments), ...);
         return static_cast<int>(sizeof...(Arguments));
     };
-    CallbackCall callback{name, cairn_, push_arguments, false, {}};
+    CallbackCall callback{.name = name, .cairn = cairn_, .push_arguments = push_arguments};
+    callback.reaches_scenes = std::string_view(name) != "load";
+    callback.is_for_visible_scenes = std::string_view(name) == "draw";
     lua_State* L = state_.get();
     lua_pushcfunction(L, run_callback);
     lua_pushlightuserdata(L, &callback);
@@ -175,6 +209,10 @@ std::optional<ScriptError> Game::update(std::span<const InputEvent> events) {
         if (auto error = deliver(event)) return error;
     }
     if (auto error = run_timers()) return error;
+    if (!context_.tweens.running.empty()) {
+        lua_pushcfunction(state_.get(), run_tweens);
+        if (auto error = protected_call(state_.get(), 0, 0)) return error;
+    }
     auto error = call("update", nullptr, engine::FixedStep::kDefaultStep_s);
     context_.services.audio.advance(engine::FixedStep::kDefaultStep_s);
     return error;

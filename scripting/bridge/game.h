@@ -54,6 +54,7 @@ class Game {
     /// A call of a callback, made inside a protected call because pushing its arguments needs memory.
     struct CallbackCall;
     static int run_callback(lua_State* L);
+    static void run_scene_callbacks(lua_State* L, CallbackCall& callback);
     std::optional<ScriptError> deliver(const engine::InputEvent& event);
     std::optional<ScriptError> run_timers();
     template <class... Arguments>

@@ -61,7 +61,9 @@ std::string parameter_list(const Function& function) {
             continue;
         }
         text += parameter.name;
-        if (!parameter.default_value.empty()) text += " = " + std::string(parameter.default_value);
+        // Further arguments are left out by themselves.
+        if (!parameter.default_value.empty() && parameter.name != "...")
+            text += " = " + std::string(parameter.default_value);
     }
     return text == "{...}" ? text : '(' + text + ')';
 }

@@ -1262,7 +1262,12 @@ cairn.camera = {}
 ---@class cairn.camera.new.Fields
 ---@field x? number m; what the middle of the picture shows
 ---@field y? number m
----@field height? number m from the bottom to the top of the picture; above 0
+---@field height? number m from the bottom to the top of the picture at zoom 1; above 0
+---@field zoom? number 2 shows everything twice as large
+---@field follow_rate? number 1/s; of the way to what it follows, 63 % is covered in 1 / rate
+---@field dead_zone_width? number m; inside this area around the middle
+---@field dead_zone_height? number m; what it follows does not move it
+---@field shake_share? number how far a shake of 1 moves the picture, in heights of the view
 
 ---Makes a camera.
 ---@param fields cairn.camera.new.Fields?
@@ -1292,23 +1297,64 @@ function Camera:to_world(x, y) end
 ---@return number y [px]
 function Camera:to_screen(x, y) end
 
+---What `update` moves to from now on; without arguments it stays where it is. Call it in every update with the place of what is followed.
+---@param x number? [m]
+---@param y number? [m]
+function Camera:follow(x, y) end
+
+---Moves the camera on its way, and lets shakes fade. Once per update; pictures in between show it in between.
+---@param dt number [s]
+function Camera:update(dt) end
+
+---Shakes the picture, 0 to 1; strengths add up to 1 at most and fade within a second.
+---@param strength number
+function Camera:shake(strength) end
+
+---Nothing outside is shown; where the view is larger, it shows the middle. Without arguments: no bounds.
+---@param left number? [m]
+---@param bottom number? [m]
+---@param right number? [m]
+---@param top number? [m]
+function Camera:set_bounds(left, bottom, right, top) end
+
+---@return number zoom
+function Camera:zoom() end
+
+---2 shows everything twice as large as 1.
+---@param zoom number
+function Camera:set_zoom(zoom) end
+
+---Multiplies the zoom; what lies at that point of the screen stays there, as under a mouse wheel.
+---@param x number [px]
+---@param y number [px]
+---@param factor number
+function Camera:zoom_at(x, y, factor) end
+
+---What the picture shows.
+---@return number left [m]
+---@return number bottom [m]
+---@return number right [m]
+---@return number top [m]
+function Camera:visible_area() end
+
 ---What the middle of the picture shows.
 ---@return number x [m]
 ---@return number y [m]
 function Camera:position() end
 
+---At once; what it follows it approaches from there.
 ---@param x number [m]
 ---@param y number [m]
 function Camera:set_position(x, y) end
 
----How much of the world fits from the bottom to the top.
+---How much of the world fits from the bottom to the top, at zoom 1.
 ---@return number height [m]
 function Camera:height() end
 
 ---@param height number [m]
 function Camera:set_height(height) end
 
----How much of the world fits from left to right.
+---How much of the world fits from left to right, at zoom 1.
 ---@return number width [m]
 function Camera:width() end
 
@@ -1819,6 +1865,26 @@ function cairn.random.number(low, high) end
 ---@return integer integer
 function cairn.random.integer(low, high) end
 
+---Normally distributed: most lie near the mean.
+---@param mean number?
+---@param deviation number?
+---@return number number
+function cairn.random.normal(mean, deviation) end
+
+---True with that probability, 0 to 1.
+---@param probability number
+---@return boolean happens
+function cairn.random.chance(probability) end
+
+---One of a list's members, all equally likely.
+---@param list table
+---@return any member
+function cairn.random.choose(list) end
+
+---Brings the members of a list into a random order, all equally likely.
+---@param list table
+function cairn.random.shuffle(list) end
+
 ---Starts the stream anew.
 ---@param seed integer
 function cairn.random.seed(seed) end
@@ -1846,6 +1912,26 @@ function Random:number(low, high) end
 ---@param high integer
 ---@return integer integer
 function Random:integer(low, high) end
+
+---Normally distributed.
+---@param mean number?
+---@param deviation number?
+---@return number number
+function Random:normal(mean, deviation) end
+
+---True with that probability, 0 to 1.
+---@param probability number
+---@return boolean happens
+function Random:chance(probability) end
+
+---One of a list's members.
+---@param list table
+---@return any member
+function Random:choose(list) end
+
+---Brings the members of a list into a random order.
+---@param list table
+function Random:shuffle(list) end
 
 ---Starts the stream anew.
 ---@param seed integer
@@ -1878,6 +1964,67 @@ local Timer = {}
 
 ---The action is not called any more.
 function Timer:cancel() end
+
+cairn.tween = {}
+
+---@class cairn.tween.to.Fields
+---@field ease? string "linear", or quad, cubic, quart, quint, sine, expo, circ, back, elastic or bounce with _in, _out or _in_out: where it is slow
+---@field delay? number s until it begins
+---@field repeats? integer how often it runs again; -1: until it is cancelled
+---@field yoyo? boolean every second run goes back
+---@field done? function called at the end
+
+---Moves number fields of a table to goals: `cairn.tween.to(menu, { y = 100, alpha = 1 }, 0.4)`. It starts from the values at its beginning. A newer tween of the same field takes it over.
+---@param target table
+---@param goals table
+---@param seconds number [s]
+---@param fields cairn.tween.to.Fields?
+---@return Tween tween
+function cairn.tween.to(target, goals, seconds, fields) end
+
+---Ends all tweens of a table where they are.
+---@param target table
+function cairn.tween.cancel_all(target) end
+
+---What a curve makes of t, 0 to 1.
+---@param name string
+---@param t number
+---@return number share
+function cairn.tween.ease(name, t) end
+
+---@class Tween
+local Tween = {}
+
+---Ends it where it is; `done` is not called.
+function Tween:cancel() end
+
+---Whether it waits or moves.
+---@return boolean active
+function Tween:is_active() end
+
+cairn.scene = {}
+
+---Puts a scene on top: `pause()` of the one below, then `enter(...)` of the new one.
+---@param scene table
+---@param ... any?
+function cairn.scene.push(scene, ...) end
+
+---Leaves the top scene: its `leave()`, then `resume(...)` of the one below, if there is one.
+---@param ... any?
+function cairn.scene.pop(...) end
+
+---Puts a scene in the place of the top one: `leave()` of the old, `enter(...)` of the new.
+---@param scene table
+---@param ... any?
+function cairn.scene.switch(scene, ...) end
+
+---The top scene, or nil.
+---@return table? scene
+function cairn.scene.current() end
+
+---How many scenes are on the stack.
+---@return integer count
+function cairn.scene.count() end
 
 cairn.level = {}
 

@@ -1,0 +1,118 @@
+// cairn.scene: a stack of scenes, of which the top one gets the callbacks.
+#include "bind/context.h"
+#include "bind/fields.h"
+#include "bind/modules.h"
+#include "lua/state.h"
+
+namespace cairn::scripting {
+namespace {
+
+/// Deeper than any menu over a menu; a push without its pop meets it.
+constexpr std::size_t kMaxScenes = 64;
+
+/// Calls scene:name(...) with the values from `first` to the top of the stack, if the scene has such a
+/// method. The values stay.
+void call_method(lua_State* L, int scene, const char* name, int first, int count) {
+    lua_getfield(L, scene, name);
+    if (lua_isnil(L, -1)) return lua_pop(L, 1);
+    if (!lua_isfunction(L, -1))
+        call_error(
+            L, std::string("the scene's ") + name + " is " + describe_value(L, -1) + "; expected a function");
+    lua_pushvalue(L, scene);
+    luaL_checkstack(L, count, "arguments of a scene");
+    for (int i = 0; i < count; ++i) lua_pushvalue(L, first + i);
+    lua_call(L, 1 + count, 0);
+}
+
+/// Pushes the top scene and gives its place, or 0 when there is none.
+int push_top(lua_State* L) {
+    const std::vector<int>& scenes = context_of(L).scenes;
+    if (scenes.empty()) return 0;
+    lua_rawgeti(L, LUA_REGISTRYINDEX, scenes.back());
+    return lua_gettop(L);
+}
+
+void check_not_there(lua_State* L, int scene) {
+    for (const int reference : context_of(L).scenes) {
+        lua_rawgeti(L, LUA_REGISTRYINDEX, reference);
+        if (lua_rawequal(L, -1, scene) != 0) call_error(L, "that scene is on the stack already");
+        lua_pop(L, 1);
+    }
+}
+
+void add(lua_State* L, int scene) {
+    lua_pushvalue(L, scene);
+    context_of(L).scenes.push_back(luaL_ref(L, LUA_REGISTRYINDEX));
+}
+
+/// Takes the top scene off the stack and pushes it.
+int take_top(lua_State* L) {
+    std::vector<int>& scenes = context_of(L).scenes;
+    const int place = push_top(L);
+    luaL_unref(L, LUA_REGISTRYINDEX, scenes.back());
+    scenes.pop_back();
+    return place;
+}
+
+void push(lua_State* L, TableArgument scene, AnyArgument) {
+    const int count = lua_gettop(L) - 1;
+    check_not_there(L, scene.index);
+    if (context_of(L).scenes.size() >= kMaxScenes)
+        call_error(L, std::to_string(kMaxScenes) + " scenes are on the stack already; is a pop missing?");
+    if (const int below = push_top(L); below != 0) call_method(L, below, "pause", 0, 0);
+    add(L, scene.index);
+    call_method(L, scene.index, "enter", 2, std::max(count, 0));
+}
+
+void pop(lua_State* L, AnyArgument) {
+    if (context_of(L).scenes.empty()) call_error(L, "there is no scene to leave");
+    const int count = lua_gettop(L);
+    call_method(L, take_top(L), "leave", 0, 0);
+    if (const int below = push_top(L); below != 0) call_method(L, below, "resume", 1, count);
+}
+
+void switch_to(lua_State* L, TableArgument scene, AnyArgument) {
+    const int count = lua_gettop(L) - 1;
+    if (!context_of(L).scenes.empty()) call_method(L, take_top(L), "leave", 0, 0);
+    check_not_there(L, scene.index);
+    add(L, scene.index);
+    call_method(L, scene.index, "enter", 2, std::max(count, 0));
+}
+
+Pushed current(lua_State* L) {
+    if (push_top(L) == 0) lua_pushnil(L);
+    return {1};
+}
+
+std::int64_t count(lua_State* L) {
+    return static_cast<std::int64_t>(context_of(L).scenes.size());
+}
+
+constexpr std::array<std::string_view, 1> kReturnsScene = {"table?"};
+
+constexpr Function kFunctions[] = {
+    function<&push>("push", "scene, ... = nil", "",
+                    "Puts a scene on top: `pause()` of the one below, then `enter(...)` of the new one."),
+    function<&pop>(
+        "pop", "... = nil", "",
+        "Leaves the top scene: its `leave()`, then `resume(...)` of the one below, if there is one."),
+    function<&switch_to>(
+        "switch", "scene, ... = nil", "",
+        "Puts a scene in the place of the top one: `leave()` of the old, `enter(...)` of the new."),
+    function_pushing<&current>("current", "", "scene", kReturnsScene, "The top scene, or nil."),
+    function<&count>("count", "", "count", "How many scenes are on the stack."),
+};
+
+}  // namespace
+
+const Module kSceneModule = {"cairn.scene",
+                             "Title, game, pause, credits: each a table with the callbacks as methods, "
+                             "`function pause:key_pressed(key)`. The "
+                             "scene on top of the stack gets every callback but `load`, after the function "
+                             "of `cairn` with that name. One with "
+                             "`overlay = true` is drawn over the scene below it, which is drawn but not "
+                             "updated. A change takes effect at once; "
+                             "the callback that makes it runs on to its end.",
+                             kFunctions};
+
+}  // namespace cairn::scripting
