@@ -22,7 +22,7 @@ const Scene& scene_named(const std::string& name) {
 }
 
 Measurement measure_on_cairn(const std::string& name, int steps) {
-    return measure(scene_named(name), make_cairn, kOneThread, steps);
+    return measure(scene_named(name), measure::make_cairn, kOneThread, steps);
 }
 
 struct Content {
@@ -106,7 +106,7 @@ TEST_CASE("a scene ends in the same state on any number of threads") {
     std::set<std::uint64_t> hashes;
     for (const int threads : {1, 2, 3, 8}) {
         for (const std::string name : {"scale_1k", "tumbler"}) {
-            hashes.insert(measure(scene_named(name), make_cairn, threads, 20).state_hash);
+            hashes.insert(measure(scene_named(name), measure::make_cairn, threads, 20).state_hash);
         }
     }
     CHECK(hashes.size() == 2);
@@ -119,7 +119,7 @@ TEST_CASE("once the rain is full, as many ragdolls go as come") {
 }
 
 TEST_CASE("each peer that is there builds and steps the same scenes") {
-    for (const EngineKind& peer : peers()) {
+    for (const measure::EngineKind& peer : measure::peers()) {
         for (const std::string name :
              {"compounds", "smash", "tumbler", "joint_grid", "vehicles_100", "bridge_field"}) {
             INFO(peer.name << " on " << name);
@@ -129,13 +129,13 @@ TEST_CASE("each peer that is there builds and steps the same scenes") {
             CHECK(m.tally.bodies == kContents.at(name).bodies);
             CHECK(m.tally.shapes == kContents.at(name).shapes);
             CHECK(m.tally.joints >= kContents.at(name).joints);
-            CHECK(m.awake_body_steps == measure(scene, make_cairn, kOneThread, 3).awake_body_steps);
+            CHECK(m.awake_body_steps == measure(scene, measure::make_cairn, kOneThread, 3).awake_body_steps);
         }
     }
 }
 
 TEST_CASE("every peer is either there or told as absent") {
-    CHECK(peers().size() + absent_peers().size() == 2);
+    CHECK(measure::peers().size() + measure::absent_peers().size() == 2);
 }
 
 }  // namespace cairn::bench

@@ -3,11 +3,13 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <charconv>
+
+#include "text.h"
 
 namespace cairn::bench {
 namespace {
 
+using measure::number_of;
 using physics::Error;
 using physics::Result;
 using physics::SimdLevel;
@@ -23,17 +25,6 @@ struct Texts {
     std::string repeat = "1";
     std::string steps = "0";
 };
-
-Result<int> number_of(const char* option, const std::string& text, int low, int high) {
-    int number = 0;
-    const char* const end = text.data() + text.size();
-    const auto read = std::from_chars(text.data(), end, number);
-    if (read.ec != std::errc() || read.ptr != end || number < low || number > high) {
-        return Error{std::string(option) + " is \"" + text + "\", but must be a whole number from " +
-                     std::to_string(low) + " to " + std::to_string(high)};
-    }
-    return number;
-}
 
 Result<SimdLevel> simd_of(const std::string& text) {
     const std::vector<SimdLevel> available = physics::available_simd_levels();

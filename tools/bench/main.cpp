@@ -1,59 +1,21 @@
 // The cairn-bench program.
-#include <cmath>
 #include <cstdio>
-#include <memory>
 #include <string>
 
 #include "command_line.h"
 #include "measure.h"
+#include "output.h"
 #include "report.h"
 
 namespace {
 
 using namespace cairn::bench;
+using cairn::measure::Output;
 
 int fail(const std::string& message) {
     std::fprintf(stderr, "cairn-bench: error: %s\n", message.c_str());
     return 1;
 }
-
-// Where JSON lines and the table go: the table gives way when JSON takes standard output.
-class Output {
-  public:
-    explicit Output(const std::string& json) : table_(json == "-" ? stderr : stdout) {
-        if (json == "-") {
-            lines_.reset(stdout);
-        } else if (!json.empty()) {
-            lines_.reset(std::fopen(json.c_str(), "w"));
-            failed_ = lines_ == nullptr;
-        }
-    }
-
-    void line(const std::string& text) {
-        if (lines_ == nullptr) return;
-        if (std::fprintf(lines_.get(), "%s\n", text.c_str()) < 0) failed_ = true;
-    }
-    void row(const std::string& text) {
-        std::fprintf(table_, "%s\n", text.c_str());
-        std::fflush(table_);
-    }
-    /// False when something could not be written.
-    bool finish() {
-        if (lines_ != nullptr && std::fflush(lines_.get()) != 0) failed_ = true;
-        return !failed_;
-    }
-    [[nodiscard]] bool failed() const { return failed_; }
-
-  private:
-    struct Close {
-        void operator()(std::FILE* file) const {
-            if (file != stdout) std::fclose(file);
-        }
-    };
-    std::FILE* table_;
-    std::unique_ptr<std::FILE, Close> lines_;
-    bool failed_ = false;
-};
 
 /// Keeps the faster one.
 void keep_best(Measurement& best, Measurement next, bool first) {
@@ -64,7 +26,8 @@ int run(const CommandLine& line, Output& output) {
     std::vector<Measurement> best(line.scenes.size());
     for (int round = 0; round < line.repeat; ++round) {
         for (std::size_t i = 0; i < line.scenes.size(); ++i) {
-            Measurement next = measure(*line.scenes[i], make_cairn, line.threads, line.most_steps);
+            Measurement next =
+                measure(*line.scenes[i], cairn::measure::make_cairn, line.threads, line.most_steps);
             if (round > 0 && next.state_hash != best[i].state_hash) {
                 return fail("scene " + line.scenes[i]->name +
                             " ended in another state than in the run before");
@@ -81,9 +44,9 @@ int run(const CommandLine& line, Output& output) {
 }
 
 int compare(const CommandLine& line, Output& output) {
-    std::vector<EngineKind> engines{{"cairn", make_cairn}};
-    engines.insert(engines.end(), peers().begin(), peers().end());
-    for (const std::string_view absent : absent_peers()) {
+    std::vector<cairn::measure::EngineKind> engines{{"cairn", cairn::measure::make_cairn}};
+    engines.insert(engines.end(), cairn::measure::peers().begin(), cairn::measure::peers().end());
+    for (const std::string_view absent : cairn::measure::absent_peers()) {
         output.row("left out, as it was not installed when this program was built: " + std::string(absent));
     }
     output.row(compare_table_head());

@@ -28,7 +28,7 @@ class Run {
 
     void step() {
         if (before_) before_(engine_, next_, findings_);
-        engine_.step();
+        engine_.step(kStep_s);
         ++next_;
     }
 

@@ -3,30 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdarg>
-#include <cstdio>
 #include <nlohmann/json.hpp>
+
+#include "text.h"
 
 namespace cairn::bench {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string format(const char* pattern, ...) __attribute__((format(printf, 1, 2)));
-
-std::string format(const char* pattern, ...) {
-    char text[256];
-    va_list arguments;
-    va_start(arguments, pattern);
-    std::vsnprintf(text, sizeof text, pattern, arguments);
-    va_end(arguments);
-    return text;
-}
-
-// Six significant digits are more than a clock gives.
-double rounded(double value) {
-    return std::strtod(format("%.6g", value).c_str(), nullptr);
-}
+using measure::format;
+using measure::rounded;
 
 std::string hex(std::uint64_t hash) {
     return format("%016llx", static_cast<unsigned long long>(hash));

@@ -12,6 +12,12 @@
 
 namespace cairn::bench {
 
+using measure::BodyRef;
+using measure::Engine;
+using measure::kStep_s;
+using measure::Tally;
+using measure::WorldSetting;
+
 /// What a run of a scene has to say besides times of steps.
 struct Findings {
     struct Cost {

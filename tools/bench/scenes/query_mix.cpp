@@ -7,6 +7,8 @@
 
 namespace cairn::bench {
 
+using measure::Random;
+
 using physics::BodyType;
 using physics::Box;
 using physics::Capsule;

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "engine.h"
+#include "scene.h"
 
 namespace cairn::bench {
 

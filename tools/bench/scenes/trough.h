@@ -2,7 +2,7 @@
 // them.
 #pragma once
 
-#include "engine.h"
+#include "scene.h"
 
 namespace cairn::bench {
 

@@ -1,7 +1,7 @@
-// Cairn behind the scenes' interface.
+// Cairn behind the interface of engines.
 #include "engine.h"
 
-namespace cairn::bench {
+namespace cairn::measure {
 namespace {
 
 using physics::BodyId;
@@ -11,6 +11,7 @@ class CairnEngine final : public Engine {
   public:
     explicit CairnEngine(const WorldSetting& setting)
         : world_({.gravity_m_s2 = setting.gravity_m_s2,
+                  .substeps = setting.effort > 0 ? setting.effort : physics::WorldDef{}.substeps,
                   .enable_sleep = setting.enable_sleep,
                   .threads = setting.threads}) {}
 
@@ -30,15 +31,45 @@ class CairnEngine final : public Engine {
         add_joint(a, b, def);
     }
     void add_wheel(BodyRef a, BodyRef b, const physics::WheelJointDef& def) override { add_joint(a, b, def); }
+    void add_distance(BodyRef a, BodyRef b, const physics::DistanceJointDef& def) override {
+        add_joint(a, b, def);
+    }
+    void add_weld(BodyRef a, BodyRef b, const physics::WeldJointDef& def) override { add_joint(a, b, def); }
     void remove_body(BodyRef body) override { world_.destroy_body(id(body)).value(); }
+    void set_transform(BodyRef body, physics::Position position_m, double angle_rad) override {
+        world_.body(id(body))->set_transform(position_m, angle_rad).value();
+    }
     void set_linear_velocity(BodyRef body, Vec2 velocity_m_s) override {
         world_.body(id(body))->set_linear_velocity(velocity_m_s).value();
+    }
+    void set_angular_velocity(BodyRef body, float velocity_rad_s) override {
+        world_.body(id(body))->set_angular_velocity(velocity_rad_s).value();
+    }
+    void apply_force(BodyRef body, Vec2 force_n) override {
+        world_.body(id(body))->apply_force_to_center(force_n).value();
     }
     [[nodiscard]] physics::Position position(BodyRef body) const override {
         return world_.body(id(body))->position();
     }
+    [[nodiscard]] Motion motion(BodyRef body) const override {
+        const auto view = world_.body(id(body));
+        const physics::Transform pose = view->transform();
+        const Vec2 v = view->linear_velocity();
+        return {.position_m = pose.p,
+                .center_m = view->world_center(),
+                .c = static_cast<double>(pose.q.c),
+                .s = static_cast<double>(pose.q.s),
+                .vx_m_s = static_cast<double>(v.x),
+                .vy_m_s = static_cast<double>(v.y),
+                .angular_velocity_rad_s = static_cast<double>(view->angular_velocity()),
+                .awake = view->is_awake()};
+    }
+    [[nodiscard]] Mass mass(BodyRef body) const override {
+        const physics::MassData data = world_.body(id(body))->mass_data();
+        return {static_cast<double>(data.mass_kg), static_cast<double>(data.inertia_kg_m2)};
+    }
 
-    void step() override { world_.step(kStep_s).value(); }
+    void step(float dt_s) override { world_.step(dt_s).value(); }
 
     [[nodiscard]] int awake_bodies() const override { return world_.awake_body_count(); }
     [[nodiscard]] Tally tally() const override {
@@ -75,4 +106,4 @@ std::unique_ptr<Engine> make_cairn(const WorldSetting& setting) {
     return std::make_unique<CairnEngine>(setting);
 }
 
-}  // namespace cairn::bench
+}  // namespace cairn::measure

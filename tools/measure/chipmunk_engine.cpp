@@ -1,4 +1,4 @@
-// Chipmunk 7 behind the scenes' interface, with its default of 10 iterations.
+// Chipmunk 7 behind the interface of engines, with its default of 10 iterations.
 #include <algorithm>
 #include <array>
 #include <chipmunk/chipmunk.h>
@@ -8,7 +8,7 @@
 
 #include "engine.h"
 
-namespace cairn::bench {
+namespace cairn::measure {
 namespace {
 
 using physics::BodyType;
@@ -26,6 +26,17 @@ cpVect vec(Vec2 v) {
 }
 cpBody* body_of(BodyRef body) {
     return reinterpret_cast<cpBody*>(body.bits);
+}
+
+// 0 for what nothing moves.
+double mass_of(const cpBody* body) {
+    return cpBodyGetType(const_cast<cpBody*>(body)) == CP_BODY_TYPE_DYNAMIC ? cpBodyGetMass(body) : 0;
+}
+double inertia_of(const cpBody* body) {
+    return cpBodyGetType(const_cast<cpBody*>(body)) == CP_BODY_TYPE_DYNAMIC ? cpBodyGetMoment(body) : 0;
+}
+double inverse(double mass) {
+    return mass > 0 ? 1 / mass : 0;
 }
 
 cpBody* new_body(BodyType type) {
@@ -85,6 +96,7 @@ class ChipmunkEngine final : public Engine {
   public:
     explicit ChipmunkEngine(const WorldSetting& setting) : space_(new_space()) {
         cpSpaceSetGravity(space_, vec(setting.gravity_m_s2));
+        if (setting.effort > 0) cpSpaceSetIterations(space_, setting.effort);
         sleeps_ = setting.enable_sleep;
         if (sleeps_) cpSpaceSetSleepTimeThreshold(space_, kTimeToSleep_s);
     }
@@ -95,7 +107,12 @@ class ChipmunkEngine final : public Engine {
         cpSpaceFree(space_);
     }
 
+    // Of damping Chipmunk has one for the whole space: that of the last body that asks for some.
     BodyRef add_body(const physics::BodyDef& def) override {
+        if (def.linear_damping_1_s > 0) {
+            cpSpaceSetDamping(space_,
+                              physics::deterministic::exp(-static_cast<double>(def.linear_damping_1_s)));
+        }
         cpBody* body = cpSpaceAddBody(space_, new_body(def.type));
         cpBodySetPosition(body, cpv(def.position_m.x, def.position_m.y));
         cpBodySetAngle(body, def.angle_rad);
@@ -164,6 +181,45 @@ class ChipmunkEngine final : public Engine {
             add_turning(body_a, body_b, def.motor_speed_rad_s, def.max_motor_torque_nm, false);
     }
 
+    void add_distance(BodyRef a, BodyRef b, const physics::DistanceJointDef& def) override {
+        cpBody* body_a = body_of(a);
+        cpBody* body_b = body_of(b);
+        const cpVect at_a = vec(def.local_anchor_a_m);
+        const cpVect at_b = vec(def.local_anchor_b_m);
+        const auto length = static_cast<double>(def.length_m);
+        if (!def.enable_spring) {
+            cpConstraint* pin = cpPinJointNew(body_a, body_b, at_a, at_b);
+            cpPinJointSetDist(pin, length);
+            add_joint(pin, def.collide_connected);
+            return;
+        }
+        const double mass = 1 / (inverse(mass_of(body_a)) + inverse(mass_of(body_b)));
+        const double omega = 2 * static_cast<double>(physics::kPi * def.frequency_hz);
+        add_joint(cpDampedSpringNew(body_a, body_b, at_a, at_b, length, mass * omega * omega,
+                                    2 * mass * static_cast<double>(def.damping_ratio) * omega),
+                  def.collide_connected);
+    }
+
+    // A pivot; and gears of ratio 1, or a spring, that hold the angle.
+    void add_weld(BodyRef a, BodyRef b, const physics::WeldJointDef& def) override {
+        cpBody* body_a = body_of(a);
+        cpBody* body_b = body_of(b);
+        add_joint(cpPivotJointNew2(body_a, body_b, vec(def.local_anchor_a_m), vec(def.local_anchor_b_m)),
+                  def.collide_connected);
+        const auto rest = static_cast<double>(def.local_angle_a_rad - def.local_angle_b_rad);
+        if (def.angular_frequency_hz == 0) {
+            add_joint(cpGearJointNew(body_a, body_b, rest, 1), def.collide_connected);
+            return;
+        }
+        const double inertia = 1 / (inverse(inertia_of(body_a)) + inverse(inertia_of(body_b)));
+        const double omega = 2 * static_cast<double>(physics::kPi * def.angular_frequency_hz);
+        // Its angle is that of a relative to b.
+        add_joint(
+            cpDampedRotarySpringNew(body_a, body_b, -rest, inertia * omega * omega,
+                                    2 * inertia * static_cast<double>(def.angular_damping_ratio) * omega),
+            def.collide_connected);
+    }
+
     void remove_body(BodyRef ref) override {
         cpBody* body = body_of(ref);
         const auto drop = [](auto& list, auto&& belongs, auto&& remove) {
@@ -189,16 +245,47 @@ class ChipmunkEngine final : public Engine {
     void set_linear_velocity(BodyRef body, Vec2 velocity_m_s) override {
         cpBodySetVelocity(body_of(body), vec(velocity_m_s));
     }
+    void set_transform(BodyRef body, Position position_m, double angle_rad) override {
+        cpBodySetPosition(body_of(body), cpv(position_m.x, position_m.y));
+        cpBodySetAngle(body_of(body), angle_rad);
+        cpSpaceReindexShapesForBody(space_, body_of(body));
+    }
+    void set_angular_velocity(BodyRef body, float velocity_rad_s) override {
+        cpBodySetAngularVelocity(body_of(body), static_cast<double>(velocity_rad_s));
+    }
+    void apply_force(BodyRef body, Vec2 force_n) override {
+        cpBody* peer = body_of(body);
+        cpBodyApplyForceAtWorldPoint(peer, vec(force_n),
+                                     cpBodyLocalToWorld(peer, cpBodyGetCenterOfGravity(peer)));
+    }
+    [[nodiscard]] Motion motion(BodyRef body) const override {
+        const cpBody* view = body_of(body);
+        const cpVect p = cpBodyGetPosition(view);
+        const cpVect center = cpBodyLocalToWorld(view, cpBodyGetCenterOfGravity(view));
+        const cpVect q = cpBodyGetRotation(view);
+        const cpVect v = cpBodyGetVelocity(view);
+        return {.position_m = {p.x, p.y},
+                .center_m = {center.x, center.y},
+                .c = q.x,
+                .s = q.y,
+                .vx_m_s = v.x,
+                .vy_m_s = v.y,
+                .angular_velocity_rad_s = cpBodyGetAngularVelocity(view),
+                .awake = cpBodyIsSleeping(view) == cpFalse};
+    }
+    [[nodiscard]] Mass mass(BodyRef body) const override {
+        return {mass_of(body_of(body)), inertia_of(body_of(body))};
+    }
     [[nodiscard]] Position position(BodyRef body) const override {
         const cpVect p = cpBodyGetPosition(body_of(body));
         return {p.x, p.y};
     }
 
-    void step() override {
+    void step(float dt_s) override {
         // Only now have they all their shapes.
         for (cpBody* body : to_sleep_) cpBodySleepWithGroup(body, nullptr);
         to_sleep_.clear();
-        cpSpaceStep(space_, static_cast<double>(kStep_s));
+        cpSpaceStep(space_, static_cast<double>(dt_s));
     }
 
     [[nodiscard]] int awake_bodies() const override {
@@ -286,4 +373,4 @@ std::unique_ptr<Engine> make_chipmunk(const WorldSetting& setting) {
     return std::make_unique<ChipmunkEngine>(setting);
 }
 
-}  // namespace cairn::bench
+}  // namespace cairn::measure

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-namespace cairn::bench {
+namespace cairn::measure {
 
 class Random {
   public:
@@ -24,4 +24,4 @@ class Random {
     std::uint64_t state_;
 };
 
-}  // namespace cairn::bench
+}  // namespace cairn::measure

@@ -1,4 +1,4 @@
-// Box2D 2.4 behind the scenes' interface, with the iterations that its manual recommends.
+// Box2D 2.4 behind the interface of engines, with the iterations that its manual recommends.
 #include <algorithm>
 #include <array>
 #include <box2d/box2d.h>
@@ -6,7 +6,7 @@
 
 #include "engine.h"
 
-namespace cairn::bench {
+namespace cairn::measure {
 namespace {
 
 using physics::BodyType;
@@ -18,13 +18,20 @@ using physics::Position;
 using physics::Vec2;
 
 constexpr int kVelocityIterations = 8;
-constexpr int kPositionIterations = 3;
+
+// 3 for 8, as the manual has it.
+int position_iterations(int velocity_iterations) {
+    return std::max(1, 3 * velocity_iterations / 8);
+}
 
 b2Vec2 vec(Vec2 v) {
     return {v.x, v.y};
 }
 b2Vec2 vec(Position p) {
     return {static_cast<float>(p.x), static_cast<float>(p.y)};
+}
+Position position_of(b2Vec2 p) {
+    return {static_cast<double>(p.x), static_cast<double>(p.y)};
 }
 b2Body* body_of(BodyRef body) {
     return reinterpret_cast<b2Body*>(body.bits);
@@ -44,7 +51,9 @@ b2BodyType type_of(BodyType type) {
 
 class Box2dEngine final : public Engine {
   public:
-    explicit Box2dEngine(const WorldSetting& setting) : world_(vec(setting.gravity_m_s2)) {
+    explicit Box2dEngine(const WorldSetting& setting)
+        : world_(vec(setting.gravity_m_s2)),
+          iterations_(setting.effort > 0 ? setting.effort : kVelocityIterations) {
         world_.SetAllowSleeping(setting.enable_sleep);
     }
 
@@ -55,6 +64,9 @@ class Box2dEngine final : public Engine {
         peer.angle = static_cast<float>(def.angle_rad);
         peer.linearVelocity = vec(def.linear_velocity_m_s);
         peer.angularVelocity = def.angular_velocity_rad_s;
+        peer.linearDamping = def.linear_damping_1_s;
+        peer.angularDamping = def.angular_damping_1_s;
+        peer.gravityScale = def.gravity_scale;
         peer.allowSleep = def.allow_sleep;
         peer.awake = def.awake;
         return {reinterpret_cast<std::uint64_t>(world_.CreateBody(&peer))};
@@ -123,17 +135,77 @@ class Box2dEngine final : public Engine {
         world_.CreateJoint(&joint);
     }
 
+    void add_distance(BodyRef a, BodyRef b, const physics::DistanceJointDef& def) override {
+        b2DistanceJointDef joint;
+        joint.bodyA = body_of(a);
+        joint.bodyB = body_of(b);
+        joint.localAnchorA = vec(def.local_anchor_a_m);
+        joint.localAnchorB = vec(def.local_anchor_b_m);
+        joint.length = def.length_m;
+        joint.minLength = def.enable_spring ? def.min_length_m : def.length_m;
+        joint.maxLength = def.enable_spring ? std::min(def.max_length_m, b2_maxFloat) : def.length_m;
+        if (def.enable_spring) {
+            b2LinearStiffness(joint.stiffness, joint.damping, def.frequency_hz, def.damping_ratio,
+                              joint.bodyA, joint.bodyB);
+        }
+        joint.collideConnected = def.collide_connected;
+        world_.CreateJoint(&joint);
+    }
+
+    void add_weld(BodyRef a, BodyRef b, const physics::WeldJointDef& def) override {
+        b2WeldJointDef joint;
+        joint.bodyA = body_of(a);
+        joint.bodyB = body_of(b);
+        joint.localAnchorA = vec(def.local_anchor_a_m);
+        joint.localAnchorB = vec(def.local_anchor_b_m);
+        joint.referenceAngle = def.local_angle_a_rad - def.local_angle_b_rad;
+        if (def.angular_frequency_hz > 0) {
+            b2AngularStiffness(joint.stiffness, joint.damping, def.angular_frequency_hz,
+                               def.angular_damping_ratio, joint.bodyA, joint.bodyB);
+        }
+        joint.collideConnected = def.collide_connected;
+        world_.CreateJoint(&joint);
+    }
+
     void remove_body(BodyRef body) override { world_.DestroyBody(body_of(body)); }
+    void set_transform(BodyRef body, Position position_m, double angle_rad) override {
+        body_of(body)->SetTransform(vec(position_m), static_cast<float>(angle_rad));
+        body_of(body)->SetAwake(true);
+    }
 
     void set_linear_velocity(BodyRef body, Vec2 velocity_m_s) override {
         body_of(body)->SetLinearVelocity(vec(velocity_m_s));
     }
+    void set_angular_velocity(BodyRef body, float velocity_rad_s) override {
+        body_of(body)->SetAngularVelocity(velocity_rad_s);
+    }
+    void apply_force(BodyRef body, Vec2 force_n) override {
+        body_of(body)->ApplyForceToCenter(vec(force_n), true);
+    }
+    [[nodiscard]] Motion motion(BodyRef body) const override {
+        const b2Body& view = *body_of(body);
+        const b2Transform pose = view.GetTransform();
+        const b2Vec2 v = view.GetLinearVelocity();
+        return {.position_m = position_of(pose.p),
+                .center_m = position_of(view.GetWorldCenter()),
+                .c = static_cast<double>(pose.q.c),
+                .s = static_cast<double>(pose.q.s),
+                .vx_m_s = static_cast<double>(v.x),
+                .vy_m_s = static_cast<double>(v.y),
+                .angular_velocity_rad_s = static_cast<double>(view.GetAngularVelocity()),
+                .awake = view.IsAwake()};
+    }
+    [[nodiscard]] Mass mass(BodyRef body) const override {
+        b2MassData data;
+        body_of(body)->GetMassData(&data);  // its inertia is about the origin
+        return {static_cast<double>(data.mass),
+                static_cast<double>(data.I - data.mass * b2Dot(data.center, data.center))};
+    }
     [[nodiscard]] Position position(BodyRef body) const override {
-        const b2Vec2 p = body_of(body)->GetPosition();
-        return {static_cast<double>(p.x), static_cast<double>(p.y)};
+        return position_of(body_of(body)->GetPosition());
     }
 
-    void step() override { world_.Step(kStep_s, kVelocityIterations, kPositionIterations); }
+    void step(float dt_s) override { world_.Step(dt_s, iterations_, position_iterations(iterations_)); }
 
     [[nodiscard]] int awake_bodies() const override {
         int awake = 0;
@@ -215,6 +287,7 @@ class Box2dEngine final : public Engine {
     }
 
     b2World world_;
+    int iterations_;
 };
 
 }  // namespace
@@ -223,4 +296,4 @@ std::unique_ptr<Engine> make_box2d(const WorldSetting& setting) {
     return std::make_unique<Box2dEngine>(setting);
 }
 
-}  // namespace cairn::bench
+}  // namespace cairn::measure
