@@ -1,0 +1,67 @@
+// What the command line means, and what it says about mistakes.
+#include "command_line.h"
+
+#include <catch2/catch.hpp>
+#include <set>
+
+namespace cairn::lab {
+namespace {
+
+CommandLine parsed(const std::vector<std::string>& arguments) {
+    std::string help;
+    return parse_command_line(arguments, help).value();
+}
+
+std::string error_of(const std::vector<std::string>& arguments) {
+    std::string help;
+    const auto line = parse_command_line(arguments, help);
+    return line ? "no error" : line.error().message;
+}
+
+}  // namespace
+
+TEST_CASE("cases are run in the order in which they are named, each once") {
+    const CommandLine line = parsed({"torture", "--case", "19b", "--case", "5", "--case", "19b", "--peers"});
+    CHECK(line.command == Command::Torture);
+    REQUIRE(line.cases.size() == 2);
+    CHECK(line.cases[0]->number == "19b");
+    CHECK(line.cases[1]->number == "5");
+    CHECK(line.peers);
+    CHECK(line.json.empty());
+}
+
+TEST_CASE("all cases are run when none is named") {
+    CHECK(parsed({"torture"}).cases.size() == all_cases().size());
+}
+
+TEST_CASE("every case of the specification is there, once, with a name") {
+    const std::set<std::string> expected{"1",  "2",  "3",  "4",  "5",  "6",  "7",   "8",  "10",
+                                         "11", "13", "14", "15", "16", "18", "19b", "20", "21",
+                                         "22", "23", "25", "26", "29", "30", "31",  "32", "34",
+                                         "35", "36", "37", "38", "39", "40", "42",  "43", "44"};
+    std::set<std::string> found;
+    for (const Case& test : all_cases()) {
+        CHECK(found.insert(test.number).second);
+        CHECK(!test.name.empty());
+    }
+    CHECK(found == expected);
+}
+
+TEST_CASE("mistakes on the lab's command line are named") {
+    CHECK(error_of({"torture", "--case", "9"}) == "there is no case \"9\"; cairn-lab list names them all");
+    CHECK_THAT(error_of({"walk"}), Catch::Contains("walk"));
+    CHECK_THAT(error_of({"torture", "--case"}), Catch::Contains("--case"));
+}
+
+TEST_CASE("help of the lab is asked for in the usual ways") {
+    for (const std::vector<std::string>& arguments :
+         {std::vector<std::string>{}, {"--help"}, {"torture", "--help"}}) {
+        std::string help;
+        const auto line = parse_command_line(arguments, help);
+        REQUIRE(line);
+        CHECK(line->command == Command::Help);
+        CHECK_THAT(help, Catch::Contains("cairn-lab"));
+    }
+}
+
+}  // namespace cairn::lab

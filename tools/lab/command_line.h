@@ -1,0 +1,25 @@
+// The commands and options of cairn-lab, and what to say about wrong ones.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <cairn/physics/result.h>
+
+#include "torture/case.h"
+
+namespace cairn::lab {
+
+enum class Command { Help, List, Torture };
+
+struct CommandLine {
+    Command command = Command::Help;
+    std::vector<const Case*> cases;
+    bool peers = false;
+    std::string json;  ///< a file, "-" for standard output, or nothing
+};
+
+/// Reads the arguments that follow the program's name. For the help, `help` is set to its text.
+physics::Result<CommandLine> parse_command_line(const std::vector<std::string>& arguments, std::string& help);
+
+}  // namespace cairn::lab
