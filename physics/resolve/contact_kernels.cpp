@@ -7,16 +7,21 @@
 #include "resolve/contact_kernels.h"
 
 #include <array>
+#include <cstddef>
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
 #include <cairn/physics/tuning.h>
 
+#include "base/prefetch.h"
 #include "base/simd_rows-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace cairn::physics {
 namespace HWY_NAMESPACE {
+
+// Of a block, all that a pass touches.
+constexpr std::size_t kFetchedBytes = offsetof(ContactBlock, total_impulse);
 
 // Whether the velocity of a is read, and whether it is changed.
 constexpr bool reads_a(BlockKind kind) {
@@ -156,38 +161,17 @@ HWY_INLINE V residual(const Pair<kKind>& pair, const PointLanes& p) {
     return hn::Add(pair.jv(pair.normal_velocity, p.arm_a, p.arm_b), p.bias);
 }
 
-// Changes the impulse of a point; the result is by how much.
+// Inverse effective mass of two rows that push along the same axis against each other.
 template <BlockKind kKind>
-HWY_INLINE V push(Pair<kKind>& pair, const PointLanes& p, V impulse) {
-    const V change = hn::Sub(impulse, p.old);
-    pair.turn(change, p.arm_a, p.arm_b);
-    pair.normal_velocity = hn::Add(pair.normal_velocity, hn::Mul(pair.inverse_mass, change));
-    return change;
-}
-
-// Inverse effective masses of two points against each other.
-template <BlockKind kKind>
-HWY_INLINE V coupling(const Pair<kKind>& pair, const PointLanes& p, const PointLanes& q) {
-    V k = hn::Add(pair.inverse_mass, hn::Mul(p.arm_b, q.arm_b));
-    if constexpr (moves_a(kKind)) k = hn::Add(k, hn::Mul(p.arm_a, q.arm_a));
+HWY_INLINE V coupling_by_turning(V arm_a, V arm_b, V other_arm_a, V other_arm_b) {
+    V k = hn::Mul(arm_b, other_arm_b);
+    if constexpr (moves_a(kKind)) k = hn::Add(k, hn::Mul(arm_a, other_arm_a));
     return k;
 }
 
-// How two points answer to each other: K x = b has the solution inverse (k11 b0 - k01 b1, k00 b1 - k01 b0).
-struct Coupled {
-    V k00, k11, k01;
-    V inverse;
-    M regular;  // else there is one point, or the two are too near each other to be told apart
-};
-
 template <BlockKind kKind>
-HWY_INLINE Coupled couple(const Pair<kKind>& pair, const std::array<PointLanes, 2>& p) {
-    Coupled c{coupling(pair, p[0], p[0]), coupling(pair, p[1], p[1]), coupling(pair, p[0], p[1])};
-    const V product = hn::Mul(c.k00, c.k11);
-    const V determinant = hn::Sub(product, hn::Mul(c.k01, c.k01));
-    c.inverse = hn::Div(set(1), determinant);
-    c.regular = hn::And(hn::Gt(determinant, hn::Mul(set(1e-3f), product)), hn::Gt(p[1].mass, hn::Zero(D())));
-    return c;
+HWY_INLINE V coupling(const Pair<kKind>& pair, const PointLanes& p, const PointLanes& q) {
+    return hn::Add(pair.inverse_mass, coupling_by_turning<kKind>(p.arm_a, p.arm_b, q.arm_a, q.arm_b));
 }
 
 struct Impulses {
@@ -195,41 +179,50 @@ struct Impulses {
     V second;
 };
 
-// As solve_both in contact_constraint.cpp: the case that fits is selected, from the last to the first.
+// The normal rows of a manifold: K x = -b has the solution inverse (k01 b1 - k11 b0, k01 b0 - k00 b1).
+struct Normals {
+    V k00, k11, k01;
+    V mass0, mass1;
+    V k01_mass0;
+    V inverse;
+    M regular;  // else there is one point, or the two are too near each other to be told apart
+};
+
 template <BlockKind kKind>
-HWY_INLINE Impulses solve_both(const Pair<kKind>& pair, const Coupled& c,
-                               const std::array<PointLanes, 2>& p) {
-    const V zero = hn::Zero(D());
-    const V r0 = hn::Sub(residual(pair, p[0]), hn::Add(hn::Mul(c.k00, p[0].old), hn::Mul(c.k01, p[1].old)));
-    const V r1 = hn::Sub(residual(pair, p[1]), hn::Add(hn::Mul(c.k01, p[0].old), hn::Mul(c.k11, p[1].old)));
-
-    const V both0 = hn::Mul(c.inverse, hn::Sub(hn::Mul(c.k01, r1), hn::Mul(c.k11, r0)));
-    const V both1 = hn::Mul(c.inverse, hn::Sub(hn::Mul(c.k01, r0), hn::Mul(c.k00, r1)));
-    const auto both = hn::And(hn::Ge(both0, zero), hn::Ge(both1, zero));
-    const V alone0 = hn::Neg(hn::Mul(r0, p[0].mass));
-    const auto only0 = hn::And(hn::Ge(alone0, zero), hn::Ge(hn::Add(hn::Mul(c.k01, alone0), r1), zero));
-    const V alone1 = hn::Neg(hn::Mul(r1, p[1].mass));
-    const auto only1 = hn::And(hn::Ge(alone1, zero), hn::Ge(hn::Add(hn::Mul(c.k01, alone1), r0), zero));
-
-    return {hn::IfThenElse(both, both0, hn::IfThenElseZero(only0, alone0)),
-            hn::IfThenElse(both, both1, hn::IfThenZeroElse(only0, hn::IfThenElseZero(only1, alone1)))};
+HWY_INLINE Normals couple(const Pair<kKind>& pair, const std::array<PointLanes, 2>& p) {
+    Normals n;
+    n.k00 = coupling(pair, p[0], p[0]);
+    n.k11 = coupling(pair, p[1], p[1]);
+    n.k01 = coupling(pair, p[0], p[1]);
+    n.mass0 = p[0].mass;
+    n.mass1 = p[1].mass;
+    n.k01_mass0 = hn::Mul(n.k01, n.mass0);
+    const V product = hn::Mul(n.k00, n.k11);
+    const V determinant = hn::Sub(product, hn::Mul(n.k01, n.k01));
+    n.inverse = hn::Div(set(1), determinant);
+    n.regular = hn::And(hn::Gt(determinant, hn::Mul(set(1e-3f), product)), hn::Gt(n.mass1, hn::Zero(D())));
+    return n;
 }
 
-// Brings both points to their targets at once, since sweeping would leave a part of the push-out velocity.
-// The result is by how much the sum of their impulses changed; `old` holds the new ones.
-template <BlockKind kKind>
-HWY_INLINE V relax_normals(Pair<kKind>& pair, const Coupled& coupled, std::array<PointLanes, 2>& points) {
+// Brings both points to their targets at once, since sweeping would leave a part of the push-out velocity. b
+// is what their velocities would miss if their impulses were zero. As solve_both in contact_constraint.cpp:
+// the case that fits is selected, from the last to the first.
+HWY_INLINE Impulses solve_normals(const Normals& n, V b0, V b1, V old1) {
     const V zero = hn::Zero(D());
-    const Impulses together = solve_both(pair, coupled, points);
-    const V first_swept = hn::Sub(points[0].old, hn::Mul(points[0].mass, residual(pair, points[0])));
-    const V first = hn::IfThenElse(coupled.regular, together.first, hn::Max(first_swept, zero));
-    const V first_change = push(pair, points[0], first);
-    const V second_swept = hn::Sub(points[1].old, hn::Mul(points[1].mass, residual(pair, points[1])));
-    const V second = hn::IfThenElse(coupled.regular, together.second, hn::Max(second_swept, zero));
-    const V second_change = push(pair, points[1], second);
-    points[0].old = first;
-    points[1].old = second;
-    return hn::Add(first_change, second_change);
+    const V both0 = hn::Mul(n.inverse, hn::Sub(hn::Mul(n.k01, b1), hn::Mul(n.k11, b0)));
+    const V both1 = hn::Mul(n.inverse, hn::Sub(hn::Mul(n.k01, b0), hn::Mul(n.k00, b1)));
+    const M both = hn::And(hn::Ge(both0, zero), hn::Ge(both1, zero));
+    const V alone0 = hn::Neg(hn::Mul(b0, n.mass0));
+    const M only0 = hn::And(hn::Ge(alone0, zero), hn::Ge(hn::Add(hn::Mul(n.k01, alone0), b1), zero));
+    const V alone1 = hn::Neg(hn::Mul(b1, n.mass1));
+    const M only1 = hn::And(hn::Ge(alone1, zero), hn::Ge(hn::Add(hn::Mul(n.k01, alone1), b0), zero));
+    const V first = hn::IfThenElse(both, both0, hn::IfThenElseZero(only0, alone0));
+    const V second =
+        hn::IfThenElse(both, both1, hn::IfThenZeroElse(only0, hn::IfThenElseZero(only1, alone1)));
+    // One after the other, where the two cannot be told apart.
+    const V swept0 = hn::Max(hn::Sub(alone0, hn::Mul(n.k01_mass0, old1)), zero);
+    const V swept1 = hn::Max(hn::Sub(alone1, hn::Mul(n.mass1, hn::Mul(n.k01, swept0))), zero);
+    return {hn::IfThenElse(n.regular, first, swept0), hn::IfThenElse(n.regular, second, swept1)};
 }
 
 template <BlockKind kKind>
@@ -263,18 +256,46 @@ HWY_INLINE void relax_lanes(ContactBlock& block, int lane, float* velocity, cons
         p.bias = hn::IfThenElseZero(is_apart(s, base_of(load(stored.static_impulse, lane), p.old)),
                                     hn::Mul(s, hn::Set(D(), time.inverse_h_1_s)));
     }
-    const Coupled coupled = couple(pair, points);
-    V normal_change = relax_normals(pair, coupled, points);
-    const V tangent_change = solve_friction(block, lane, pair, hn::Add(points[0].old, points[1].old));
-    // Again, since friction turns the bodies and what comes last is satisfied best.
-    normal_change = hn::Add(normal_change, relax_normals(pair, coupled, points));
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        store(points[i].old, block.points[i].impulse, lane);
-        if (block.reports) {
-            store(hn::Add(load(block.total_impulse[i], lane), points[i].old), block.total_impulse[i], lane);
-        }
+    const V tangent_arm_a = load(block.tangent_arm_a, lane);
+    const V tangent_arm_b = load(block.tangent_arm_b, lane);
+    const V k0t = coupling_by_turning<kKind>(points[0].arm_a, points[0].arm_b, tangent_arm_a, tangent_arm_b);
+    const V k1t = coupling_by_turning<kKind>(points[1].arm_a, points[1].arm_b, tangent_arm_a, tangent_arm_b);
+    const V old0 = points[0].old;
+    const V old1 = points[1].old;
+    const V old_tangent = load(block.friction_impulse, lane);
+
+    // Normals, friction, and normals again, since friction turns the bodies and what comes last is satisfied
+    // best. All of it in impulses: what one row adds to another follows from how they couple.
+    const Normals normals = couple(pair, points);
+    V b0 =
+        hn::Sub(residual(pair, points[0]), hn::Add(hn::Mul(normals.k00, old0), hn::Mul(normals.k01, old1)));
+    V b1 =
+        hn::Sub(residual(pair, points[1]), hn::Add(hn::Mul(normals.k01, old0), hn::Mul(normals.k11, old1)));
+    const V sliding = pair.jv(pair.tangent_velocity, tangent_arm_a, tangent_arm_b);
+    const Impulses before = solve_normals(normals, b0, b1, old1);
+    const V slip = hn::Add(sliding, hn::Add(hn::Mul(k0t, hn::Sub(before.first, old0)),
+                                            hn::Mul(k1t, hn::Sub(before.second, old1))));
+    const V wanted = hn::Sub(old_tangent, hn::Mul(load(block.tangent_mass, lane), slip));
+    const V limit = hn::Mul(load(block.friction, lane), hn::Add(before.first, before.second));
+    const V tangent = hn::Max(hn::Neg(limit), hn::Min(wanted, limit));
+    const V tangent_change = hn::Sub(tangent, old_tangent);
+    b0 = hn::Add(b0, hn::Mul(k0t, tangent_change));
+    b1 = hn::Add(b1, hn::Mul(k1t, tangent_change));
+    const Impulses now = solve_normals(normals, b0, b1, before.second);
+
+    store(tangent, block.friction_impulse, lane);
+    store(now.first, block.points[0].impulse, lane);
+    store(now.second, block.points[1].impulse, lane);
+    if (block.reports) {
+        store(hn::Add(load(block.total_impulse[0], lane), now.first), block.total_impulse[0], lane);
+        store(hn::Add(load(block.total_impulse[1], lane), now.second), block.total_impulse[1], lane);
     }
-    pair.finish(block, lane, velocity, nx, ny, normal_change, tangent_change);
+    const V change0 = hn::Sub(now.first, old0);
+    const V change1 = hn::Sub(now.second, old1);
+    pair.turn(change0, points[0].arm_a, points[0].arm_b);
+    pair.turn(change1, points[1].arm_a, points[1].arm_b);
+    pair.turn(tangent_change, tangent_arm_a, tangent_arm_b);
+    pair.finish(block, lane, velocity, nx, ny, hn::Add(change0, change1), tangent_change);
 }
 
 template <BlockKind kKind>
@@ -299,10 +320,16 @@ HWY_INLINE void warm_start_lanes(ContactBlock& block, int lane, float* velocity,
     pair.finish(block, lane, velocity, nx, ny, sum, tangent);
 }
 
+HWY_INLINE void fetch_ahead(const ContactBlock* pool, std::span<const int> blocks, std::size_t at) {
+    if (at + kBlocksAhead < blocks.size()) prefetch(pool + blocks[at + kBlocksAhead], kFetchedBytes);
+}
+
 template <BlockKind kKind>
 void solve_all(ContactBlock* pool, std::span<const int> blocks, float* velocity,
                const ContactPassTime& time) {
-    for (const int i : blocks) {
+    for (std::size_t n = 0; n < blocks.size(); ++n) {
+        const int i = blocks[n];
+        fetch_ahead(pool, blocks, n);
         for (int lane = 0; lane < kLanes; lane += kStep) solve_lanes<kKind>(pool[i], lane, velocity, time);
     }
 }
@@ -310,7 +337,9 @@ void solve_all(ContactBlock* pool, std::span<const int> blocks, float* velocity,
 template <BlockKind kKind>
 void relax_all(ContactBlock* pool, std::span<const int> blocks, float* velocity, const float* pose,
                const ContactPassTime& time) {
-    for (const int i : blocks) {
+    for (std::size_t n = 0; n < blocks.size(); ++n) {
+        const int i = blocks[n];
+        fetch_ahead(pool, blocks, n);
         for (int lane = 0; lane < kLanes; lane += kStep)
             relax_lanes<kKind>(pool[i], lane, velocity, pose, time);
     }
@@ -319,7 +348,9 @@ void relax_all(ContactBlock* pool, std::span<const int> blocks, float* velocity,
 template <BlockKind kKind>
 void warm_start_all(ContactBlock* pool, std::span<const int> blocks, float* velocity, float step_ratio,
                     float friction_ratio) {
-    for (const int i : blocks) {
+    for (std::size_t n = 0; n < blocks.size(); ++n) {
+        const int i = blocks[n];
+        fetch_ahead(pool, blocks, n);
         for (int lane = 0; lane < kLanes; lane += kStep)
             warm_start_lanes<kKind>(pool[i], lane, velocity, set(step_ratio), set(friction_ratio));
     }

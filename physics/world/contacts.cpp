@@ -6,6 +6,7 @@
 
 #include <cairn/physics/tuning.h>
 
+#include "base/prefetch.h"
 #include "world/contact_events.h"
 #include "world/contact_lists.h"
 #include "world/fast_bodies.h"
@@ -259,10 +260,18 @@ class Update {
             BlockPlaces places;
             ManifoldLanes manifold;
             for (int i = chunk.begin; i < chunk.end; ++i) {
+                fetch_ahead(blocks, i);
                 scratch_.findings[i] = update_block(blocks[i], places, manifold);
             }
         });
         for (std::size_t i = 0; i < blocks.size(); ++i) settle_block(blocks[i], scratch_.findings[i]);
+    }
+
+    void fetch_ahead(std::span<const int> blocks, int at) const {
+        const std::size_t ahead = static_cast<std::size_t>(at) + kBlocksAhead;
+        if (ahead >= blocks.size()) return;
+        prefetch(&stores_.contacts.lanes.pairs(blocks[ahead]), sizeof(PairBlock));
+        prefetch(&stores_.contacts.lanes.block(blocks[ahead]), sizeof(ContactBlock));
     }
 
     [[nodiscard]] unsigned lanes_of(int block) const {
