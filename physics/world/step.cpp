@@ -47,7 +47,7 @@ void step_world(WorldState& world, float dt_s) {
     seat_joints(stores, time, scratch);
     choose_movers(stores, scratch);
     prepare_joints(stores, time, scratch, tasks);
-    estimate_statics(stores.contacts.lanes, def.gravity_m_s2, time, scratch);
+    estimate_statics(stores.contacts.lanes, def.gravity_m_s2, time, scratch, tasks);
 
     clock.enter(Stage::Solve);
     const Acting acting = what_acts(stores, scratch);

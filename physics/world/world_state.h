@@ -13,6 +13,7 @@
 #include "islands/islands.h"
 #include "resolve/contact_constraint.h"
 #include "resolve/joints/joint_constraint.h"
+#include "resolve/support_lanes.h"
 #include "world/body_mass.h"
 #include "world/body_store.h"
 #include "world/breakable_store.h"
@@ -102,20 +103,11 @@ inline void start_events(Events& events) {
     events.sensor_ends.swap(events.pending_sensor_ends);
 }
 
-/// A contact that bears a body from below.
-struct Support {
-    int next;                // of the same body
-    int lower;               // row of the supporter
-    float steepness;         // cosine between the normal and the upward direction
-    int count;               // points
-    std::array<float, 2> x;  // of the points along the horizontal, from the centre of the body borne, scaled
-    std::array<float, 2> x_below;   // the same for the supporter
-    std::array<float*, 2> impulse;  // where the estimates go
-};
-
-/// Columns are by row of the motions.
+/// A support is a lane of the supports: of block i / kLanes, lane i % kLanes.
 struct StaticsScratch {
-    std::vector<Support> supports;
+    std::vector<SupportLanes> supports;
+    std::vector<int> next;  // support of the same body, by support
+    // By row of the motions.
     std::vector<int> first;     // support
     std::vector<int> above;     // bearing contacts from above that are not visited yet
     std::vector<float> load;    // N s
