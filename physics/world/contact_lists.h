@@ -24,17 +24,4 @@ void relist_contact(Stores& stores, int contact);
 
 ContactMemory memory_of(const ContactStore& contacts, int contact);
 
-/// Calls visit(contact) for each contact that has points or may have some: those in colours and loose ones.
-template <class Visit>
-void for_each_acting(const ContactStore& contacts, Visit&& visit) {
-    for (int bucket = kFirstColored; bucket < kBuckets; ++bucket) {
-        for (int block = contacts.lanes.first_block(bucket); block != kNone;
-             block = contacts.lanes.link(block).next) {
-            const PairBlock& pairs = contacts.lanes.pairs(block);
-            for (int lane = 0; lane < contacts.lanes.link(block).used; ++lane) visit(pairs.contact[lane]);
-        }
-    }
-    for (const int contact : contacts.loose) visit(contact);
-}
-
 }  // namespace cairn::physics

@@ -55,31 +55,50 @@ bool is_moving(const Stores& stores, int body) {
     return rows.velocity[row] != Vec2{} || rows.spin[row] != 0;
 }
 
-template <class Visit>
-void for_each_link(const Stores& stores, Visit&& visit) {
-    for_each_acting(stores.contacts, [&](int contact) {
-        const ContactRecord& c = stores.contacts.slots[contact];
-        visit(c.body_a, c.body_b);
-    });
-    for (const int joint : stores.joints.active) {
-        const JointRecord& j = stores.joints.slots[joint];
-        visit(j.body_a, j.body_b);
+void link_pair(Stores& stores, int a, int b, Islands& islands) {
+    BodyRows& awake = stores.bodies.rows(RowSet::Awake);
+    const bool a_joins = joins_islands(stores, a);
+    const bool b_joins = joins_islands(stores, b);
+    const int row_a = stores.bodies.slots[a].row;
+    const int row_b = stores.bodies.slots[b].row;
+    if (a_joins && b_joins) islands.link(row_a, row_b);
+    // What a moving platform carries stays awake, however slowly it goes.
+    if (a_joins && !b_joins && is_moving(stores, b)) awake.rest_time[row_a] = 0;
+    if (b_joins && !a_joins && is_moving(stores, a)) awake.rest_time[row_b] = 0;
+}
+
+// Of contacts in lanes: most by far. What stands on the world joins nothing. The others' rows are at hand
+// where both are moved.
+void link_lanes(Stores& stores, Islands& islands) {
+    const ContactLanes& lanes = stores.contacts.lanes;
+    for (int bucket = kFirstColored; bucket < kBuckets; ++bucket) {
+        if (kind_of(bucket) == BlockKind::OneBody) continue;
+        for (int block = lanes.first_block(bucket); block != kNone; block = lanes.link(block).next) {
+            const PairBlock& pairs = lanes.pairs(block);
+            for (int lane = 0; lane < lanes.link(block).used; ++lane) {
+                if (kind_of(bucket) == BlockKind::Carried) {
+                    link_pair(stores, pairs.body_a[lane], pairs.body_b[lane], islands);
+                    continue;
+                }
+                const int row_a = stores.bodies.places[pairs.body_a[lane]].row;
+                const int row_b = stores.bodies.places[pairs.body_b[lane]].row;
+                if (row_a != kWorldRow && row_b != kWorldRow) islands.link(row_a - 1, row_b - 1);
+            }
+        }
     }
 }
 
 void link_islands(Stores& stores, Islands& islands) {
-    BodyRows& awake = stores.bodies.rows(RowSet::Awake);
-    islands.reset(awake.size());
-    for_each_link(stores, [&](int a, int b) {
-        const bool a_joins = joins_islands(stores, a);
-        const bool b_joins = joins_islands(stores, b);
-        const int row_a = stores.bodies.slots[a].row;
-        const int row_b = stores.bodies.slots[b].row;
-        if (a_joins && b_joins) islands.link(row_a, row_b);
-        // What a moving platform carries stays awake, however slowly it goes.
-        if (a_joins && !b_joins && is_moving(stores, b)) awake.rest_time[row_a] = 0;
-        if (b_joins && !a_joins && is_moving(stores, a)) awake.rest_time[row_b] = 0;
-    });
+    islands.reset(stores.bodies.rows(RowSet::Awake).size());
+    link_lanes(stores, islands);
+    for (const int contact : stores.contacts.loose) {
+        const ContactRecord& c = stores.contacts.slots[contact];
+        link_pair(stores, c.body_a, c.body_b, islands);
+    }
+    for (const int joint : stores.joints.active) {
+        const JointRecord& j = stores.joints.slots[joint];
+        link_pair(stores, j.body_a, j.body_b, islands);
+    }
 }
 
 }  // namespace
