@@ -9,21 +9,8 @@ namespace cairn::physics {
 namespace {
 
 void copy_pair(PairBlock& to, int to_lane, const PairBlock& from, int from_lane) {
-    const auto copy = [&](auto& t, const auto& f) { t[to_lane] = f[from_lane]; };
-    copy(to.contact, from.contact);
-    copy(to.body_a, from.body_a);
-    copy(to.body_b, from.body_b);
-    copy(to.shape_a, from.shape_a);
-    copy(to.shape_b, from.shape_b);
-    copy(to.boxes.half_ax, from.boxes.half_ax);
-    copy(to.boxes.half_ay, from.boxes.half_ay);
-    copy(to.boxes.half_bx, from.boxes.half_bx);
-    copy(to.boxes.half_by, from.boxes.half_by);
-    copy(to.boxes.offset_ax, from.boxes.offset_ax);
-    copy(to.boxes.offset_ay, from.boxes.offset_ay);
-    copy(to.boxes.offset_bx, from.boxes.offset_bx);
-    copy(to.boxes.offset_by, from.boxes.offset_by);
-    for (int i = 0; i < 2; ++i) copy(to.features[i], from.features[i]);
+    copy_geometry(to, to_lane, from, from_lane);
+    for (int i = 0; i < 2; ++i) to.features[i][to_lane] = from.features[i][from_lane];
     const auto copy_bit = [&](std::uint8_t& t, std::uint8_t f) {
         const int bit = f >> from_lane & 1;
         t = static_cast<std::uint8_t>((t & ~(1 << to_lane)) | bit << to_lane);
@@ -108,6 +95,23 @@ constexpr std::size_t kFirstBlocks = 32;
 
 }  // namespace
 
+void copy_geometry(PairBlock& to, int to_lane, const PairBlock& from, int from_lane) {
+    const auto copy = [&](auto& t, const auto& f) { t[to_lane] = f[from_lane]; };
+    copy(to.contact, from.contact);
+    copy(to.body_a, from.body_a);
+    copy(to.body_b, from.body_b);
+    copy(to.shape_a, from.shape_a);
+    copy(to.shape_b, from.shape_b);
+    copy(to.boxes.half_ax, from.boxes.half_ax);
+    copy(to.boxes.half_ay, from.boxes.half_ay);
+    copy(to.boxes.half_bx, from.boxes.half_bx);
+    copy(to.boxes.half_by, from.boxes.half_by);
+    copy(to.boxes.offset_ax, from.boxes.offset_ax);
+    copy(to.boxes.offset_ay, from.boxes.offset_ay);
+    copy(to.boxes.offset_bx, from.boxes.offset_bx);
+    copy(to.boxes.offset_by, from.boxes.offset_by);
+}
+
 int ContactLanes::add(int bucket, const PairLane& pair) {
     if (!is_colored(bucket)) return add_near(geometry_of(bucket), pair);
     int block = chains_[bucket].last;
@@ -139,8 +143,10 @@ int ContactLanes::add_near(PairGeometry geometry, const PairLane& pair) {
     if (block == static_cast<int>(blocks.size())) {
         blocks.emplace_back();
         clear_pairs(blocks.back());
+        near_reaches_[index(geometry)].emplace_back();
     }
     write_pair(blocks[block], lane % kLanes, pair);
+    near_reaches_[index(geometry)][block].m[lane % kLanes] = pair.reach_m;
     return lane;
 }
 
@@ -151,6 +157,8 @@ int ContactLanes::remove_near(PairGeometry geometry, int lane) {
     PairBlock& from = blocks[last / kLanes];
     copy_pair(to, lane % kLanes, from, last % kLanes);
     write_pair(from, last % kLanes, PairLane{});
+    std::vector<NearReaches>& reaches = near_reaches_[index(geometry)];
+    reaches[lane / kLanes].m[lane % kLanes] = reaches[last / kLanes].m[last % kLanes];
     return last == lane ? kNone : to.contact[lane % kLanes];
 }
 

@@ -61,10 +61,19 @@ struct PairLane {
     Vec2 half_b;
     Vec2 offset_a;
     Vec2 offset_b;
+    float reach_m = 0;  // see NearReaches
     bool reports = false;
     bool impacts = false;
     bool remembers = false;
 };
+
+/// Of near pairs: sums of the radii of the discs about the bodies' centres of mass that hold the shapes.
+struct alignas(32) NearReaches {
+    Lanes<float> m;
+};
+
+/// Without what lanes remember.
+void copy_geometry(PairBlock& to, int to_lane, const PairBlock& from, int from_lane);
 
 /// What a contact remembers from step to step.
 struct ContactMemory {
@@ -109,6 +118,9 @@ class ContactLanes {
     [[nodiscard]] std::vector<PairBlock>& near_pairs(PairGeometry geometry) { return near_[index(geometry)]; }
     [[nodiscard]] const std::vector<PairBlock>& near_pairs(PairGeometry geometry) const {
         return near_[index(geometry)];
+    }
+    [[nodiscard]] const std::vector<NearReaches>& near_reaches(PairGeometry geometry) const {
+        return near_reaches_[index(geometry)];
     }
     [[nodiscard]] int near_count(PairGeometry geometry) const { return near_count_[index(geometry)]; }
 
@@ -159,6 +171,7 @@ class ContactLanes {
     void close_block(int bucket);
 
     std::array<std::vector<PairBlock>, kPairGeometries> near_;
+    std::array<std::vector<NearReaches>, kPairGeometries> near_reaches_;  // beside the pairs
     std::array<int, kPairGeometries> near_count_{};
     std::vector<PairBlock> pairs_;
     std::vector<BlockLink> links_;      // beside the pairs

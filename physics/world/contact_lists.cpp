@@ -38,6 +38,8 @@ PairLane make_lane(const Stores& stores, int contact) {
         lane.offset_a += a.centroid;
         lane.offset_b += b.centroid;
     }
+    lane.reach_m = farthest_distance(a, stores.bodies.slots[c.body_a].mass.center_m) +
+                   farthest_distance(b, stores.bodies.slots[c.body_b].mass.center_m);
     lane.reports = c.reports_touch || special::has(c, special::kWatched);
     lane.impacts = c.restitution > 0 || c.reports_hit;
     lane.remembers = c.has_points;

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <bit>
+#include <optional>
+#include <span>
 
 #include <cairn/physics/tuning.h>
 
@@ -12,6 +14,7 @@
 #include "world/fast_bodies.h"
 #include "world/filtering.h"
 #include "world/narrow_phase.h"
+#include "world/near_pairs.h"
 #include "world/one_way.h"
 #include "world/sleep.h"
 #include "world/special_contacts.h"
@@ -141,65 +144,40 @@ class Update {
     int update_near(PairGeometry geometry, int first) {
         const int count = stores_.contacts.lanes.near_count(geometry);
         if (first >= count) return first;
+        find_near(stores_, geometry, first, count, time_.dt_s, scratch_, world_.tasks);
+        ahead_ = scratch_.near_ahead;
         const int first_block = first / kLanes;
-        const int blocks = (count + kLanes - 1) / kLanes - first_block;
-        const auto lanes_of = [&](int block) {
-            const int begin = std::max(first - block * kLanes, 0);
-            const int end = std::min(count - block * kLanes, kLanes);
-            return (1u << end) - (1u << begin);
-        };
-        scratch_.near_findings.resize(blocks);
-        world_.tasks.parallel_for(blocks, kBlocksPerChunk, [&](const Chunk& chunk) {
-            BlockPlaces places;
-            ManifoldLanes manifold;
-            for (int i = chunk.begin; i < chunk.end; ++i) {
-                const int block = first_block + i;
-                scratch_.near_findings[i] = look_at_near(geometry, block, lanes_of(block), places, manifold);
-            }
-        });
-        for (int i = 0; i < blocks; ++i) {
-            const int block = first_block + i;
-            settle_near(geometry, block, lanes_of(block), scratch_.near_findings[i]);
+        for (std::size_t i = 0; i < scratch_.near_findings.size(); ++i) {
+            const int block = first_block + static_cast<int>(i);
+            settle_near(geometry, block, near_lanes(first, count, block), scratch_.near_findings[i]);
         }
         return count;
-    }
-
-    NearFindings look_at_near(PairGeometry geometry, int block, unsigned lanes, BlockPlaces& places,
-                              ManifoldLanes& manifold) const {
-        const PairBlock& pairs = stores_.contacts.lanes.near_pairs(geometry)[block];
-        collide(pairs, geometry, lanes, places, manifold);
-        unsigned meets = 0;
-        unsigned could = 0;
-        for (int lane = 0; lane < kLanes; ++lane) {
-            if (manifold.points[0].id[lane] != kNoFeature) meets |= 1u << lane;
-        }
-        for (unsigned fast = places.fast & ~meets; fast != 0; fast &= fast - 1) {
-            if (could_meet_in(places, manifold, std::countr_zero(fast))) could |= fast & ~(fast - 1);
-        }
-        return {static_cast<std::uint8_t>(gone_lanes(pairs, places.boxes_moved)),
-                static_cast<std::uint8_t>(meets & lanes), static_cast<std::uint8_t>(could)};
     }
 
     void settle_near(PairGeometry geometry, int block, unsigned lanes, const NearFindings& found) {
         // Waking may move the blocks.
         const auto pairs = [&]() -> PairBlock& { return stores_.contacts.lanes.near_pairs(geometry)[block]; };
-        const unsigned ahead = (found.could_meet | (pairs().remembers & lanes)) & ~found.gone & ~found.meets;
-        if ((ahead | found.gone | found.meets) == 0) return;
-        // Again: few blocks come here, and none keeps so much.
-        if (ahead != 0) collide(pairs(), geometry, lanes, places_, manifold_);
-        for (unsigned rest = ahead | found.gone | found.meets; rest != 0; rest &= rest - 1) {
+        unsigned rest = (found.could_meet | pairs().remembers | found.gone | found.meets) & lanes;
+        for (; rest != 0; rest &= rest - 1) {
             const int lane = std::countr_zero(rest);
             const int contact = pairs().contact[lane];
             if ((found.gone >> lane & 1) != 0) {
                 scratch_.gone.push_back(contact);
             } else if ((found.meets >> lane & 1) != 0) {
                 if (meets(stores_.contacts.slots[contact])) scratch_.met.push_back(contact);
-            } else if (predict(contact, lane)) {
+            } else if (predict(contact, next_ahead((found.could_meet >> lane & 1) != 0))) {
                 pairs().remembers |= static_cast<std::uint8_t>(1u << lane);
             } else {
                 forget(pairs(), lane);
             }
         }
+    }
+
+    std::optional<AxisGap> next_ahead(bool could_meet) {
+        if (!could_meet) return {};
+        const AxisGap seen = ahead_.front().seen;
+        ahead_ = ahead_.subspan(1);
+        return seen;
     }
 
     // The pair was in touch, or was about to be, and is apart again.
@@ -223,13 +201,12 @@ class Update {
                (stores_.bodies.is_awake(c.body_a) && is_dynamic(c.body_a));
     }
 
-    // A pair that is apart but meets within the step is solved in plain form, wherever it is listed.
-    bool predict(int contact, int lane) {
+    // A pair that is apart but meets within the step is solved in plain form, wherever it is listed. `seen`
+    // is where it could meet, if at all.
+    bool predict(int contact, const std::optional<AxisGap>& seen) {
         ContactRecord& c = stores_.contacts.slots[contact];
         ContactInput input;
-        if ((places_.fast >> lane & 1) == 0 || !could_meet_in(places_, manifold_, lane) ||
-            !predict_contact(stores_, c, gap_in(manifold_, lane), world_.def.gravity_m_s2, time_.dt_s,
-                             input)) {
+        if (!seen || !predict_contact(stores_, c, *seen, world_.def.gravity_m_s2, time_.dt_s, input)) {
             if (special::has(c, special::kOneWay)) forget_side(c);
             return false;
         }
@@ -242,14 +219,13 @@ class Update {
         return true;
     }
 
-    static AxisGap gap_in(const ManifoldLanes& manifold, int lane) {
-        return {{manifold.normal_x[lane], manifold.normal_y[lane]}, manifold.gap[lane]};
-    }
-
-    [[nodiscard]] bool could_meet_in(const BlockPlaces& places, const ManifoldLanes& manifold,
-                                     int lane) const {
-        return could_meet(scratch_.advances[places.row_a[lane]], scratch_.advances[places.row_b[lane]],
-                          gap_in(manifold, lane), time_.dt_s);
+    // A pair that has no points, in a lane of what was looked at last.
+    bool predict_lane(int contact, int lane) {
+        const AxisGap seen = gap_in(manifold_, lane);
+        const bool could = (places_.fast >> lane & 1) != 0 &&
+                           could_meet(scratch_.advances[places_.row_a[lane]],
+                                      scratch_.advances[places_.row_b[lane]], seen, time_.dt_s);
+        return predict(contact, could ? std::optional(seen) : std::nullopt);
     }
 
     // All blocks, on several threads; then what they found that touches more than the block itself.
@@ -280,7 +256,7 @@ class Update {
 
     void collide(const PairBlock& pairs, PairGeometry geometry, unsigned lanes, BlockPlaces& places,
                  ManifoldLanes& manifold) const {
-        load_places(stores_.bodies, pairs, lanes, places);
+        load_places(stores_.bodies.places.data(), pairs.body_a, pairs.body_b, lanes, places);
         collide_block(stores_, pairs, geometry, lanes, places.poses, manifold);
     }
 
@@ -302,7 +278,7 @@ class Update {
         const unsigned told = (pairs.reports | (pairs.impacts & prepared.closing)) & ~prepared.apart;
         const unsigned loose = places.turn_far & prepared.swings & ~prepared.apart;
         block.reports = told != 0;
-        return {static_cast<std::uint8_t>(gone_lanes(pairs, places.boxes_moved)),
+        return {static_cast<std::uint8_t>(gone_lanes(stores_.shapes, pairs, places.boxes_moved)),
                 static_cast<std::uint8_t>(apart), static_cast<std::uint8_t>(told),
                 static_cast<std::uint8_t>(loose)};
     }
@@ -329,7 +305,7 @@ class Update {
 
     // The contact has no points any more. It leaves its list after this pass.
     void part(int contact, int lane) {
-        if (predict(contact, lane)) {
+        if (predict_lane(contact, lane)) {
             scratch_.parted.push_back(contact);
         } else {
             lose_points(contact);
@@ -364,13 +340,13 @@ class Update {
         single_.shape_a[0] = c.shape_a;
         single_.shape_b[0] = c.shape_b;
         collide(single_, PairGeometry::Chains, 1, places_, manifold_);
-        if (gone_lanes(single_, places_.boxes_moved) != 0) {
+        if (gone_lanes(stores_.shapes, single_, places_.boxes_moved) != 0) {
             scratch_.gone.push_back(contact);
             return;
         }
         if (special::has(c, special::kRefused)) return;
         if (manifold_.points[0].id[0] == kNoFeature) {
-            if (!predict(contact, 0) && c.has_points) lose_points(contact);
+            if (!predict_lane(contact, 0) && c.has_points) lose_points(contact);
             return;
         }
         const bool was_loose = is_loose(c);
@@ -415,18 +391,6 @@ class Update {
         solve_as_scalar();
     }
 
-    // Of some lanes those whose boxes have parted.
-    [[nodiscard]] unsigned gone_lanes(const PairBlock& pairs, unsigned lanes) const {
-        unsigned gone = 0;
-        for (; lanes != 0; lanes &= lanes - 1) {
-            const int lane = std::countr_zero(lanes);
-            const Aabb& a = stores_.shapes[pairs.shape_a[lane]].fat_box;
-            const Aabb& b = stores_.shapes[pairs.shape_b[lane]].fat_box;
-            if (!overlap(a, b)) gone |= 1u << lane;
-        }
-        return gone;
-    }
-
     [[nodiscard]] bool is_dynamic(int body) const {
         return stores_.bodies.slots[body].type == BodyType::Dynamic;
     }
@@ -439,7 +403,8 @@ class Update {
     float impact_speed_;  // m/s; slower contacts neither bounce nor tell of a hit
     BlockPlaces places_;
     ManifoldLanes manifold_;
-    PairBlock single_{};  // a loose contact, in the first lane
+    PairBlock single_{};                // a loose contact, in the first lane
+    std::span<const NearAhead> ahead_;  // of the near pairs that are being settled, from the next one on
     std::array<int, kPairGeometries> near_done_{};
     std::size_t loose_done_ = 0;
 };

@@ -13,8 +13,6 @@
 namespace cairn::physics {
 namespace {
 
-constexpr float kFarApart_m = 1e9f;
-
 // How far a shape is in front of the line through a segment.
 float height_above(const Convex& segment, const Convex& shape, const RelativePose& shape_in_segment) {
     const Vec2 normal = segment.normals[0];
@@ -68,34 +66,19 @@ HullLanes hulls_of(const Stores& stores, const PairBlock& pairs, unsigned lanes)
 
 }  // namespace
 
-void load_places(const BodyStore& bodies, const PairBlock& pairs, unsigned lanes, BlockPlaces& out) {
-    out.fast = out.turn_far = out.boxes_moved = 0;
-    for (int lane = 0; lane < kLanes; ++lane) {
-        if ((lanes >> lane & 1) == 0) {
-            out.poses.dx[lane] = kFarApart_m;
-            out.poses.dy[lane] = out.poses.sin_a[lane] = out.poses.sin_b[lane] = 0;
-            out.poses.cos_a[lane] = out.poses.cos_b[lane] = 1;
-            out.row_a[lane] = out.row_b[lane] = kWorldRow;
-            continue;
-        }
-        const Place& a = bodies.places[pairs.body_a[lane]];
-        const Place& b = bodies.places[pairs.body_b[lane]];
-        const Vec2 between = b.center - a.center;
-        out.poses.dx[lane] = between.x;
-        out.poses.dy[lane] = between.y;
-        out.poses.cos_a[lane] = a.rotation.c;
-        out.poses.sin_a[lane] = a.rotation.s;
-        out.poses.cos_b[lane] = b.rotation.c;
-        out.poses.sin_b[lane] = b.rotation.s;
-        out.row_a[lane] = a.row;
-        out.row_b[lane] = b.row;
-        const std::uint32_t flags = a.flags | b.flags;
-        if (flags == 0) continue;
-        const unsigned bit = 1u << lane;
-        if (flags & place_flag::kFast) out.fast |= bit;
-        if (flags & place_flag::kTurnsFar) out.turn_far |= bit;
-        if (flags & place_flag::kBoxesMoved) out.boxes_moved |= bit;
+unsigned gone_lanes(const ShapeStore& shapes, const PairBlock& pairs, unsigned lanes) {
+    unsigned gone = 0;
+    for (; lanes != 0; lanes &= lanes - 1) {
+        const int lane = std::countr_zero(lanes);
+        const Aabb& a = shapes[pairs.shape_a[lane]].fat_box;
+        const Aabb& b = shapes[pairs.shape_b[lane]].fat_box;
+        if (!overlap(a, b)) gone |= 1u << lane;
     }
+    return gone;
+}
+
+AxisGap gap_in(const ManifoldLanes& manifold, int lane) {
+    return {{manifold.normal_x[lane], manifold.normal_y[lane]}, manifold.gap[lane]};
 }
 
 void collide_block(const Stores& stores, const PairBlock& pairs, PairGeometry geometry, unsigned lanes,

@@ -2,25 +2,20 @@
 #pragma once
 
 #include "collide/manifold.h"
+#include "collide/place_lanes.h"
 #include "resolve/contact_constraint.h"
+#include "world/fast_bodies.h"
 #include "world/world_state.h"
 
 namespace cairn::physics {
 
-/// How the bodies of a block of pairs lie, and what else the places say of them, as bits by lane. Lanes that
-/// are not asked for are so far apart that nothing is found.
-struct BlockPlaces {
-    PoseLanes poses;
-    Lanes<std::int32_t> row_a;
-    Lanes<std::int32_t> row_b;
-    unsigned fast = 0;
-    unsigned turn_far = 0;
-    unsigned boxes_moved = 0;
-};
+/// Of some lanes those whose boxes have parted.
+unsigned gone_lanes(const ShapeStore& shapes, const PairBlock& pairs, unsigned lanes);
+
+/// Along which axis a lane without points was seen to be apart.
+AxisGap gap_in(const ManifoldLanes& manifold, int lane);
 
 /// `lanes` has a bit for each lane that is wanted.
-void load_places(const BodyStore& bodies, const PairBlock& pairs, unsigned lanes, BlockPlaces& out);
-
 void collide_block(const Stores& stores, const PairBlock& pairs, PairGeometry geometry, unsigned lanes,
                    const PoseLanes& poses, ManifoldLanes& out);
 

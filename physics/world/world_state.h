@@ -10,6 +10,7 @@
 #include "base/motion.h"
 #include "base/task_pool.h"
 #include "broad/broad_phase.h"
+#include "collide/place_lanes.h"
 #include "islands/islands.h"
 #include "resolve/contact_constraint.h"
 #include "resolve/joints/joint_constraint.h"
@@ -149,11 +150,16 @@ struct NearFindings {
     std::uint8_t could_meet = 0;  // within the step
 };
 
-/// What a body is expected to do in a step if it meets nothing. That of the world is nothing at all.
-struct Advance {
-    Vec2 velocity_m_s;      // mean over the step, of the centre of mass
-    float turning_m_s = 0;  // speed of the farthest point about it
-    float thin_m = 0;       // ways up to this pass through nothing
+/// An axis, from a to b, along which two shapes are at least this far apart; 0 says nothing.
+struct AxisGap {
+    Vec2 axis;
+    float gap_m = 0;
+};
+
+/// A near pair that could meet within the step.
+struct NearAhead {
+    int lane;
+    AxisGap seen;
 };
 
 /// What a step works on. Kept from step to step for its memory only.
@@ -182,6 +188,8 @@ struct StepScratch {
     WayScratch ways;
     std::vector<BlockFindings> findings;  // of blocks in colours, in their order
     std::vector<NearFindings> near_findings;
+    PerChunk<std::vector<NearAhead>> ahead_found;
+    std::vector<NearAhead> near_ahead;  // in the order of their lanes
     PerChunk<std::vector<ItemPair>> found_pairs;
     std::vector<ItemPair> pairs;
 };

@@ -1,0 +1,172 @@
+// Gathering of places. Centres are subtracted in double, so that it does not matter how far from the origin
+// they are.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "collide/place_lanes.cpp"
+#include "collide/place_lanes.h"
+
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include <cairn/physics/tuning.h>
+
+#include "base/motion.h"
+#include "base/simd_rows-inl.h"
+#include "base/simd_vec-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace cairn::physics {
+namespace HWY_NAMESPACE {
+
+constexpr float kFarApart_m = 1e9f;
+
+// The lanes of which the bit is set.
+HWY_INLINE M wanted_lanes(unsigned lanes, int lane) {
+    alignas(32) static constexpr Lanes<std::int32_t> kBits{1, 2, 4, 8, 16, 32, 64, 128};
+    const VI bits = hn::And(load(kBits, lane), set_int(static_cast<std::int32_t>(lanes)));
+    return hn::RebindMask(D(), hn::Ne(bits, hn::Zero(DI())));
+}
+
+// The bodies of some lanes; those that are not wanted take the first body there is.
+HWY_INLINE void load_bodies(const Lanes<std::int32_t>& bodies, M wanted, int lane, std::int32_t* out) {
+    hn::Store(hn::IfThenElseZero(hn::RebindMask(DI(), wanted), load(bodies, lane)), DI(), out);
+}
+
+// Rotations, rows and flags, as bits of floats.
+HWY_INLINE Columns load_turns(const Place* places, const std::int32_t* bodies) {
+    static_assert(offsetof(Place, rotation) == 16 && sizeof(Rotation) == 8 && sizeof(Place) == 32);
+    const float* rows[kStep];
+    for (int i = 0; i < kStep; ++i) rows[i] = &places[bodies[i]].rotation.c;
+    return load_rows(rows, 0);
+}
+
+HWY_INLINE unsigned flagged(VI flags, std::uint32_t flag) {
+    const VI set_flags = hn::And(flags, set_int(static_cast<std::int32_t>(flag)));
+    return bits_of(hn::RebindMask(D(), hn::Ne(set_flags, hn::Zero(DI()))));
+}
+
+#if HWY_TARGET == HWY_SCALAR
+
+HWY_INLINE Vec between(const Place* places, const std::int32_t* a, const std::int32_t* b) {
+    const Vec2 d = places[b[0]].center - places[a[0]].center;
+    return {set(d.x), set(d.y)};
+}
+
+#else
+
+// The centre of b as seen from that of a.
+HWY_INLINE Vec between(const Place* places, const std::int32_t* a, const std::int32_t* b) {
+    static_assert(offsetof(Place, center) == 0);
+    const hn::FixedTag<double, 2> two;
+    const hn::FixedTag<float, 2> narrow;
+    const hn::FixedTag<float, 4> quad;
+    const auto difference = [&](int i) HWY_ATTR {
+        const auto from_a = hn::Load(two, &places[a[i]].center.x);
+        return hn::DemoteTo(narrow, hn::Sub(hn::Load(two, &places[b[i]].center.x), from_a));
+    };
+    const auto both = [&](int i) HWY_ATTR {  // x y of lanes i and i + 1
+        const auto low = hn::Combine(quad, difference(i + 1), difference(i));
+#if HWY_MAX_BYTES >= 32
+        return hn::Combine(D(), hn::Combine(quad, difference(i + 5), difference(i + 4)), low);
+#else
+        return low;
+#endif
+    };
+    const V first = both(0);
+    const V second = both(2);
+    const V even = hn::InterleaveLower(D(), first, second);  // x0 x2 y0 y2
+    const V odd = hn::InterleaveUpper(D(), first, second);   // x1 x3 y1 y3
+    return {hn::InterleaveLower(D(), even, odd), hn::InterleaveUpper(D(), even, odd)};
+}
+
+#endif
+
+void load_places(const Place* places, const Lanes<std::int32_t>& body_a, const Lanes<std::int32_t>& body_b,
+                 unsigned lanes, BlockPlaces& out) {
+    out.fast = out.turn_far = out.boxes_moved = 0;
+    for (int lane = 0; lane < kLanes; lane += kStep) {
+        const M wanted = wanted_lanes(lanes, lane);
+        alignas(32) std::int32_t a[kLanes];
+        alignas(32) std::int32_t b[kLanes];
+        load_bodies(body_a, wanted, lane, a);
+        load_bodies(body_b, wanted, lane, b);
+        const Columns turn_a = load_turns(places, a);
+        const Columns turn_b = load_turns(places, b);
+        const Vec d = between(places, a, b);
+        const V one = set(1);
+        store(hn::IfThenElse(wanted, d.x, set(kFarApart_m)), out.poses.dx, lane);
+        store(hn::IfThenElseZero(wanted, d.y), out.poses.dy, lane);
+        store(hn::IfThenElse(wanted, turn_a.x, one), out.poses.cos_a, lane);
+        store(hn::IfThenElseZero(wanted, turn_a.y), out.poses.sin_a, lane);
+        store(hn::IfThenElse(wanted, turn_b.x, one), out.poses.cos_b, lane);
+        store(hn::IfThenElseZero(wanted, turn_b.y), out.poses.sin_b, lane);
+        const auto wanted_int = hn::RebindMask(DI(), wanted);
+        store(hn::IfThenElse(wanted_int, hn::BitCast(DI(), turn_a.z), set_int(kWorldRow)), out.row_a, lane);
+        store(hn::IfThenElse(wanted_int, hn::BitCast(DI(), turn_b.z), set_int(kWorldRow)), out.row_b, lane);
+        const VI flags = hn::Or(hn::BitCast(DI(), turn_a.u), hn::BitCast(DI(), turn_b.u));
+        out.fast |= flagged(flags, place_flag::kFast) << lane;
+        out.turn_far |= flagged(flags, place_flag::kTurnsFar) << lane;
+        out.boxes_moved |= flagged(flags, place_flag::kBoxesMoved) << lane;
+    }
+    out.fast &= lanes;
+    out.turn_far &= lanes;
+    out.boxes_moved &= lanes;
+}
+
+// Discs that hold the shapes, along the line between their centres.
+void look_near(const Place* places, const Lanes<std::int32_t>& body_a, const Lanes<std::int32_t>& body_b,
+               const Lanes<float>& reach_m, const Advance* advances, float dt_s, unsigned lanes,
+               NearLanes& out) {
+    for (int lane = 0; lane < kLanes; lane += kStep) {
+        const M wanted = wanted_lanes(lanes, lane);
+        alignas(32) std::int32_t a[kLanes];
+        alignas(32) std::int32_t b[kLanes];
+        load_bodies(body_a, wanted, lane, a);
+        load_bodies(body_b, wanted, lane, b);
+        const Columns turn_a = load_turns(places, a);
+        const Columns turn_b = load_turns(places, b);
+        const Vec d = between(places, a, b);
+        hn::Store(hn::BitCast(DI(), turn_a.z), DI(), a);
+        hn::Store(hn::BitCast(DI(), turn_b.z), DI(), b);
+        const Columns advance_a = load_rows(&advances->velocity_m_s.x, a);
+        const Columns advance_b = load_rows(&advances->velocity_m_s.x, b);
+        const Vec velocity = sub({advance_b.x, advance_b.y}, {advance_a.x, advance_a.y});
+        const VI flags = hn::Or(hn::BitCast(DI(), turn_a.u), hn::BitCast(DI(), turn_b.u));
+        const VI fast = hn::And(flags, set_int(static_cast<std::int32_t>(place_flag::kFast)));
+        const V distance = hn::Sqrt(dot(d, d));
+        const V opening = hn::Div(hn::Mul(set(dt_s), dot(velocity, d)), distance);
+        const M is_fast = hn::RebindMask(D(), hn::Ne(fast, hn::Zero(DI())));
+        const V least = hn::IfThenElseZero(is_fast, hn::Min(opening, hn::Zero(D())));
+        const V gap = hn::Add(hn::Sub(distance, load(reach_m, lane)), least);
+        // So that a distance of 0, which has no direction, counts as close.
+        const M apart = hn::Gt(gap, set(tuning::kSpeculativeDistance_m));
+        out.close |= bits_of(hn::Not(apart)) << lane;
+        out.boxes_moved |= flagged(flags, place_flag::kBoxesMoved) << lane;
+    }
+    out.close &= lanes;
+    out.boxes_moved &= lanes;
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace cairn::physics
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace cairn::physics {
+
+HWY_EXPORT(load_places);
+HWY_EXPORT(look_near);
+
+void load_places(const Place* places, const Lanes<std::int32_t>& body_a, const Lanes<std::int32_t>& body_b,
+                 unsigned lanes, BlockPlaces& out) {
+    HWY_DYNAMIC_DISPATCH(load_places)(places, body_a, body_b, lanes, out);
+}
+
+NearLanes look_near(const Place* places, const Lanes<std::int32_t>& body_a, const Lanes<std::int32_t>& body_b,
+                    const Lanes<float>& reach_m, const Advance* advances, float dt_s, unsigned lanes) {
+    NearLanes out;
+    HWY_DYNAMIC_DISPATCH(look_near)(places, body_a, body_b, reach_m, advances, dt_s, lanes, out);
+    return out;
+}
+
+}  // namespace cairn::physics
+#endif

@@ -1,0 +1,44 @@
+// Places of the bodies of eight pairs, gathered for SIMD; and which pairs are so far apart that their shapes
+// need not be looked at.
+#pragma once
+
+#include <cstdint>
+
+#include "base/place.h"
+#include "collide/box_lanes.h"
+
+namespace cairn::physics {
+
+/// How the bodies of a block of pairs lie, and what else the places say of them, as bits by lane. Lanes that
+/// are not asked for are so far apart that nothing is found.
+struct BlockPlaces {
+    PoseLanes poses;
+    alignas(32) Lanes<std::int32_t> row_a;
+    alignas(32) Lanes<std::int32_t> row_b;
+    unsigned fast = 0;
+    unsigned turn_far = 0;
+    unsigned boxes_moved = 0;
+};
+
+/// `lanes` has a bit for each lane that is wanted; the others need not name a body.
+void load_places(const Place* places, const Lanes<std::int32_t>& body_a, const Lanes<std::int32_t>& body_b,
+                 unsigned lanes, BlockPlaces& out);
+
+/// What a body is expected to do in a step if it meets nothing. That of the world is nothing at all.
+struct alignas(16) Advance {
+    Vec2 velocity_m_s;      // mean over the step, of the centre of mass
+    float turning_m_s = 0;  // speed of the farthest point about it
+    float thin_m = 0;       // ways up to this pass through nothing
+};
+
+struct NearLanes {
+    unsigned close = 0;  // bits: the shapes could have points, or meet within the step
+    unsigned boxes_moved = 0;
+};
+
+/// Of some lanes. `reach_m`: sum of the radii of the discs about the centres of mass that hold the shapes;
+/// `advances` are by row.
+NearLanes look_near(const Place* places, const Lanes<std::int32_t>& body_a, const Lanes<std::int32_t>& body_b,
+                    const Lanes<float>& reach_m, const Advance* advances, float dt_s, unsigned lanes);
+
+}  // namespace cairn::physics

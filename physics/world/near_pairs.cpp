@@ -1,0 +1,115 @@
+// The look at near pairs.
+#include "world/near_pairs.h"
+
+#include <bit>
+
+#include "world/narrow_phase.h"
+
+namespace cairn::physics {
+namespace {
+
+// What a thread takes at once: enough that few packs are not full.
+constexpr int kBlocksPerChunk = 32;
+
+// Looks at some blocks of near pairs, one after the other.
+class NearLook {
+  public:
+    NearLook(const Stores& stores, PairGeometry geometry, int first_block, float dt_s, StepScratch& scratch,
+             std::vector<NearAhead>& ahead)
+        : stores_(stores),
+          lanes_(stores.contacts.lanes),
+          geometry_(geometry),
+          first_block_(first_block),
+          dt_s_(dt_s),
+          scratch_(scratch),
+          ahead_(ahead) {
+        ahead_.clear();
+    }
+
+    void look_at(int block, unsigned lanes) {
+        const PairBlock& pairs = lanes_.near_pairs(geometry_)[block];
+        const NearLanes near =
+            look_near(stores_.bodies.places.data(), pairs.body_a, pairs.body_b,
+                      lanes_.near_reaches(geometry_)[block].m, scratch_.advances.data(), dt_s_, lanes);
+        NearFindings& found = scratch_.near_findings[block - first_block_];
+        found = {};
+        found.gone = static_cast<std::uint8_t>(gone_lanes(stores_.shapes, pairs, near.boxes_moved));
+        unsigned close = near.close & ~found.gone;
+        if (close == kAll && packed_ == 0) {
+            for (int lane = 0; lane < kLanes; ++lane) from_[lane] = block * kLanes + lane;
+            return look_closer(pairs, kAll);
+        }
+        for (; close != 0; close &= close - 1) {
+            const int lane = std::countr_zero(close);
+            copy_geometry(pack_, packed_, pairs, lane);
+            from_[packed_++] = block * kLanes + lane;
+            if (packed_ == kLanes) finish();
+        }
+    }
+
+    /// Looks at what is still packed.
+    void finish() {
+        if (packed_ > 0) look_closer(pack_, (1u << packed_) - 1);
+        packed_ = 0;
+    }
+
+  private:
+    static constexpr unsigned kAll = (1u << kLanes) - 1;
+
+    void look_closer(const PairBlock& pairs, unsigned lanes) {
+        load_places(stores_.bodies.places.data(), pairs.body_a, pairs.body_b, lanes, places_);
+        collide_block(stores_, pairs, geometry_, lanes, places_.poses, manifold_);
+        for (; lanes != 0; lanes &= lanes - 1) {
+            const int lane = std::countr_zero(lanes);
+            NearFindings& found = scratch_.near_findings[from_[lane] / kLanes - first_block_];
+            const auto bit = static_cast<std::uint8_t>(1 << from_[lane] % kLanes);
+            if (manifold_.points[0].id[lane] != kNoFeature) {
+                found.meets |= bit;
+            } else if ((places_.fast >> lane & 1) != 0) {
+                const AxisGap seen = gap_in(manifold_, lane);
+                if (!could_meet(scratch_.advances[places_.row_a[lane]],
+                                scratch_.advances[places_.row_b[lane]], seen, dt_s_))
+                    continue;
+                found.could_meet |= bit;
+                ahead_.push_back({from_[lane], seen});
+            }
+        }
+    }
+
+    const Stores& stores_;
+    const ContactLanes& lanes_;
+    const PairGeometry geometry_;
+    const int first_block_;
+    const float dt_s_;
+    StepScratch& scratch_;
+    std::vector<NearAhead>& ahead_;
+    PairBlock pack_{};
+    Lanes<int> from_{};  // near lanes that those of the pack are
+    int packed_ = 0;
+    BlockPlaces places_;
+    ManifoldLanes manifold_;
+};
+
+}  // namespace
+
+void find_near(const Stores& stores, PairGeometry geometry, int first, int count, float dt_s,
+               StepScratch& scratch, TaskPool& tasks) {
+    const int first_block = first / kLanes;
+    const int blocks = (count + kLanes - 1) / kLanes - first_block;
+    scratch.near_findings.resize(blocks);
+    scratch.ahead_found.fit(blocks, kBlocksPerChunk);
+    tasks.parallel_for(blocks, kBlocksPerChunk, [&](const Chunk& chunk) {
+        NearLook look(stores, geometry, first_block, dt_s, scratch, scratch.ahead_found[chunk.index]);
+        for (int block = first_block + chunk.begin; block < first_block + chunk.end; ++block) {
+            look.look_at(block, near_lanes(first, count, block));
+        }
+        look.finish();
+    });
+    scratch.near_ahead.clear();
+    for (int chunk = 0; chunk < scratch.ahead_found.size(); ++chunk) {
+        const std::vector<NearAhead>& found = scratch.ahead_found[chunk];
+        scratch.near_ahead.insert(scratch.near_ahead.end(), found.begin(), found.end());
+    }
+}
+
+}  // namespace cairn::physics

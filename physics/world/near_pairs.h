@@ -1,0 +1,25 @@
+// Pairs without points: which of them meet, which may meet within the step, and which have parted. Most are
+// told by two discs, eight pairs at once; what is left is packed, so that lanes of the manifold's routines
+// are full.
+#pragma once
+
+#include <algorithm>
+
+#include "world/fast_bodies.h"
+
+namespace cairn::physics {
+
+/// Which lanes of a block of near pairs are from `first` up to, and without, `count`, as bits.
+inline unsigned near_lanes(int first, int count, int block) {
+    const int begin = std::max(first - block * kLanes, 0);
+    const int end = std::min(count - block * kLanes, kLanes);
+    return (1u << end) - (1u << begin);
+}
+
+/// Looks at the near pairs of a geometry from lane `first` up to `count`, on several threads. Findings are by
+/// block, from that of `first` on, in `near_findings`; `near_ahead` has what may meet, in the order of the
+/// lanes.
+void find_near(const Stores& stores, PairGeometry geometry, int first, int count, float dt_s,
+               StepScratch& scratch, TaskPool& tasks);
+
+}  // namespace cairn::physics
