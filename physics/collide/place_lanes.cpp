@@ -146,6 +146,58 @@ void look_near(const Place* places, const Lanes<std::int32_t>& body_a, const Lan
     out.boxes_moved &= lanes;
 }
 
+struct DisplacementColumns {
+    Columns head;  // moved x and y, chord, extent
+    Columns tail;  // arm, least way
+};
+
+HWY_INLINE DisplacementColumns load_displacements(const Displacement* displacements, V rows) {
+    static_assert(sizeof(Displacement) == 32 && offsetof(Displacement, arm_m) == 16);
+    const float* from[kStep];
+    alignas(32) std::int32_t row[kLanes];
+    hn::Store(hn::BitCast(DI(), rows), DI(), row);
+    for (int i = 0; i < kStep; ++i) from[i] = &displacements[row[i]].moved.x;
+    return {load_rows(from, 0), load_rows(from, 4)};
+}
+
+// `apart`: distance of the bodies' centres before the step; `relative`: how far one moved as seen from the
+// other without turning.
+HWY_INLINE M may_have_met(const DisplacementColumns& one, const DisplacementColumns& other, V apart,
+                          V relative) {
+    const V arm = one.tail.x;
+    const V by_own_turn = hn::Add(relative, hn::Mul(one.head.z, arm));
+    const V by_other = hn::Mul(other.head.z, hn::Add(apart, arm));
+    const V way = hn::Add(by_own_turn, by_other);
+    return hn::And(hn::Gt(way, one.tail.y), hn::Le(hn::Sub(apart, arm), hn::Add(other.head.u, way)));
+}
+
+void find_passed(const Place* places, const Lanes<std::int32_t>& body_a, const Lanes<std::int32_t>& body_b,
+                 const Displacement* displacements, unsigned lanes, unsigned& passed) {
+    passed = 0;
+    for (int lane = 0; lane < kLanes; lane += kStep) {
+        const M wanted = wanted_lanes(lanes, lane);
+        alignas(32) std::int32_t a[kLanes];
+        alignas(32) std::int32_t b[kLanes];
+        load_bodies(body_a, wanted, lane, a);
+        load_bodies(body_b, wanted, lane, b);
+        const Columns turn_a = load_turns(places, a);
+        const Columns turn_b = load_turns(places, b);
+        const VI flags = hn::Or(hn::BitCast(DI(), turn_a.u), hn::BitCast(DI(), turn_b.u));
+        const unsigned fast = flagged(flags, place_flag::kFast);
+        if (fast == 0) continue;
+        const DisplacementColumns of_a = load_displacements(displacements, turn_a.z);
+        const DisplacementColumns of_b = load_displacements(displacements, turn_b.z);
+        const Vec relative = sub({of_b.head.x, of_b.head.y}, {of_a.head.x, of_a.head.y});
+        const Vec before = sub(between(places, a, b), relative);
+        const V relative_m = hn::Sqrt(dot(relative, relative));
+        const V apart = hn::Sqrt(dot(before, before));
+        const M met =
+            hn::Or(may_have_met(of_a, of_b, apart, relative_m), may_have_met(of_b, of_a, apart, relative_m));
+        passed |= (bits_of(met) & fast) << lane;
+    }
+    passed &= lanes;
+}
+
 }  // namespace HWY_NAMESPACE
 }  // namespace cairn::physics
 HWY_AFTER_NAMESPACE();
@@ -155,6 +207,7 @@ namespace cairn::physics {
 
 HWY_EXPORT(load_places);
 HWY_EXPORT(look_near);
+HWY_EXPORT(find_passed);
 
 void load_places(const Place* places, const Lanes<std::int32_t>& body_a, const Lanes<std::int32_t>& body_b,
                  unsigned lanes, BlockPlaces& out) {
@@ -166,6 +219,13 @@ NearLanes look_near(const Place* places, const Lanes<std::int32_t>& body_a, cons
     NearLanes out;
     HWY_DYNAMIC_DISPATCH(look_near)(places, body_a, body_b, reach_m, advances, dt_s, lanes, out);
     return out;
+}
+
+unsigned find_passed(const Place* places, const Lanes<std::int32_t>& body_a,
+                     const Lanes<std::int32_t>& body_b, const Displacement* displacements, unsigned lanes) {
+    unsigned passed = 0;
+    HWY_DYNAMIC_DISPATCH(find_passed)(places, body_a, body_b, displacements, lanes, passed);
+    return passed;
 }
 
 }  // namespace cairn::physics

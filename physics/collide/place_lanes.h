@@ -1,8 +1,9 @@
 // Places of the bodies of eight pairs, gathered for SIMD; and which pairs are so far apart that their shapes
-// need not be looked at.
+// need not be looked at, before a step and after it.
 #pragma once
 
 #include <cstdint>
+#include <limits>
 
 #include "base/place.h"
 #include "collide/box_lanes.h"
@@ -40,5 +41,20 @@ struct NearLanes {
 /// `advances` are by row.
 NearLanes look_near(const Place* places, const Lanes<std::int32_t>& body_a, const Lanes<std::int32_t>& body_b,
                     const Lanes<float>& reach_m, const Advance* advances, float dt_s, unsigned lanes);
+
+/// What a body did in a step.
+struct alignas(32) Displacement {
+    Vec2 moved;
+    float chord = 0;  // of the angle that it turned by: how far that takes a point at 1 m
+    float extent_m = std::numeric_limits<float>::infinity();  // of its shapes, from the centre of mass
+    float arm_m = 0;                                          // how far its shapes' own centres are from that
+    // Shorter ways take none of these through anything; infinite for a body that is not fast.
+    float least_way_m = std::numeric_limits<float>::infinity();
+};
+
+/// Lanes in which the centre of a shape of one body may have met a shape of the other in the last step, by
+/// what the bodies did as a whole. Displacements are by row; pairs without a fast body are left out.
+unsigned find_passed(const Place* places, const Lanes<std::int32_t>& body_a,
+                     const Lanes<std::int32_t>& body_b, const Displacement* displacements, unsigned lanes);
 
 }  // namespace cairn::physics

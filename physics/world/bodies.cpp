@@ -118,10 +118,9 @@ int add_shape(Stores& stores, int body, const Convex& convex, const ShapeDef& de
     if (owner.type != BodyType::Static)
         record.margin_m +=
             std::min(tuning::kAabbMargin_m - tuning::kAabbReach_m, 0.025f * half_perimeter(box));
-    record.fat_box = grown(box, record.margin_m);
 
-    const int shape = stores.shapes.insert(record);
-    stores.broad.add(shape, layer_of(owner.set), record.fat_box);
+    const int shape = insert_shape(stores, record, grown(box, record.margin_m));
+    stores.broad.add(shape, layer_of(owner.set), stores.fat_boxes[shape]);
     (owner.last_shape == kNone ? owner.first_shape : stores.shapes[owner.last_shape].next_of_body) = shape;
     owner.last_shape = shape;
     stores.bodies.rows_of(body).box_slack[owner.row] = 0;
@@ -196,7 +195,7 @@ void teleport(Stores& stores, int body, Position origin_m, double angle_rad) {
     std::vector<int> met;
     for_each_shape(stores, body, [&](int shape) {
         for (const Layer layer : {Layer::Asleep, Layer::Awake}) {
-            stores.broad.tree(layer).query(stores.shapes[shape].fat_box,
+            stores.broad.tree(layer).query(stores.fat_boxes[shape],
                                            [&](int other) { met.push_back(stores.shapes[other].body); });
         }
     });

@@ -51,7 +51,7 @@ void wake_near(Stores& stores, const std::vector<int>& shapes) {
     std::vector<int> met;  // waking changes the trees
     for (const int shape : shapes) {
         for (const Layer layer : {Layer::Asleep, Layer::Awake}) {
-            stores.broad.tree(layer).query(stores.shapes[shape].fat_box,
+            stores.broad.tree(layer).query(stores.fat_boxes[shape],
                                            [&](int other) { met.push_back(stores.shapes[other].body); });
         }
     }

@@ -278,7 +278,7 @@ class Update {
         const unsigned told = (pairs.reports | (pairs.impacts & prepared.closing)) & ~prepared.apart;
         const unsigned loose = places.turn_far & prepared.swings & ~prepared.apart;
         block.reports = told != 0;
-        return {static_cast<std::uint8_t>(gone_lanes(stores_.shapes, pairs, places.boxes_moved)),
+        return {static_cast<std::uint8_t>(gone_lanes(stores_.fat_boxes, pairs, places.boxes_moved)),
                 static_cast<std::uint8_t>(apart), static_cast<std::uint8_t>(told),
                 static_cast<std::uint8_t>(loose)};
     }
@@ -340,7 +340,7 @@ class Update {
         single_.shape_a[0] = c.shape_a;
         single_.shape_b[0] = c.shape_b;
         collide(single_, PairGeometry::Chains, 1, places_, manifold_);
-        if (gone_lanes(stores_.shapes, single_, places_.boxes_moved) != 0) {
+        if (gone_lanes(stores_.fat_boxes, single_, places_.boxes_moved) != 0) {
             scratch_.gone.push_back(contact);
             return;
         }

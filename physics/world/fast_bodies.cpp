@@ -49,8 +49,8 @@ void cover_way(Stores& stores, int body, Vec2 way, float turn) {
         // A point that turns is at most this far from the straight way between its ends.
         if (turn != 0) all = grown(all, std::min(0.125f * turn * turn, 2.0f) * record.turn_arm_m);
         const Aabb reach = grown(all, tuning::kAabbReach_m);
-        if (!contains(shape.fat_box, reach)) set_fat_box(stores, s, grown(all, shape.margin_m));
-        slack = std::min(slack, clearance(shape.fat_box, reach));
+        if (!contains(stores.fat_boxes[s], reach)) set_fat_box(stores, s, grown(all, shape.margin_m));
+        slack = std::min(slack, clearance(stores.fat_boxes[s], reach));
     }
     // Long ways are rounded when they are added up.
     constexpr float kRounding = 1e-6f;

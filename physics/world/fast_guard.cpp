@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "collide/place_lanes.h"
 #include "collide/ray_cast.h"
 #include "world/fast_bodies.h"
 #include "world/filtering.h"
@@ -131,27 +132,6 @@ void note_displacements(const Stores& stores, std::vector<Displacement>& displac
     }
 }
 
-// Whether the centre of a shape of one body may have met a shape of the other. `apart_m` is the distance of
-// the bodies' centres before the step, `relative_m` how far one moved as seen from the other without turning.
-bool may_have_met(const Displacement& one, const Displacement& other, float apart_m, float relative_m) {
-    const float way =
-        relative_m + one.chord * one.arm_m + (other.chord > 0 ? other.chord * (apart_m + one.arm_m) : 0);
-    return way > one.least_way_m && apart_m - one.arm_m <= other.extent_m + way;
-}
-
-bool may_have_passed(const Stores& stores, const std::vector<Displacement>& displacements, int body_a,
-                     int body_b) {
-    const Place& place_a = stores.bodies.places[body_a];
-    const Place& place_b = stores.bodies.places[body_b];
-    if (((place_a.flags | place_b.flags) & place_flag::kFast) == 0) return false;
-    const Displacement& a = displacements[place_a.row];
-    const Displacement& b = displacements[place_b.row];
-    const Vec2 relative = b.moved - a.moved;
-    const float relative_m = length(relative);
-    const float apart_m = length(place_b.center - place_a.center - relative);
-    return may_have_met(a, b, apart_m, relative_m) || may_have_met(b, a, apart_m, relative_m);
-}
-
 // The blocks of all contacts of awake bodies that are not loose, numbered: near ones, then those in colours.
 class AllBlocks {
   public:
@@ -190,11 +170,8 @@ void find_passed(const Stores& stores, const AllBlocks& blocks, WayScratch& scra
         for (int i = chunk.begin; i < chunk.end; ++i) {
             unsigned found = 0;
             blocks.with(i, [&](const PairBlock& pairs, int used) {
-                for (int lane = 0; lane < used; ++lane) {
-                    if (may_have_passed(stores, scratch.displacements, pairs.body_a[lane],
-                                        pairs.body_b[lane]))
-                        found |= 1u << lane;
-                }
+                found = physics::find_passed(stores.bodies.places.data(), pairs.body_a, pairs.body_b,
+                                             scratch.displacements.data(), (1u << used) - 1);
             });
             scratch.found[i] = static_cast<std::uint8_t>(found);
         }
@@ -249,9 +226,12 @@ void hold_fast_bodies(Stores& stores, StepScratch& scratch, TaskPool& tasks) {
             });
         }
     }
+    const Place* places = stores.bodies.places.data();
     for (const int contact : contacts.loose) {
         const ContactRecord& c = contacts.slots[contact];
-        if (may_have_passed(stores, ways.displacements, c.body_a, c.body_b))
+        alignas(32) const Lanes<std::int32_t> body_a{c.body_a};
+        alignas(32) const Lanes<std::int32_t> body_b{c.body_b};
+        if (physics::find_passed(places, body_a, body_b, ways.displacements.data(), 1) != 0)
             follow_ways(stores, c, ways.free_shares);
     }
     for (const int body : scratch.fast) {

@@ -45,8 +45,8 @@ void follow(Stores& stores, int body, Outdated&& outdated) {
         ShapeRecord& record = stores.shapes[shape];
         const Aabb box = bounds(record.convex, xf);
         const Aabb reach = grown(box, tuning::kAabbReach_m);
-        if (outdated(record.fat_box, reach)) set_fat_box(stores, shape, grown(box, record.margin_m));
-        slack = std::min(slack, clearance(record.fat_box, reach));
+        if (outdated(stores.fat_boxes[shape], reach)) set_fat_box(stores, shape, grown(box, record.margin_m));
+        slack = std::min(slack, clearance(stores.fat_boxes[shape], reach));
     }
     stores.bodies.rows_of(body).box_slack[stores.bodies.slots[body].row] = slack;
 }
@@ -82,11 +82,11 @@ void take_place(BodyStore& bodies, const StepScratch& scratch, int row, float dt
 }  // namespace
 
 void set_fat_box(Stores& stores, int shape, const Aabb& box) {
-    ShapeRecord& record = stores.shapes[shape];
-    record.fat_box = box;
+    const int body = stores.shapes[shape].body;
+    stores.fat_boxes[shape] = box;
     stores.broad.move(shape, box);
-    note_moved_boxes(stores, record.body);
-    stores.bodies.rows_of(record.body).box_slack[stores.bodies.slots[record.body].row] = 0;
+    note_moved_boxes(stores, body);
+    stores.bodies.rows_of(body).box_slack[stores.bodies.slots[body].row] = 0;
 }
 
 float clearance(const Aabb& outer, const Aabb& inner) {

@@ -66,12 +66,12 @@ HullLanes hulls_of(const Stores& stores, const PairBlock& pairs, unsigned lanes)
 
 }  // namespace
 
-unsigned gone_lanes(const ShapeStore& shapes, const PairBlock& pairs, unsigned lanes) {
+unsigned gone_lanes(const std::vector<Aabb>& fat_boxes, const PairBlock& pairs, unsigned lanes) {
     unsigned gone = 0;
     for (; lanes != 0; lanes &= lanes - 1) {
         const int lane = std::countr_zero(lanes);
-        const Aabb& a = shapes[pairs.shape_a[lane]].fat_box;
-        const Aabb& b = shapes[pairs.shape_b[lane]].fat_box;
+        const Aabb& a = fat_boxes[pairs.shape_a[lane]];
+        const Aabb& b = fat_boxes[pairs.shape_b[lane]];
         if (!overlap(a, b)) gone |= 1u << lane;
     }
     return gone;

@@ -10,7 +10,7 @@
 namespace cairn::physics {
 
 /// Of some lanes those whose boxes have parted.
-unsigned gone_lanes(const ShapeStore& shapes, const PairBlock& pairs, unsigned lanes);
+unsigned gone_lanes(const std::vector<Aabb>& fat_boxes, const PairBlock& pairs, unsigned lanes);
 
 /// Along which axis a lane without points was seen to be apart.
 AxisGap gap_in(const ManifoldLanes& manifold, int lane);

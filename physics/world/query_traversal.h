@@ -59,7 +59,7 @@ void visit_along_way(const Stores& stores, Position origin_m, Vec2 lower, Vec2 u
                                    upper + Vec2{std::max(from.x, to.x), std::max(from.y, to.y)});
         for (const Layer layer : kLayers) {
             stores.broad.tree(layer).query(box, [&](int shape) {
-                const bool is_visited = overlap(stores.shapes[shape].fat_box, before);
+                const bool is_visited = overlap(stores.fat_boxes[shape], before);
                 if (!is_visited && sees(stores, filter, shape)) fraction = visit(shape);
             });
         }

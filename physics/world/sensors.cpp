@@ -83,7 +83,7 @@ int create_sensor(Stores& stores, int body, const Convex& convex, const ShapeDef
     record.convex = convex;
     record.def = def;
     record.sensor = static_cast<int>(stores.sensors.all.size());
-    const int shape = stores.shapes.insert(record);
+    const int shape = insert_shape(stores, record, Aabb{});
     stores.sensors.all.push_back({shape, {}, {}});
     int& first = stores.bodies.slots[body].first_sensor;
     stores.shapes[shape].next_of_body = first;

@@ -1,7 +1,7 @@
 // Shapes: geometry, attributes, and the box that stands for them in the broad phase.
-// Invariant: the fat box encloses the shape as of the last step, with kAabbReach_m to spare; the broad phase
-// knows it by the number of the shape's slot; shapes of a body form a list in order of creation, and its
-// sensors another.
+// Invariant: the fat box (Stores::fat_boxes) encloses the shape as of the last step, with kAabbReach_m to
+// spare; the broad phase knows it by the number of the shape's slot; shapes of a body form a list in order of
+// creation, and its sensors another.
 #pragma once
 
 #include <cairn/physics/ids.h>
@@ -20,7 +20,6 @@ struct ShapeRecord {
     int chain = kNone;  // whose segment it is
     Convex convex;
     ShapeDef def;
-    Aabb fat_box;
     float margin_m = 0;
     int sensor = kNone;  // place among the sensors; they have no box
 };

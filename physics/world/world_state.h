@@ -51,6 +51,7 @@ struct Stores {
 
     BodyStore bodies;
     ShapeStore shapes;
+    std::vector<Aabb> fat_boxes;  // by shape: in the broad phase
     ChainStore chains;
     ContactStore contacts;
     JointStore joints;
@@ -61,6 +62,14 @@ struct Stores {
     SensorStore sensors;
     std::vector<Breakable> breakables;
 };
+
+/// A shape with its box; that of a sensor is empty.
+inline int insert_shape(Stores& stores, const ShapeRecord& record, const Aabb& fat_box) {
+    const int shape = stores.shapes.insert(record);
+    if (shape >= static_cast<int>(stores.fat_boxes.size())) stores.fat_boxes.resize(shape + 1);
+    stores.fat_boxes[shape] = fat_box;
+    return shape;
+}
 
 /// The contacts of the body will be asked whether their boxes still overlap.
 inline void note_moved_boxes(Stores& stores, int body) {
@@ -116,16 +125,6 @@ struct StaticsScratch {
     std::vector<int> ready;     // rows of which all above has been visited
     std::vector<float> x;       // of the supporting points of one body
     std::vector<float> shares;
-};
-
-/// What a body did in the step.
-struct Displacement {
-    Vec2 moved;
-    float chord = 0;  // of the angle that it turned by: how far that takes a point at 1 m
-    float extent_m = std::numeric_limits<float>::infinity();  // of its shapes, from the centre of mass
-    float arm_m = 0;                                          // how far its shapes' own centres are from that
-    float least_way_m =
-        std::numeric_limits<float>::infinity();  // shorter ones take none of these through anything
 };
 
 /// For the guard of fast bodies.

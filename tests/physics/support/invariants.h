@@ -59,11 +59,11 @@ inline void check_shapes(const Stores& stores) {
             REQUIRE((s.chain == kNone || stores.chains.alive(s.chain)));
             const Aabb box = bounds(s.convex, stores.bodies.transform(body));
             // Boxes are made when the shape was a rounding error away from where it is.
-            REQUIRE(contains(s.fat_box, grown(box, 0.999f * tuning::kAabbReach_m)));
+            REQUIRE(contains(stores.fat_boxes[shape], grown(box, 0.999f * tuning::kAabbReach_m)));
             REQUIRE(stores.broad.layer(shape) == layer_of(record.set));
             REQUIRE(stores.broad.tree(layer_of(record.set)).holds(shape));
-            REQUIRE(stores.broad.box(shape).lower == s.fat_box.lower);
-            REQUIRE(stores.broad.box(shape).upper == s.fat_box.upper);
+            REQUIRE(stores.broad.box(shape).lower == stores.fat_boxes[shape].lower);
+            REQUIRE(stores.broad.box(shape).upper == stores.fat_boxes[shape].upper);
             ++listed;
             last = shape;
         }
@@ -222,7 +222,7 @@ inline void check_nothing_missed(const Stores& stores) {
     for (int a = 0; a < stores.shapes.end_index(); ++a) {
         for (int b = a + 1; b < stores.shapes.end_index(); ++b) {
             if (!stores.shapes.alive(a) || !stores.shapes.alive(b)) continue;
-            const bool meet = overlap(stores.shapes[a].fat_box, stores.shapes[b].fat_box);
+            const bool meet = overlap(stores.fat_boxes[a], stores.fat_boxes[b]);
             if (!meet || !may_collide(stores, a, b)) continue;
             REQUIRE(has_contact(stores, a, b));
         }

@@ -141,8 +141,8 @@ class Operations {
 void end_parted_contacts(WorldState& world) {
     for (const int contact : alive_in(world.stores.contacts.slots)) {
         const ContactRecord& c = world.stores.contacts.slots[contact];
-        const Aabb& box_a = world.stores.shapes[c.shape_a].fat_box;
-        const Aabb& box_b = world.stores.shapes[c.shape_b].fat_box;
+        const Aabb& box_a = world.stores.fat_boxes[c.shape_a];
+        const Aabb& box_b = world.stores.fat_boxes[c.shape_b];
         if (c.bucket != kNone && !overlap(box_a, box_b)) destroy_contact(world.stores, world.events, contact);
     }
 }
