@@ -47,8 +47,23 @@ TEST_CASE("every case of the specification is there, once, with a name") {
     CHECK(found == expected);
 }
 
+TEST_CASE("problems are solved in the order in which they are named") {
+    const CommandLine line =
+        parsed({"accuracy", "--problem", "spring", "--problem", "bounce", "--quick", "--plot", "plots"});
+    CHECK(line.command == Command::Accuracy);
+    REQUIRE(line.problems.size() == 2);
+    CHECK(line.problems[0]->name == "spring");
+    CHECK(line.problems[1]->name == "bounce");
+    CHECK(line.quick);
+    CHECK(line.plot == "plots");
+    CHECK(parsed({"accuracy"}).problems.size() == all_problems().size());
+    CHECK_FALSE(parsed({"accuracy"}).quick);
+}
+
 TEST_CASE("mistakes on the lab's command line are named") {
     CHECK(error_of({"torture", "--case", "9"}) == "there is no case \"9\"; cairn-lab list names them all");
+    CHECK(error_of({"accuracy", "--problem", "tea"}) ==
+          "there is no problem \"tea\"; cairn-lab list names them all");
     CHECK_THAT(error_of({"walk"}), Catch::Contains("walk"));
     CHECK_THAT(error_of({"torture", "--case"}), Catch::Contains("--case"));
 }

@@ -13,7 +13,7 @@ using physics::Box;
 using physics::Circle;
 
 std::vector<EngineKind> kinds() {
-    std::vector<EngineKind> all{{"cairn", make_cairn}};
+    std::vector<EngineKind> all{cairn()};
     all.insert(all.end(), peers().begin(), peers().end());
     return all;
 }

@@ -12,7 +12,7 @@ using physics::BodyType;
 using physics::Box;
 using physics::Circle;
 
-const EngineKind kCairn{"cairn", measure::make_cairn};
+const EngineKind kCairn = measure::cairn();
 
 }  // namespace
 

@@ -12,19 +12,30 @@ using physics::Result;
 
 struct Texts {
     std::vector<std::string> cases;
+    std::vector<std::string> problems;
 };
 
-/// In the order in which they were named, each once; all when none was.
-Result<std::vector<const Case*>> cases_of(const std::vector<std::string>& numbers) {
-    std::vector<const Case*> found;
-    for (const Case& test : all_cases()) {
-        if (numbers.empty()) found.push_back(&test);
+const std::string& key(const Case& test) {
+    return test.number;
+}
+const std::string& key(const Problem& problem) {
+    return problem.name;
+}
+
+/// Those that were named, in that order and each once; all when none was.
+template <class Thing>
+Result<std::vector<const Thing*>> chosen_of(std::span<const Thing> all, const std::vector<std::string>& names,
+                                            const char* what) {
+    std::vector<const Thing*> found;
+    if (names.empty()) {
+        for (const Thing& thing : all) found.push_back(&thing);
     }
-    for (const std::string& wanted : numbers) {
-        const auto match = std::find_if(all_cases().begin(), all_cases().end(),
-                                        [&](const Case& test) { return test.number == wanted; });
-        if (match == all_cases().end()) {
-            return Error{"there is no case \"" + wanted + "\"; cairn-lab list names them all"};
+    for (const std::string& wanted : names) {
+        const auto match =
+            std::find_if(all.begin(), all.end(), [&](const Thing& thing) { return key(thing) == wanted; });
+        if (match == all.end()) {
+            return Error{std::string("there is no ") + what + " \"" + wanted +
+                         "\"; cairn-lab list names them all"};
         }
         if (std::find(found.begin(), found.end(), &*match) == found.end()) found.push_back(&*match);
     }
@@ -39,13 +50,20 @@ Result<CommandLine> parse_command_line(const std::vector<std::string>& arguments
     CLI::App app("Examines Cairn's physics: what it withstands, and how accurate it is.", "cairn-lab");
     app.footer("cairn-lab COMMAND --help says more about a command.");
     app.require_subcommand(0, 1);
-    CLI::App* list = app.add_subcommand("list", "name the cases");
+    CLI::App* list = app.add_subcommand("list", "name the cases and problems");
     CLI::App* torture = app.add_subcommand("torture", "run the cases that are hard on an engine");
     torture->add_option("--case", texts.cases, "a case of the list; may be given again (all)")
         ->type_name("N");
-    torture->add_flag("--peers", line.peers, "other engines too");
-    torture->add_option("--json", line.json, "one object a line to FILE, or to standard output")
-        ->type_name("FILE|-");
+    CLI::App* accuracy = app.add_subcommand("accuracy", "set errors against run times");
+    accuracy->add_option("--problem", texts.problems, "a problem of the list; may be given again (all)")
+        ->type_name("NAME");
+    accuracy->add_option("--plot", line.plot, "draw plots into DIR, as SVG")->type_name("DIR");
+    accuracy->add_flag("--quick", line.quick, "fewer settings, runs and starts");
+    for (CLI::App* command : {torture, accuracy}) {
+        command->add_flag("--peers", line.peers, "other engines too");
+        command->add_option("--json", line.json, "one object a line to FILE, or to standard output")
+            ->type_name("FILE|-");
+    }
 
     std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());  // as CLI11 wants them
     try {
@@ -63,9 +81,16 @@ Result<CommandLine> parse_command_line(const std::vector<std::string>& arguments
     }
     if (torture->parsed()) {
         line.command = Command::Torture;
-        auto cases = cases_of(texts.cases);
+        auto cases = chosen_of(all_cases(), texts.cases, "case");
         if (!cases) return cases.error();
         line.cases = *std::move(cases);
+        return line;
+    }
+    if (accuracy->parsed()) {
+        line.command = Command::Accuracy;
+        auto problems = chosen_of(all_problems(), texts.problems, "problem");
+        if (!problems) return problems.error();
+        line.problems = *std::move(problems);
         return line;
     }
     help = app.help();

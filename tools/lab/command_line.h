@@ -6,16 +6,20 @@
 
 #include <cairn/physics/result.h>
 
+#include "accuracy/problem.h"
 #include "torture/case.h"
 
 namespace cairn::lab {
 
-enum class Command { Help, List, Torture };
+enum class Command { Help, List, Torture, Accuracy };
 
 struct CommandLine {
     Command command = Command::Help;
     std::vector<const Case*> cases;
+    std::vector<const Problem*> problems;
     bool peers = false;
+    bool quick = false;
+    std::string plot;  ///< a folder for plots, or nothing
     std::string json;  ///< a file, "-" for standard output, or nothing
 };
 

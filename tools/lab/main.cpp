@@ -1,7 +1,10 @@
 // The cairn-lab program.
 #include <cstdio>
+#include <filesystem>
+#include <fstream>
 #include <string>
 
+#include "accuracy/summary.h"
 #include "command_line.h"
 #include "output.h"
 #include "text.h"
@@ -19,7 +22,7 @@ int fail(const std::string& message) {
 }
 
 std::vector<EngineKind> engines(bool with_peers, Output& output) {
-    std::vector<EngineKind> kinds{{"cairn", cairn::measure::make_cairn}};
+    std::vector<EngineKind> kinds{cairn::measure::cairn()};
     if (!with_peers) return kinds;
     const auto peers = cairn::measure::peers();
     kinds.insert(kinds.end(), peers.begin(), peers.end());
@@ -49,14 +52,61 @@ int torture(const CommandLine& line, Output& output) {
     return failed == 0 ? 0 : 1;
 }
 
+bool write_plot(const std::string& folder, const Problem& problem, std::size_t metric,
+                const std::vector<Point>& points) {
+    std::ofstream file(std::filesystem::path(folder) /
+                       (problem.name + "_" + problem.metrics[metric].name + ".svg"));
+    file << to_svg(accuracy_plot(problem, metric, points));
+    return static_cast<bool>(file.flush());
+}
+
+int accuracy(const CommandLine& line, Output& output) {
+    if (!line.plot.empty()) {
+        std::error_code error;
+        std::filesystem::create_directories(line.plot, error);
+        if (error) return fail("cannot make the folder " + line.plot + ": " + error.message());
+    }
+    const std::vector<EngineKind> kinds = engines(line.peers, output);
+    const int samples = line.quick ? 5 : 20;
+    output.row(accuracy_head());
+    int compared = 0, best = 0;
+    for (const Problem* problem : line.problems) {
+        const std::vector<Point> points = solve(*problem, kinds, line.quick, samples);
+        for (std::size_t metric = 0; metric < problem->metrics.size(); ++metric) {
+            for (const std::string& text : accuracy_lines(*problem, metric, points)) output.line(text);
+            const std::vector<Summary> summaries = summarize(points, metric);
+            for (const Summary& summary : summaries) output.row(accuracy_row(*problem, metric, summary));
+            if (problem->metrics[metric].compared) {
+                ++compared;
+                best += first_is_best(summaries) ? 1 : 0;
+            }
+            if (!line.plot.empty() && !write_plot(line.plot, *problem, metric, points)) {
+                return fail("cannot write plots to " + line.plot);
+            }
+        }
+    }
+    if (line.peers) {
+        output.row(format(
+            "at the default, cairn is as accurate as the best peer in the same time in %d of %d metrics",
+            best, compared));
+    }
+    return 0;
+}
+
 void list() {
-    for (const Case& test : all_cases()) std::printf("%4s  %s\n", test.number.c_str(), test.name.c_str());
+    for (const Case& test : all_cases())
+        std::printf("torture  %4s  %s\n", test.number.c_str(), test.name.c_str());
+    for (const Problem& problem : all_problems()) {
+        std::string metrics;
+        for (const Metric& metric : problem.metrics) metrics += (metrics.empty() ? "" : ", ") + metric.name;
+        std::printf("accuracy %4d  %s: %s\n", problem.number, problem.name.c_str(), metrics.c_str());
+    }
 }
 
 int execute(const CommandLine& line) {
     Output output(line.json);
     if (output.failed()) return fail("cannot write to " + line.json);
-    const int status = torture(line, output);
+    const int status = line.command == Command::Torture ? torture(line, output) : accuracy(line, output);
     if (!output.finish()) return fail("cannot write to " + line.json);
     return status;
 }
@@ -75,6 +125,7 @@ int main(int argc, char** argv) {
             list();
             break;
         case Command::Torture:
+        case Command::Accuracy:
             if (const int status = execute(*line); status != 0) return status;
             break;
     }

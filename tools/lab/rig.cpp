@@ -155,6 +155,10 @@ void Rig::remove(BodyRef body) {
 }
 
 void Rig::step(float dt_s) {
+    if (!keeps_books_) {
+        engine_->step(dt_s);
+        return;
+    }
     if (!books_open_) begin_books();
     const double before = cpu_time_s();
     engine_->step(dt_s);

@@ -48,6 +48,8 @@ class Rig {
                 float damping_ratio);
     void remove(BodyRef body);
 
+    /// From now on no books are kept, and steps cost what they cost the engine.
+    void without_books() { keeps_books_ = false; }
     /// One step, and what it did goes into the books.
     void step(float dt_s = kStep_s);
     /// Steps of dt_s until about `duration_s` have passed; `after_each` gets the time since the call.
@@ -114,6 +116,7 @@ class Rig {
     std::vector<Part> parts_;
     std::vector<Pin> pins_;
     std::vector<Spring> springs_;
+    bool keeps_books_ = true;
     bool books_open_ = false;
     double energy_at_start_j_ = 0;
     double allowed_work_j_ = 0;

@@ -106,4 +106,8 @@ std::unique_ptr<Engine> make_cairn(const WorldSetting& setting) {
     return std::make_unique<CairnEngine>(setting);
 }
 
+EngineKind cairn() {
+    return {"cairn", make_cairn, physics::WorldDef{}.substeps};
+}
+
 }  // namespace cairn::measure

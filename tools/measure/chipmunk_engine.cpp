@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <chipmunk/chipmunk.h>
+#include <cmath>
 #include <cstdio>
 #include <unistd.h>
 #include <variant>
@@ -127,8 +128,9 @@ class ChipmunkEngine final : public Engine {
 
     void add_shape(BodyRef body, const physics::Geometry& geometry, const physics::ShapeDef& def) override {
         cpShape* shape = std::visit([&](const auto& g) { return new_shape(body_of(body), g); }, geometry);
-        cpShapeSetFriction(shape, static_cast<double>(def.material.friction));
-        cpShapeSetElasticity(shape, static_cast<double>(def.material.restitution));
+        // Chipmunk multiplies those of two shapes: of the roots, that is the geometric mean.
+        cpShapeSetFriction(shape, std::sqrt(static_cast<double>(def.material.friction)));
+        cpShapeSetElasticity(shape, std::sqrt(static_cast<double>(def.material.restitution)));
         cpShapeSetFilter(shape, cpShapeFilterNew(static_cast<cpGroup>(-std::min(def.filter.group, 0)),
                                                  static_cast<cpBitmask>(def.filter.categories),
                                                  static_cast<cpBitmask>(def.filter.mask)));

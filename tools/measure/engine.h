@@ -25,7 +25,7 @@ struct WorldSetting {
     bool enable_sleep = true;
     int threads = 1;  ///< of Cairn
     /// How hard the engine tries: substeps of Cairn, velocity iterations of Box2D (and 3 for every 8 of them
-    /// for positions, at least 1), iterations of Chipmunk. 0: the engine's default, of 4, 8 and 10.
+    /// for positions, at least 1), iterations of Chipmunk. 0: EngineKind::default_effort.
     int effort = 0;
 };
 
@@ -109,9 +109,11 @@ class Engine {
 struct EngineKind {
     std::string_view name;
     std::unique_ptr<Engine> (*make)(const WorldSetting& setting);
+    int default_effort = 0;  ///< what WorldSetting::effort of 0 means
 };
 
 std::unique_ptr<Engine> make_cairn(const WorldSetting& setting);
+EngineKind cairn();
 /// Other engines that were found when this program was built, in a fixed order.
 std::span<const EngineKind> peers();
 /// Names of those that were not.

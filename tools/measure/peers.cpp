@@ -9,10 +9,10 @@ std::unique_ptr<Engine> make_chipmunk(const WorldSetting& setting);
 std::span<const EngineKind> peers() {
     static const std::vector<EngineKind> found{
 #ifdef CAIRN_MEASURE_BOX2D
-        {"box2d 2.4", make_box2d},
+        {"box2d 2.4", make_box2d, 8},
 #endif
 #ifdef CAIRN_MEASURE_CHIPMUNK
-        {"chipmunk 7", make_chipmunk},
+        {"chipmunk 7", make_chipmunk, 10},
 #endif
     };
     return found;

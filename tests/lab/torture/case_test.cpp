@@ -22,7 +22,7 @@ TEST_CASE("the slop of the criteria is 5 mm, and less for what is small") {
 }
 
 TEST_CASE("a trial keeps the worst of all its worlds") {
-    Trial trial({"cairn", measure::make_cairn}, 1);
+    Trial trial(measure::cairn(), 1);
     const auto push = [&](float speed_m_s) {
         Rig& rig = trial.rig({.gravity_m_s2 = {0, 0}});
         const BodyRef ball = rig.add({.linear_velocity_m_s = {1, 0}}, physics::Circle{{}, 0.5f});

@@ -10,7 +10,7 @@
 namespace cairn::lab {
 namespace {
 
-const EngineKind kCairn{"cairn", measure::make_cairn};
+const EngineKind kCairn = measure::cairn();
 
 Case case_of(std::function<void(Trial&)> run) {
     return {"1", "made up", true, std::move(run)};

@@ -1,22 +1,14 @@
 #include "torture/runner.h"
 
 #include <algorithm>
-#include <array>
-#include <csignal>
-#include <cstdio>
-#include <cstring>
 #include <nlohmann/json.hpp>
-#include <sys/wait.h>
-#include <unistd.h>
+
+#include "child.h"
 
 namespace cairn::lab {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-// Of a run, by the clock on the wall. A limit of CPU time would be fairer on a busy machine, but under one
-// Linux counts the process's CPU time in ticks only.
-constexpr unsigned kMostSeconds = 300;
 
 Outcome examine(const Case& test, const EngineKind& kind) {
     const auto run = [&](int threads) {
@@ -36,25 +28,6 @@ Outcome examine(const Case& test, const EngineKind& kind) {
 // Numbers that are none are null in JSON.
 double number(const Json& value) {
     return value.is_number() ? value.get<double>() : std::numeric_limits<double>::quiet_NaN();
-}
-
-std::string read_all(int from) {
-    std::string text;
-    std::array<char, 4096> block{};
-    for (;;) {
-        const ssize_t got = read(from, block.data(), block.size());
-        if (got <= 0) return text;
-        text.append(block.data(), static_cast<std::size_t>(got));
-    }
-}
-
-void write_all(int to, const std::string& text) {
-    std::size_t done = 0;
-    while (done < text.size()) {
-        const ssize_t wrote = write(to, text.data() + done, text.size() - done);
-        if (wrote <= 0) return;
-        done += static_cast<std::size_t>(wrote);
-    }
 }
 
 Outcome ended(std::string by) {
@@ -101,30 +74,8 @@ Outcome outcome_from(const std::string& text) {
 }
 
 Outcome run_case(const Case& test, const EngineKind& kind) {
-    std::array<int, 2> pipe_ends{};
-    std::fflush(nullptr);  // or the child writes it again
-    if (pipe(pipe_ends.data()) != 0) return ended("no pipe to a process of its own");
-    const pid_t child = fork();
-    if (child < 0) return ended("no process of its own");
-    if (child == 0) {
-        close(pipe_ends[0]);
-        alarm(kMostSeconds);
-        write_all(pipe_ends[1], to_text(examine(test, kind)));
-        std::fflush(nullptr);
-        _exit(0);
-    }
-    close(pipe_ends[1]);
-    const std::string answer = read_all(pipe_ends[0]);
-    close(pipe_ends[0]);
-    int status = 0;
-    waitpid(child, &status, 0);
-    if (WIFSIGNALED(status)) {
-        const int signal = WTERMSIG(status);
-        if (signal == SIGALRM) return ended("more than " + std::to_string(kMostSeconds) + " s");
-        return ended(std::string("signal: ") + strsignal(signal));
-    }
-    if (WEXITSTATUS(status) != 0) return ended("exit status " + std::to_string(WEXITSTATUS(status)));
-    return outcome_from(answer);
+    const Answer answer = ask_child([&] { return to_text(examine(test, kind)); });
+    return answer.ended_by.empty() ? outcome_from(answer.text) : ended(answer.ended_by);
 }
 
 }  // namespace cairn::lab
