@@ -45,20 +45,31 @@ struct Audio::State {
         std::uint32_t generation = 1;
         SoundId sound;
         double end_s = -kForever_s;
+        double rest_s = 0;  ///< while its group is paused: what is left to play
         float volume = 1;
+        AudioGroup group = AudioGroup::Sound;
     };
     struct Music {
         std::string path;
         double end_s = -kForever_s;
+        double rest_s = 0;
         float volume = 1;
+        float gain = 1;        ///< of the fade
+        float gain_per_s = 0;  ///< below 0: it fades out, and stops at 0
+    };
+    struct Group {
+        float volume = 1;
+        bool is_paused = false;
     };
 
     State(const Files& files_to_read, std::unique_ptr<AudioBackend> chosen)
         : files(files_to_read), backend(std::move(chosen)) {}
 
     bool is_active(const Voice& voice) const { return voice.end_s > clock_s; }
-    float sound_volume() const { return group_volumes[static_cast<std::size_t>(AudioGroup::Sound)]; }
-    float music_volume() const { return group_volumes[static_cast<std::size_t>(AudioGroup::Music)]; }
+    Group& group(AudioGroup id) { return groups[static_cast<std::size_t>(id)]; }
+    const Group& group(AudioGroup id) const { return groups[static_cast<std::size_t>(id)]; }
+    float heard_volume(const Voice& voice) const { return voice.volume * group(voice.group).volume; }
+    float heard_music_volume() const { return music.volume * music.gain * group(AudioGroup::Music).volume; }
 
     /// Null for a voice that has ended.
     Voice* find(VoiceId id) {
@@ -82,7 +93,8 @@ struct Audio::State {
     std::map<std::string, SoundId, std::less<>> sounds_by_path;
     std::array<Voice, kMaxVoices> voices;
     Music music;
-    std::array<float, 2> group_volumes = {1, 1};
+    std::vector<Group> groups = {Group{}, Group{}};
+    std::vector<std::string> group_names = {"sfx", "music"};
     double clock_s = 0;
     long plays = 0;
     long refused = 0;
@@ -148,6 +160,7 @@ VoiceId Audio::play(SoundId id, const SoundPlay& play) {
     slot->sound = id;
     slot->end_s = play.loop ? kForever_s : s.clock_s + sound->duration_s / pitch;
     slot->volume = unit(play.volume);
+    slot->group = play.group;
     sound->last_start_s = s.clock_s;
     ++s.plays;
 
@@ -155,7 +168,12 @@ VoiceId Audio::play(SoundId id, const SoundPlay& play) {
     const float pan = std::isfinite(play.pan) ? std::clamp(play.pan, -1.0f, 1.0f) : 0;
     s.backend->start_voice(
         index, sound->data,
-        {.volume = slot->volume * s.sound_volume(), .pan = pan, .pitch_step = pitch_step, .loop = play.loop});
+        {.volume = s.heard_volume(*slot), .pan = pan, .pitch_step = pitch_step, .loop = play.loop});
+    if (s.group(play.group).is_paused) {
+        slot->rest_s = slot->end_s - s.clock_s;
+        slot->end_s = kForever_s;
+        s.backend->set_voice_paused(index, true);
+    }
     return {static_cast<std::uint32_t>(index), slot->generation};
 }
 
@@ -170,7 +188,13 @@ void Audio::set_voice_volume(VoiceId id, float volume) {
     State::Voice* voice = state_->find(id);
     if (!voice) return;
     voice->volume = unit(volume);
-    state_->backend->set_voice_volume(static_cast<int>(id.index), voice->volume * state_->sound_volume());
+    state_->backend->set_voice_volume(static_cast<int>(id.index), state_->heard_volume(*voice));
+}
+
+void Audio::set_voice_pan(VoiceId id, float pan) {
+    if (state_->find(id))
+        state_->backend->set_voice_pan(static_cast<int>(id.index),
+                                       std::isfinite(pan) ? std::clamp(pan, -1.0f, 1.0f) : 0);
 }
 
 bool Audio::is_playing(VoiceId voice) const {
@@ -183,27 +207,42 @@ void Audio::stop_all_sounds() {
 
 // ---- Music
 
-Result<void> Audio::play_music(std::string_view path, float volume, bool loop) {
+Result<void> Audio::play_music(std::string_view path, float volume, bool loop, double fade_s) {
     State& s = *state_;
     Result<std::vector<std::byte>> file = s.files.read_bytes(path);
     if (!file) return Error{"music '" + std::string(path) + "' cannot be loaded: " + file.error().message};
     const Result<double> duration_s = read_sound_duration_s(*file, path);
     if (!duration_s) return duration_s.error();
-    s.music = {std::string(path), loop ? kForever_s : s.clock_s + *duration_s, unit(volume)};
+    s.music = {.path = std::string(path),
+               .end_s = loop ? kForever_s : s.clock_s + *duration_s,
+               .volume = unit(volume)};
+    if (fade_s > 0) {
+        s.music.gain = 0;
+        s.music.gain_per_s = static_cast<float>(1 / fade_s);
+    }
     ++s.music_plays;
-    s.backend->start_music({0, std::string(path), std::move(*file)}, s.music.volume * s.music_volume(), loop);
+    s.backend->start_music({0, std::string(path), std::move(*file)}, s.heard_music_volume(), loop);
+    if (s.group(AudioGroup::Music).is_paused) {
+        s.music.rest_s = s.music.end_s - s.clock_s;
+        s.music.end_s = kForever_s;
+        s.backend->set_music_paused(true);
+    }
     return {};
 }
 
-void Audio::stop_music() {
+void Audio::stop_music(double fade_s) {
     if (state_->music.path.empty()) return;
+    if (fade_s > 0) {
+        state_->music.gain_per_s = static_cast<float>(-1 / fade_s);
+        return;
+    }
     state_->music = {};
     state_->backend->stop_music();
 }
 
 void Audio::set_music_volume(float volume) {
     state_->music.volume = unit(volume);
-    state_->backend->set_music_volume(state_->music.volume * state_->music_volume());
+    state_->backend->set_music_volume(state_->heard_music_volume());
 }
 
 const std::string& Audio::music() const {
@@ -212,29 +251,72 @@ const std::string& Audio::music() const {
 
 // ---- Mixing and time
 
-void Audio::set_group_volume(AudioGroup group, float volume) {
+Result<AudioGroup> Audio::add_group(std::string_view name) {
+    constexpr std::size_t kMaxGroups = 16;
+    std::vector<std::string>& names = state_->group_names;
+    if (name.empty() || std::find(names.begin(), names.end(), name) != names.end())
+        return Error{"group \"" + std::string(name) + "\": the name must be new and not empty"};
+    if (names.size() >= kMaxGroups)
+        return Error{"group \"" + std::string(name) + "\": there are " + std::to_string(kMaxGroups) +
+                     " already"};
+    names.emplace_back(name);
+    state_->groups.emplace_back();
+    return static_cast<AudioGroup>(names.size() - 1);
+}
+
+const std::vector<std::string>& Audio::groups() const {
+    return state_->group_names;
+}
+
+void Audio::set_paused(AudioGroup id, bool paused) {
     State& s = *state_;
-    s.group_volumes[static_cast<std::size_t>(group)] = unit(volume);
-    switch (group) {
-        case AudioGroup::Sound:
-            for (std::size_t i = 0; i < s.voices.size(); ++i)
-                if (s.is_active(s.voices[i]))
-                    s.backend->set_voice_volume(static_cast<int>(i), s.voices[i].volume * s.sound_volume());
-            break;
-        case AudioGroup::Music:
-            s.backend->set_music_volume(s.music.volume * s.music_volume());
-            break;
+    if (std::exchange(s.group(id).is_paused, paused) == paused) return;
+    // A paused voice has no end; what is left of it counts from when it goes on.
+    const auto turn = [&](double& end_s, double& rest_s) {
+        if (paused) rest_s = end_s - s.clock_s;
+        end_s = paused ? kForever_s : s.clock_s + rest_s;
+    };
+    if (id == AudioGroup::Music) {
+        if (s.music.path.empty()) return;
+        turn(s.music.end_s, s.music.rest_s);
+        s.backend->set_music_paused(paused);
+        return;
+    }
+    for (std::size_t i = 0; i < s.voices.size(); ++i) {
+        State::Voice& voice = s.voices[i];
+        if (voice.group != id || !s.is_active(voice)) continue;
+        turn(voice.end_s, voice.rest_s);
+        s.backend->set_voice_paused(static_cast<int>(i), paused);
     }
 }
 
+bool Audio::is_paused(AudioGroup group) const {
+    return state_->group(group).is_paused;
+}
+
+void Audio::set_group_volume(AudioGroup id, float volume) {
+    State& s = *state_;
+    s.group(id).volume = unit(volume);
+    if (id == AudioGroup::Music) return s.backend->set_music_volume(s.heard_music_volume());
+    for (std::size_t i = 0; i < s.voices.size(); ++i)
+        if (s.voices[i].group == id && s.is_active(s.voices[i]))
+            s.backend->set_voice_volume(static_cast<int>(i), s.heard_volume(s.voices[i]));
+}
+
 float Audio::group_volume(AudioGroup group) const {
-    return state_->group_volumes[static_cast<std::size_t>(group)];
+    return state_->group(group).volume;
 }
 
 void Audio::advance(double elapsed_s) {
     if (!(elapsed_s > 0) || !std::isfinite(elapsed_s)) return;
-    state_->clock_s += elapsed_s;
-    if (state_->music.end_s <= state_->clock_s) state_->music = {};
+    State& s = *state_;
+    s.clock_s += elapsed_s;
+    if (s.music.end_s <= s.clock_s) s.music = {};
+    if (s.music.gain_per_s == 0 || s.group(AudioGroup::Music).is_paused) return;
+    s.music.gain = std::clamp(s.music.gain + s.music.gain_per_s * static_cast<float>(elapsed_s), 0.0f, 1.0f);
+    s.backend->set_music_volume(s.heard_music_volume());
+    if (s.music.gain == 0) return stop_music();
+    if (s.music.gain == 1) s.music.gain_per_s = 0;
 }
 
 AudioStats Audio::stats() const {

@@ -41,10 +41,13 @@ class AudioBackend {
     virtual void start_voice(int slot, const SoundData& sound, const VoiceSettings& settings) = 0;
     virtual void stop_voice(int slot) = 0;
     virtual void set_voice_volume(int slot, float volume) = 0;
+    virtual void set_voice_pan(int slot, float pan) = 0;
+    virtual void set_voice_paused(int slot, bool paused) = 0;
 
     virtual void start_music(SoundData music, float volume, bool loop) = 0;
     virtual void stop_music() = 0;
     virtual void set_music_volume(float volume) = 0;
+    virtual void set_music_paused(bool paused) = 0;
 
     virtual bool is_device_open() const = 0;
 };

@@ -101,6 +101,24 @@ Result<TextureId> Renderer::create_texture(const Image& image) {
     return state_->textures.insert(std::move(texture));
 }
 
+Result<TextureId> Renderer::soft_disc() {
+    if (is_valid(state_->soft_disc)) return state_->soft_disc;
+    constexpr int kSide = 64;
+    Image disc{{kSide, kSide}, {}};
+    for (int y = 0; y < kSide; ++y)
+        for (int x = 0; x < kSide; ++x) {
+            constexpr float kMiddle = 0.5f * kSide;
+            const Vec2 from_middle = {static_cast<float>(x) + 0.5f - kMiddle,
+                                      static_cast<float>(y) + 0.5f - kMiddle};
+            const float inside = std::max(0.0f, 1 - length(from_middle) / kMiddle);
+            const auto alpha = static_cast<std::uint8_t>(255 * inside * inside * (3 - 2 * inside));
+            disc.rgba.insert(disc.rgba.end(), {255, 255, 255, alpha});
+        }
+    const Result<TextureId> made = create_texture(disc);
+    if (made) state_->soft_disc = *made;
+    return made;
+}
+
 Size Renderer::texture_size(TextureId texture) const {
     const Texture* found = state_->textures.find(texture);
     return found ? found->size : Size{};
@@ -234,6 +252,10 @@ Affine2 Renderer::transform() const {
 
 void Renderer::set_blend_mode(BlendMode mode) {
     state_->batch.set_blend_mode(mode);
+}
+
+BlendMode Renderer::blend_mode() const {
+    return state_->batch.blend_mode();
 }
 
 void Renderer::set_scissor(std::optional<Rect> area) {

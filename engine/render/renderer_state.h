@@ -64,6 +64,7 @@ struct Renderer::State {
 
     HandleTable<TextureId, Texture> textures;
     std::map<std::string, TextureId, std::less<>> textures_by_path;
+    TextureId soft_disc;
     FontStore fonts;
 
     Batch batch;

@@ -12,11 +12,12 @@ namespace {
 
 // In the order of the reference.
 constexpr std::array kModules = {
-    &kCoreModule,   &kPhysicsModule, &kWorldMethods, &kBodyMethods,   &kShapeMethods,   &kJointMethods,
-    &kPrefabModule, &kPrefabMethods, &kCameraModule, &kCameraMethods, &kGraphicsModule, &kImageMethods,
-    &kFontMethods,  &kCanvasMethods, &kQuadMethods,  &kAtlasMethods,  &kBatchMethods,   &kAudioModule,
-    &kInputModule,  &kWindowModule,  &kFilesModule,  &kRandomModule,  &kRandomMethods,  &kTimerModule,
-    &kTimerMethods, &kTweenModule,   &kTweenMethods, &kSceneModule,   &kLevelModule,    &kTestModule,
+    &kCoreModule,       &kPhysicsModule, &kWorldMethods, &kBodyMethods,   &kShapeMethods,   &kJointMethods,
+    &kPrefabModule,     &kPrefabMethods, &kCameraModule, &kCameraMethods, &kGraphicsModule, &kImageMethods,
+    &kFontMethods,      &kCanvasMethods, &kQuadMethods,  &kAtlasMethods,  &kBatchMethods,   &kParticlesModule,
+    &kParticlesMethods, &kAudioModule,   &kInputModule,  &kWindowModule,  &kFilesModule,    &kRandomModule,
+    &kRandomMethods,    &kTimerModule,   &kTimerMethods, &kTweenModule,   &kTweenMethods,   &kSceneModule,
+    &kLevelModule,      &kTestModule,
 };
 
 struct TypeOfObject {
@@ -33,6 +34,7 @@ constexpr TypeOfObject kTypes[] = {
     {ObjectTag::Image, &kImageMethods, nullptr},
     {ObjectTag::Font, &kFontMethods, nullptr},
     {ObjectTag::Random, &kRandomMethods, nullptr},
+    {ObjectTag::Particles, &kParticlesMethods, finalize_particles},
     {ObjectTag::Tween, &kTweenMethods, nullptr},
     {ObjectTag::Timer, &kTimerMethods, nullptr},
     {ObjectTag::Prefab, &kPrefabMethods, finalize_prefab},

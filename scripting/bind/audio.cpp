@@ -1,7 +1,10 @@
 // cairn.audio.
+#include <algorithm>
+
 #include "bind/context.h"
 #include "bind/fields.h"
 #include "bind/modules.h"
+#include "data/nearest.h"
 #include "lua/state.h"
 
 namespace cairn::scripting {
@@ -11,10 +14,12 @@ constexpr Field kVolume = number_field("volume", 1, "1", "0 to 1");
 constexpr Field kPan = number_field("pan", 0, "0", "-1 left to 1 right");
 constexpr Field kPitch = number_field("pitch", 1, "1", "0.25 to 4");
 constexpr Field kLoop = boolean_field("loop", false, "");
-constexpr const Field* kPlayOwn[] = {&kVolume, &kPan, &kPitch, &kLoop};
+constexpr Field kGroup{"group", FieldType::String, "sfx", "\"sfx\", or one made with new_group"};
+constexpr const Field* kPlayOwn[] = {&kVolume, &kPan, &kPitch, &kLoop, &kGroup};
 constexpr FieldSet kPlayFields{kPlayOwn};
 constexpr Field kMusicLoop = boolean_field("loop", true, "");
-constexpr const Field* kMusicOwn[] = {&kVolume, &kMusicLoop};
+constexpr Field kFade = within(number_field("fade", 0, "0", "s in which it swells from silence"), 0, 3600);
+constexpr const Field* kMusicOwn[] = {&kVolume, &kMusicLoop, &kFade};
 constexpr FieldSet kMusicFields{kMusicOwn};
 
 // A voice is one integer in Lua; 0 is none.
@@ -27,9 +32,10 @@ engine::VoiceId to_voice(std::int64_t number) {
 }
 
 engine::AudioGroup to_group(lua_State* L, std::string_view name) {
-    if (name == "sfx") return engine::AudioGroup::Sound;
-    if (name == "music") return engine::AudioGroup::Music;
-    argument_error(L, 1, "\"sfx\" or \"music\"");
+    const std::vector<std::string>& groups = context_of(L).services.audio.groups();
+    for (std::size_t i = 0; i < groups.size(); ++i)
+        if (groups[i] == name) return static_cast<engine::AudioGroup>(i);
+    call_error(L, "group is \"" + std::string(name) + "\": no such group" + suggestion(name, groups));
 }
 
 std::int64_t play(lua_State* L, std::string_view path, std::optional<TableArgument> options) {
@@ -37,10 +43,13 @@ std::int64_t play(lua_State* L, std::string_view path, std::optional<TableArgume
     const FieldReader reader(L, options ? options->index : -1, kPlayFields);
     engine::Audio& audio = context_of(L).services.audio;
     const engine::SoundId sound = value_or_raise(L, audio.load_sound(path));
+    const engine::AudioGroup group = to_group(L, reader.text(kGroup));
+    if (group == engine::AudioGroup::Music) reader.fail(kGroup, "must not be the music's");
     return to_integer(audio.play(sound, {.volume = reader.real(kVolume),
                                          .pan = reader.real(kPan),
                                          .pitch = reader.real(kPitch),
-                                         .loop = reader.boolean(kLoop)}));
+                                         .loop = reader.boolean(kLoop),
+                                         .group = group}));
 }
 void stop(lua_State* L, std::int64_t voice) {
     context_of(L).services.audio.stop(to_voice(voice));
@@ -53,6 +62,14 @@ bool is_playing(lua_State* L, std::int64_t voice) {
 }
 void set_voice_volume(lua_State* L, std::int64_t voice, float volume) {
     context_of(L).services.audio.set_voice_volume(to_voice(voice), volume);
+}
+
+void set_voice_pan(lua_State* L, std::int64_t voice, float pan) {
+    context_of(L).services.audio.set_voice_pan(to_voice(voice), pan);
+}
+double duration(lua_State* L, std::string_view path) {
+    engine::Audio& audio = context_of(L).services.audio;
+    return audio.duration_s(value_or_raise(L, audio.load_sound(path)));
 }
 
 void set_rate_cap(lua_State* L, std::string_view path, double seconds, std::int64_t voices) {
@@ -68,10 +85,40 @@ void set_rate_cap(lua_State* L, std::string_view path, double seconds, std::int6
 engine::Result<void> play_music(lua_State* L, std::string_view path, std::optional<TableArgument> options) {
     if (!options) lua_newtable(L);
     const FieldReader reader(L, options ? options->index : -1, kMusicFields);
-    return context_of(L).services.audio.play_music(path, reader.real(kVolume), reader.boolean(kMusicLoop));
+    return context_of(L).services.audio.play_music(path, reader.real(kVolume), reader.boolean(kMusicLoop),
+                                                   reader.number(kFade));
 }
-void stop_music(lua_State* L) {
-    context_of(L).services.audio.stop_music();
+void stop_music(lua_State* L, std::optional<double> fade) {
+    if (fade && !(*fade >= 0)) argument_error(L, 1, "a time, at least 0");
+    context_of(L).services.audio.stop_music(fade.value_or(0));
+}
+void set_music_volume(lua_State* L, float volume) {
+    context_of(L).services.audio.set_music_volume(volume);
+}
+Pushed music(lua_State* L) {
+    const std::string& path = context_of(L).services.audio.music();
+    if (path.empty())
+        lua_pushnil(L);
+    else
+        lua_pushlstring(L, path.data(), path.size());
+    return {1};
+}
+
+void new_group(lua_State* L, std::string_view name) {
+    engine::Audio& audio = context_of(L).services.audio;
+    // After a reload the script makes its groups again.
+    const std::vector<std::string>& groups = audio.groups();
+    const auto known = std::find(groups.begin() + 2, groups.end(), name);
+    if (known == groups.end()) value_or_raise(L, audio.add_group(name));
+}
+void pause(lua_State* L, std::string_view group) {
+    context_of(L).services.audio.set_paused(to_group(L, group), true);
+}
+void resume(lua_State* L, std::string_view group) {
+    context_of(L).services.audio.set_paused(to_group(L, group), false);
+}
+bool is_paused(lua_State* L, std::string_view group) {
+    return context_of(L).services.audio.is_paused(to_group(L, group));
 }
 
 void set_volume(lua_State* L, std::string_view group, float volume) {
@@ -80,6 +127,8 @@ void set_volume(lua_State* L, std::string_view group, float volume) {
 float volume(lua_State* L, std::string_view group) {
     return context_of(L).services.audio.group_volume(to_group(L, group));
 }
+
+constexpr std::array<std::string_view, 1> kReturnsPath = {"string?"};
 
 constexpr Function kFunctions[] = {
     function<&play>("play", "path, fields = {}", "voice",
@@ -91,14 +140,28 @@ constexpr Function kFunctions[] = {
     function<&stop_all>("stop_all", "", "", "All sounds; the music goes on."),
     function<&is_playing>("is_playing", "voice", "playing", ""),
     function<&set_voice_volume>("set_voice_volume", "voice, volume", "", ""),
+    function<&set_voice_pan>("set_voice_pan", "voice, pan", "", "-1 left to 1 right."),
+    function<&duration>("duration", "path", "seconds [s]",
+                        "Loads a sound and says how long it plays at pitch 1."),
     function<&set_rate_cap>(
         "set_rate_cap", "path, seconds [s], voices", "",
         "The same sound starts at most once per `seconds` and plays in at most `voices` voices; every "
         "sound begins with 0.03 and 8."),
     function<&play_music>("play_music", "path, fields = {}", "", "Replaces the music that plays.",
                           &kMusicFields),
-    function<&stop_music>("stop_music", "", "", ""),
-    function<&set_volume>("set_volume", "group, volume", "", "Group \"sfx\" or \"music\"; 0 to 1."),
+    function<&stop_music>("stop_music", "fade [s] = 0", "", "Within that time it falls silent."),
+    function<&set_music_volume>("set_music_volume", "volume", "", "Of the music that plays, 0 to 1."),
+    function_pushing<&music>("music", "", "path", kReturnsPath, "The file of the music that plays, or nil."),
+    function<&new_group>(
+        "new_group", "name", "",
+        "Makes a group of sounds beside \"sfx\" and \"music\", for a volume and a pause of its own: "
+        "\"ui\", \"speech\"."),
+    function<&set_volume>("set_volume", "group, volume", "", "0 to 1."),
+    function<&pause>(
+        "pause", "group", "",
+        "What plays in the group stands still, and so does what is started in it, until it is resumed."),
+    function<&resume>("resume", "group", "", ""),
+    function<&is_paused>("is_paused", "group", "paused", ""),
     function<&volume>("volume", "group", "volume", ""),
 };
 

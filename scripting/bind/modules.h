@@ -25,6 +25,8 @@ extern const Module kCanvasMethods;
 extern const Module kQuadMethods;
 extern const Module kAtlasMethods;
 extern const Module kBatchMethods;
+extern const Module kParticlesModule;  // cairn.particles
+extern const Module kParticlesMethods;
 extern const Module kAudioModule;   // cairn.audio
 extern const Module kInputModule;   // cairn.input
 extern const Module kWindowModule;  // cairn.window
@@ -44,9 +46,10 @@ int finalize_world(lua_State* L);
 /// The same of a Prefab.
 int finalize_prefab(lua_State* L);
 
-/// Frees the texture of a Canvas, and the sprites of a Batch.
+/// Frees the texture of a Canvas, the sprites of a Batch, the particles of a Particles.
 int finalize_canvas(lua_State* L);
 int finalize_batch(lua_State* L);
+int finalize_particles(lua_State* L);
 
 /// Adds `cairn.random.visual` to the table on top of the stack, and makes math.random use the gameplay
 /// stream.

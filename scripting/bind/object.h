@@ -27,9 +27,10 @@ enum class ObjectTag : std::uint32_t {
     Quad,
     Atlas,
     Batch,
-    Tween
+    Tween,
+    Particles
 };
-inline constexpr int kObjectTagCount = static_cast<int>(ObjectTag::Tween) + 1;
+inline constexpr int kObjectTagCount = static_cast<int>(ObjectTag::Particles) + 1;
 
 struct ObjectHeader {
     ObjectTag tag;
@@ -70,6 +71,8 @@ constexpr const char* object_type_name(ObjectTag tag) {
             return "Batch";
         case ObjectTag::Tween:
             return "Tween";
+        case ObjectTag::Particles:
+            return "Particles";
     }
     return "userdata";
 }

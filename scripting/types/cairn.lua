@@ -1725,6 +1725,82 @@ function Batch:count() end
 ---Draws all of it in the order of adding; only in `cairn.draw`.
 function Batch:draw() end
 
+cairn.particles = {}
+
+---@class cairn.particles.new.Fields
+---@field max_count? integer how many may live, 1 to 100000
+---@field rate? number 1/s; born per second while it is started
+---@field x? number where they are born
+---@field y? number
+---@field area_width? number of the rectangle in which they are born
+---@field area_height? number
+---@field lifetime? number s
+---@field lifetime_max? number s; with it, any between the two
+---@field speed? number per second
+---@field speed_max? number with it, any between the two
+---@field direction? number rad, from the x axis towards the y axis
+---@field spread? number rad, around the direction
+---@field acceleration_x? number per second squared
+---@field acceleration_y? number
+---@field damping? number 1/s; c in v e^(-c t)
+---@field size? number at birth
+---@field size_max? number with it, any between the two
+---@field size_end? number at the end; absent: as at birth
+---@field rotation? number rad, at birth
+---@field rotation_max? number rad; with it, any between the two
+---@field spin? number rad/s
+---@field spin_max? number rad/s; with it, any between the two
+---@field colors? table { {r, g, b, a?}, ... } over the lifetime, evenly; absent: white that fades
+---@field blend? string "alpha" or "add"
+
+---Makes an emitter, which is stopped. Each particle is a square of the image, or a soft disc. Lengths are in the units it is drawn in: pixels, or metres under a camera.
+---@param fields cairn.particles.new.Fields?
+---@param image Image|Canvas|Quad?
+---@return Particles particles
+function cairn.particles.new(fields, image) end
+
+---@class Particles
+local Particles = {}
+
+---That many at once, where it stands or at (x, y).
+---@param count integer
+---@param x number?
+---@param y number?
+function Particles:emit(count, x, y) end
+
+---From now on `rate` are born per second.
+function Particles:start() end
+
+---None are born any more; those that live go on.
+function Particles:stop() end
+
+---Whether it is started, or some still live.
+---@return boolean active
+function Particles:is_active() end
+
+---How many live.
+---@return integer count
+function Particles:count() end
+
+---Takes all away.
+function Particles:clear() end
+
+---@return number x
+---@return number y
+function Particles:position() end
+
+---Where the next ones are born.
+---@param x number
+---@param y number
+function Particles:set_position(x, y) end
+
+---Moves them on; once per update.
+---@param dt number [s]
+function Particles:update(dt) end
+
+---All with one draw call, tinted by the color that is set; only in `cairn.draw`.
+function Particles:draw() end
+
 cairn.audio = {}
 
 ---@class cairn.audio.play.Fields
@@ -1732,6 +1808,7 @@ cairn.audio = {}
 ---@field pan? number -1 left to 1 right
 ---@field pitch? number 0.25 to 4
 ---@field loop? boolean
+---@field group? string "sfx", or one made with new_group
 
 ---Starts a sound, an Ogg Vorbis or WAV file. The voice is an integer, 0 when the rate cap swallowed the sound.
 ---@param path string
@@ -1754,6 +1831,16 @@ function cairn.audio.is_playing(voice) end
 ---@param volume number
 function cairn.audio.set_voice_volume(voice, volume) end
 
+----1 left to 1 right.
+---@param voice integer
+---@param pan number
+function cairn.audio.set_voice_pan(voice, pan) end
+
+---Loads a sound and says how long it plays at pitch 1.
+---@param path string
+---@return number seconds [s]
+function cairn.audio.duration(path) end
+
 ---The same sound starts at most once per `seconds` and plays in at most `voices` voices; every sound begins with 0.03 and 8.
 ---@param path string
 ---@param seconds number [s]
@@ -1763,18 +1850,44 @@ function cairn.audio.set_rate_cap(path, seconds, voices) end
 ---@class cairn.audio.play_music.Fields
 ---@field volume? number 0 to 1
 ---@field loop? boolean
+---@field fade? number s in which it swells from silence
 
 ---Replaces the music that plays.
 ---@param path string
 ---@param fields cairn.audio.play_music.Fields?
 function cairn.audio.play_music(path, fields) end
 
-function cairn.audio.stop_music() end
+---Within that time it falls silent.
+---@param fade number? [s]
+function cairn.audio.stop_music(fade) end
 
----Group "sfx" or "music"; 0 to 1.
+---Of the music that plays, 0 to 1.
+---@param volume number
+function cairn.audio.set_music_volume(volume) end
+
+---The file of the music that plays, or nil.
+---@return string? path
+function cairn.audio.music() end
+
+---Makes a group of sounds beside "sfx" and "music", for a volume and a pause of its own: "ui", "speech".
+---@param name string
+function cairn.audio.new_group(name) end
+
+---0 to 1.
 ---@param group string
 ---@param volume number
 function cairn.audio.set_volume(group, volume) end
+
+---What plays in the group stands still, and so does what is started in it, until it is resumed.
+---@param group string
+function cairn.audio.pause(group) end
+
+---@param group string
+function cairn.audio.resume(group) end
+
+---@param group string
+---@return boolean paused
+function cairn.audio.is_paused(group) end
 
 ---@param group string
 ---@return number volume

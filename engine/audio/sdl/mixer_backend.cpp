@@ -53,8 +53,7 @@ class MixerBackend final : public AudioBackend {
         Mix_Chunk* chunk = find_chunk(sound, settings.pitch_step);
         if (!chunk) return;
         Mix_Volume(slot, to_mixer_volume(settings.volume));
-        Mix_SetPanning(slot, static_cast<Uint8>(255 * std::min(1.0f, 1 - settings.pan)),
-                       static_cast<Uint8>(255 * std::min(1.0f, 1 + settings.pan)));
+        pan(slot, settings.pan);
         if (Mix_PlayChannel(slot, chunk, settings.loop ? -1 : 0) < 0) warn_once(sound.path, Mix_GetError());
     }
 
@@ -64,6 +63,26 @@ class MixerBackend final : public AudioBackend {
 
     void set_voice_volume(int slot, float volume) override {
         if (is_open_) Mix_Volume(slot, to_mixer_volume(volume));
+    }
+
+    void set_voice_pan(int slot, float where) override {
+        if (is_open_) pan(slot, where);
+    }
+
+    void set_voice_paused(int slot, bool paused) override {
+        if (!is_open_) return;
+        if (paused)
+            Mix_Pause(slot);
+        else
+            Mix_Resume(slot);
+    }
+
+    void set_music_paused(bool paused) override {
+        if (!is_open_) return;
+        if (paused)
+            Mix_PauseMusic();
+        else
+            Mix_ResumeMusic();
     }
 
     void start_music(SoundData music, float volume, bool loop) override {
@@ -97,6 +116,11 @@ class MixerBackend final : public AudioBackend {
         std::unique_ptr<Mix_Chunk, ChunkDeleter> chunk;
     };
     using ChunkKey = std::pair<std::uint32_t, int>;  ///< sound and pitch step
+
+    static void pan(int slot, float where) {
+        Mix_SetPanning(slot, static_cast<Uint8>(255 * std::min(1.0f, 1 - where)),
+                       static_cast<Uint8>(255 * std::min(1.0f, 1 + where)));
+    }
 
     bool open_device() {
         if (is_open_ || std::exchange(has_tried_, true)) return is_open_;

@@ -129,3 +129,53 @@ TEST_CASE_METHOD(Sounds, "group volumes are clamped") {
     CHECK(audio->group_volume(AudioGroup::Music) == 1);
     CHECK(audio->group_volume(AudioGroup::Sound) == 0);
 }
+
+TEST_CASE_METHOD(Sounds, "a paused group stands still and then plays the rest") {
+    const VoiceId voice = audio->play(tone);
+    audio->advance(0.2);
+    audio->set_paused(AudioGroup::Sound, true);
+    const VoiceId late = audio->play(tone);  // waits too
+    audio->advance(100);
+    CHECK(audio->is_playing(voice));
+    CHECK(audio->is_playing(late));
+    audio->set_paused(AudioGroup::Sound, false);
+    audio->advance(0.29);
+    CHECK(audio->is_playing(voice));
+    audio->advance(0.02);
+    CHECK_FALSE(audio->is_playing(voice));
+    CHECK(audio->is_playing(late));
+    audio->advance(0.2);
+    CHECK_FALSE(audio->is_playing(late));
+}
+
+TEST_CASE_METHOD(Sounds, "groups are apart from each other") {
+    const AudioGroup speech = *audio->add_group("speech");
+    CHECK(audio->groups() == std::vector<std::string>{"sfx", "music", "speech"});
+    const VoiceId said = audio->play(tone, {.group = speech});
+    const VoiceId heard = audio->play(tone);
+    audio->set_paused(speech, true);
+    audio->set_group_volume(speech, 0.25f);
+    audio->advance(1);
+    CHECK(audio->is_playing(said));
+    CHECK_FALSE(audio->is_playing(heard));
+    CHECK(audio->group_volume(speech) == 0.25f);
+    CHECK(audio->group_volume(AudioGroup::Sound) == 1);
+    CHECK_FALSE(audio->add_group("sfx"));
+    CHECK_FALSE(audio->add_group(""));
+}
+
+TEST_CASE_METHOD(Sounds, "music that fades out is gone when it is silent, and paused music waits") {
+    REQUIRE(audio->play_music("tone.wav"));
+    audio->stop_music(1);
+    audio->advance(0.9);
+    CHECK(audio->music() == "tone.wav");
+    audio->advance(0.2);
+    CHECK(audio->music().empty());
+    REQUIRE(audio->play_music("tone.wav", 1, false, 0.2));
+    audio->set_paused(AudioGroup::Music, true);
+    audio->advance(9);
+    CHECK(audio->music() == "tone.wav");
+    audio->set_paused(AudioGroup::Music, false);
+    audio->advance(0.6);
+    CHECK(audio->music().empty());
+}

@@ -9,6 +9,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <cairn/engine/handle.h>
 #include <cairn/engine/result.h>
@@ -18,13 +19,16 @@ namespace cairn::engine {
 class AudioBackend;
 class Files;
 
-enum class AudioGroup { Sound, Music };
+/// Sounds and music that are made louder, quieter and silent together. Sound and Music are always there; a
+/// game may add others (AudioGroup(2) and up).
+enum class AudioGroup : int { Sound, Music };
 
 struct SoundPlay {
     float volume = 1;   ///< 0 .. 1, clamped; multiplied by the group's volume
     float pan = 0;      ///< -1 left .. 1 right, clamped
     float pitch = 1;    ///< 0.25 .. 4, clamped; speed and pitch change together, in steps of 1/48 octave
     bool loop = false;  ///< plays until stopped
+    AudioGroup group = AudioGroup::Sound;
 };
 
 /// Keeps a heap of crates from sounding like a machine gun.
@@ -64,16 +68,25 @@ class Audio {
     /// Of a voice that has ended: nothing.
     void stop(VoiceId voice);
     void set_voice_volume(VoiceId voice, float volume);
+    void set_voice_pan(VoiceId voice, float pan);
     bool is_playing(VoiceId voice) const;
     void stop_all_sounds();
 
-    /// Replaces the music that plays, if any.
-    Result<void> play_music(std::string_view path, float volume = 1, bool loop = true);
-    void stop_music();
+    /// Replaces the music that plays, if any. It swells from silence within `fade_s`.
+    Result<void> play_music(std::string_view path, float volume = 1, bool loop = true, double fade_s = 0);
+    /// Fades it out within `fade_s`.
+    void stop_music(double fade_s = 0);
     void set_music_volume(float volume);
     /// The path of the music that plays; empty: none.
     const std::string& music() const;
 
+    /// At most 16 in all. The error names the rule.
+    Result<AudioGroup> add_group(std::string_view name);
+    /// "sfx", "music" and those added, in order.
+    const std::vector<std::string>& groups() const;
+    /// What plays in a paused group stands still, and so does what is started in it, until it is resumed.
+    void set_paused(AudioGroup group, bool paused);
+    bool is_paused(AudioGroup group) const;
     /// 0 .. 1, clamped; for a settings page.
     void set_group_volume(AudioGroup group, float volume);
     float group_volume(AudioGroup group) const;

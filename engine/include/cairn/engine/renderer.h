@@ -97,6 +97,8 @@ class Renderer {
     /// The same path gives the same handle. The error names the path and the reason.
     Result<TextureId> load_texture(std::string_view path);
     Result<TextureId> create_texture(const Image& image);
+    /// A white disc that fades from its middle to its rim, 64 pixels wide; made when it is first asked for.
+    Result<TextureId> soft_disc();
     /// The size in the image's pixels; {0, 0} for a null or stale handle.
     Size texture_size(TextureId texture) const;
     bool is_valid(TextureId texture) const;
@@ -150,6 +152,7 @@ class Renderer {
     /// From drawing coordinates to logical pixels.
     Affine2 transform() const;
     void set_blend_mode(BlendMode mode);
+    BlendMode blend_mode() const;
     /// In logical pixels, not moved by the transform; absent: the whole picture.
     void set_scissor(std::optional<Rect> area);
     /// What set_scissor was given last.
