@@ -167,12 +167,20 @@ void Actions::begin_update() {
     for (auto& [name, action] : actions_) action.was_pressed = action.was_released = false;
 }
 
+bool Actions::would_be_down(const Action& action, const InputState& state) {
+    float most = 0;
+    for (const InputSource& source : action.sources) most = std::max(most, source.value(state));
+    return most >= (action.is_down ? kRelease : kPress);
+}
+
+void Actions::settle(const InputState& state) {
+    for (auto& [name, action] : actions_) action.is_down = would_be_down(action, state);
+}
+
 std::vector<Actions::Change> Actions::follow(const InputState& state) {
     std::vector<Change> changes;
     for (auto& [name, action] : actions_) {
-        float most = 0;
-        for (const InputSource& source : action.sources) most = std::max(most, source.value(state));
-        const bool is_down = action.is_down ? most >= kRelease : most >= kPress;
+        const bool is_down = would_be_down(action, state);
         if (is_down == action.is_down) continue;
         action.is_down = is_down;
         (is_down ? action.was_pressed : action.was_released) = true;

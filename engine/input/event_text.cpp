@@ -13,8 +13,10 @@ namespace cairn::engine {
 namespace {
 
 constexpr std::array<std::string_view, kInputKindCount> kKindNames = {
-    "key_pressed", "key_released",   "text_entered", "mouse_moved", "mouse_pressed",  "mouse_released",
-    "wheel_moved", "window_resized", "focus_gained", "focus_lost",  "quit_requested",
+    "key_pressed",      "key_released",  "text_entered",      "mouse_moved",          "mouse_pressed",
+    "mouse_released",   "wheel_moved",   "gamepad_connected", "gamepad_disconnected", "gamepad_pressed",
+    "gamepad_released", "gamepad_moved", "touch_pressed",     "touch_moved",          "touch_released",
+    "window_resized",   "focus_gained",  "focus_lost",        "quit_requested",
 };
 
 void append(std::string& line, std::string_view word) {
@@ -88,6 +90,17 @@ class WordReader {
         return value;
     }
 
+    /// A whole number from 1.
+    int number_up_to(int most) {
+        const std::string_view text = word("number");
+        int value = 0;
+        const auto end = std::from_chars(text.data(), text.data() + text.size(), value);
+        const bool whole = end.ec == std::errc{} && end.ptr == text.data() + text.size();
+        if (!whole || value < 1 || value > most)
+            fail("'" + std::string(text) + "' is not a whole number from 1 to " + std::to_string(most));
+        return value;
+    }
+
     Vec2 vector(std::string_view what) {
         const float x = number(what);
         return {x, number(what)};
@@ -155,6 +168,33 @@ std::string to_text(const InputEvent& event) {
             append(line, event.position);
             append(line, event.delta);
             break;
+        case InputKind::GamepadConnected:
+            append(line, std::to_string(event.number));
+            append(line, escape(event.text));
+            break;
+        case InputKind::GamepadDisconnected:
+            append(line, std::to_string(event.number));
+            break;
+        case InputKind::GamepadPressed:
+        case InputKind::GamepadReleased:
+            append(line, std::to_string(event.number));
+            append(line, gamepad_button_name(event.gamepad_button));
+            break;
+        case InputKind::GamepadMoved:
+            append(line, std::to_string(event.number));
+            append(line, gamepad_axis_name(event.gamepad_axis));
+            append(line, event.value);
+            break;
+        case InputKind::TouchPressed:
+        case InputKind::TouchReleased:
+            append(line, std::to_string(event.number));
+            append(line, event.position);
+            break;
+        case InputKind::TouchMoved:
+            append(line, std::to_string(event.number));
+            append(line, event.position);
+            append(line, event.delta);
+            break;
         case InputKind::WindowResized:
             append(line, event.delta);
             break;
@@ -194,6 +234,36 @@ Result<InputEvent> input_event_from_text(std::string_view line) {
             break;
         case InputKind::MouseMoved:
         case InputKind::WheelMoved:
+            event.position = words.vector("position");
+            event.delta = words.vector("movement");
+            break;
+        case InputKind::GamepadConnected: {
+            event.number = words.number_up_to(kMaxGamepads);
+            const std::optional<std::string> name = unescape(words.word("name"));
+            if (!name) words.fail("'%' must be followed by two hexadecimal digits");
+            event.text = name.value_or("");
+            break;
+        }
+        case InputKind::GamepadDisconnected:
+            event.number = words.number_up_to(kMaxGamepads);
+            break;
+        case InputKind::GamepadPressed:
+        case InputKind::GamepadReleased:
+            event.number = words.number_up_to(kMaxGamepads);
+            event.gamepad_button = words.named<GamepadButton>("gamepad button", gamepad_button_from_name);
+            break;
+        case InputKind::GamepadMoved:
+            event.number = words.number_up_to(kMaxGamepads);
+            event.gamepad_axis = words.named<GamepadAxis>("gamepad axis", gamepad_axis_from_name);
+            event.value = words.number("value");
+            break;
+        case InputKind::TouchPressed:
+        case InputKind::TouchReleased:
+            event.number = words.number_up_to(kMaxTouches);
+            event.position = words.vector("position");
+            break;
+        case InputKind::TouchMoved:
+            event.number = words.number_up_to(kMaxTouches);
             event.position = words.vector("position");
             event.delta = words.vector("movement");
             break;

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include <cairn/engine/actions.h>
 #include <cairn/engine/audio.h>
 #include <cairn/engine/files.h>
 #include <cairn/engine/input.h>
@@ -45,6 +46,7 @@ struct Services {
     engine::Renderer& renderer;
     engine::Audio& audio;
     engine::Window& window;
+    engine::Platform& platform;
 };
 
 struct Context {
@@ -52,6 +54,8 @@ struct Context {
     engine::Random random;         ///< of gameplay: seeded, recorded, hashed
     engine::Random visual_random;  ///< of what decides nothing
     engine::InputState input{};
+    engine::Actions actions{};
+    int listener = LUA_NOREF;  ///< in the registry: what cairn.input.listen was given
     Timers timers{};
     Tweens tweens{};
     std::vector<int> scenes{};  ///< references in the registry, the top one last

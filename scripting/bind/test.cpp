@@ -84,6 +84,62 @@ void wheel(lua_State* L, float dx, float dy) {
         {.kind = InputKind::WheelMoved, .position = context_of(L).input.mouse_position(), .delta = {dx, dy}});
 }
 
+engine::GamepadButton to_gamepad_button(lua_State* L, std::string_view name) {
+    const auto button = engine::gamepad_button_from_name(name);
+    if (!button) argument_error(L, 2, "the name of a button, as in cairn.input.is_gamepad_down");
+    return *button;
+}
+int to_number(lua_State* L, std::int64_t number, int most) {
+    if (number < 1 || number > most) argument_error(L, 1, "an integer from 1 to " + std::to_string(most));
+    return static_cast<int>(number);
+}
+
+void gamepad_connect(lua_State* L, std::int64_t gamepad) {
+    driver(L).send(L, {.kind = InputKind::GamepadConnected,
+                       .text = "test",
+                       .number = to_number(L, gamepad, engine::kMaxGamepads)});
+}
+void gamepad_disconnect(lua_State* L, std::int64_t gamepad) {
+    driver(L).send(
+        L, {.kind = InputKind::GamepadDisconnected, .number = to_number(L, gamepad, engine::kMaxGamepads)});
+}
+void gamepad_press(lua_State* L, std::int64_t gamepad, std::string_view button) {
+    driver(L).send(L, {.kind = InputKind::GamepadPressed,
+                       .number = to_number(L, gamepad, engine::kMaxGamepads),
+                       .gamepad_button = to_gamepad_button(L, button)});
+}
+void gamepad_release(lua_State* L, std::int64_t gamepad, std::string_view button) {
+    driver(L).send(L, {.kind = InputKind::GamepadReleased,
+                       .number = to_number(L, gamepad, engine::kMaxGamepads),
+                       .gamepad_button = to_gamepad_button(L, button)});
+}
+void gamepad_move(lua_State* L, std::int64_t gamepad, std::string_view name, float value) {
+    const auto axis = engine::gamepad_axis_from_name(name);
+    if (!axis) argument_error(L, 2, "the name of an axis, as in cairn.input.gamepad_axis");
+    driver(L).send(L, {.kind = InputKind::GamepadMoved,
+                       .number = to_number(L, gamepad, engine::kMaxGamepads),
+                       .gamepad_axis = *axis,
+                       .value = value});
+}
+void touch_press(lua_State* L, std::int64_t touch, float x, float y) {
+    driver(L).send(L, {.kind = InputKind::TouchPressed,
+                       .position = {x, y},
+                       .number = to_number(L, touch, engine::kMaxTouches)});
+}
+void touch_move(lua_State* L, std::int64_t touch, float x, float y) {
+    const int number = to_number(L, touch, engine::kMaxTouches);
+    const engine::Vec2 from = context_of(L).input.touch(number).value_or(engine::Vec2{x, y});
+    driver(L).send(L, {.kind = InputKind::TouchMoved,
+                       .position = {x, y},
+                       .delta = engine::Vec2{x, y} - from,
+                       .number = number});
+}
+void touch_release(lua_State* L, std::int64_t touch, float x, float y) {
+    driver(L).send(L, {.kind = InputKind::TouchReleased,
+                       .position = {x, y},
+                       .number = to_number(L, touch, engine::kMaxTouches)});
+}
+
 // ---- Expectations
 
 void expect(lua_State* L, AnyArgument condition, std::optional<std::string_view> message) {
@@ -168,6 +224,15 @@ constexpr Function kFunctions[] = {
     function<&mouse_press>("mouse_press", "x [px], y [px], button = \"left\"", "", ""),
     function<&mouse_release>("mouse_release", "x [px], y [px], button = \"left\"", "", ""),
     function<&wheel>("wheel", "dx, dy", "", ""),
+    function<&gamepad_connect>("gamepad_connect", "gamepad", "", ""),
+    function<&gamepad_disconnect>("gamepad_disconnect", "gamepad", "", ""),
+    function<&gamepad_press>("gamepad_press", "gamepad, button", "", ""),
+    function<&gamepad_release>("gamepad_release", "gamepad, button", "", ""),
+    function<&gamepad_move>("gamepad_move", "gamepad, axis, value", "", ""),
+    function<&touch_press>("touch_press", "touch, x [px], y [px]", "",
+                           "The finger alone, without the mouse."),
+    function<&touch_move>("touch_move", "touch, x [px], y [px]", "", ""),
+    function<&touch_release>("touch_release", "touch, x [px], y [px]", "", ""),
     function<&expect>("expect", "condition, message = nil", "", "Fails unless the condition is true."),
     function<&expect_equal>("expect_equal", "actual, expected", "", "By `==`."),
     function<&expect_near>("expect_near", "actual, expected, tolerance", "", ""),

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <string_view>
+#include <utility>
 
 #include <cairn/engine/fixed_step.h>
 
@@ -18,6 +19,9 @@ using engine::InputKind;
 
 void push(lua_State* L, double value) {
     lua_pushnumber(L, value);
+}
+void push(lua_State* L, int value) {
+    lua_pushinteger(L, value);
 }
 void push(lua_State* L, bool value) {
     lua_pushboolean(L, value ? 1 : 0);
@@ -154,6 +158,30 @@ std::optional<ScriptError> Game::call(const char* name, bool* result, const Argu
 
 std::optional<ScriptError> Game::deliver(const InputEvent& event) {
     context_.input.apply(event);
+    if (context_.listener != LUA_NOREF) {
+        if (const auto source = engine::pressed_source(event)) {
+            context_.actions.settle(context_.input);
+            return tell_listener(*source);
+        }
+    }
+    if (auto error = deliver_alone(event)) return error;
+    for (const engine::Actions::Change& change : context_.actions.follow(context_.input)) {
+        const char* name = change.is_pressed ? "action_pressed" : "action_released";
+        if (auto error = call(name, nullptr, std::string_view(change.name))) return error;
+    }
+    return std::nullopt;
+}
+
+std::optional<ScriptError> Game::tell_listener(const engine::InputSource& source) {
+    lua_State* L = state_.get();
+    lua_rawgeti(L, LUA_REGISTRYINDEX, context_.listener);
+    luaL_unref(L, LUA_REGISTRYINDEX, std::exchange(context_.listener, LUA_NOREF));
+    const std::string text = engine::to_text(source);
+    lua_pushlstring(L, text.data(), text.size());
+    return protected_call(L, 1, 0);
+}
+
+std::optional<ScriptError> Game::deliver_alone(const InputEvent& event) {
     const engine::Vec2 p = event.position;
     switch (event.kind) {
         case InputKind::KeyPressed:
@@ -170,6 +198,25 @@ std::optional<ScriptError> Game::deliver(const InputEvent& event) {
             return call("mouse_released", nullptr, p.x, p.y, engine::mouse_button_name(event.button));
         case InputKind::WheelMoved:
             return call("wheel", nullptr, event.delta.x, event.delta.y);
+        case InputKind::GamepadConnected:
+            return call("gamepad_connected", nullptr, event.number, std::string_view(event.text));
+        case InputKind::GamepadDisconnected:
+            return call("gamepad_disconnected", nullptr, event.number);
+        case InputKind::GamepadPressed:
+            return call("gamepad_pressed", nullptr, event.number,
+                        engine::gamepad_button_name(event.gamepad_button));
+        case InputKind::GamepadReleased:
+            return call("gamepad_released", nullptr, event.number,
+                        engine::gamepad_button_name(event.gamepad_button));
+        case InputKind::GamepadMoved:
+            return call("gamepad_moved", nullptr, event.number, engine::gamepad_axis_name(event.gamepad_axis),
+                        event.value);
+        case InputKind::TouchPressed:
+            return call("touch_pressed", nullptr, event.number, p.x, p.y);
+        case InputKind::TouchMoved:
+            return call("touch_moved", nullptr, event.number, p.x, p.y, event.delta.x, event.delta.y);
+        case InputKind::TouchReleased:
+            return call("touch_released", nullptr, event.number, p.x, p.y);
         case InputKind::WindowResized:
             return std::nullopt;  // a game's logical size is that of its conf.lua, whatever the window's
         case InputKind::FocusGained:
@@ -205,6 +252,7 @@ std::optional<ScriptError> Game::run_timers() {
 
 std::optional<ScriptError> Game::update(std::span<const InputEvent> events) {
     ++context_.frame;
+    context_.actions.begin_update();
     for (const InputEvent& event : events) {
         if (auto error = deliver(event)) return error;
     }

@@ -56,6 +56,9 @@ class Game {
     static int run_callback(lua_State* L);
     static void run_scene_callbacks(lua_State* L, CallbackCall& callback);
     std::optional<ScriptError> deliver(const engine::InputEvent& event);
+    /// Without what it means for actions.
+    std::optional<ScriptError> deliver_alone(const engine::InputEvent& event);
+    std::optional<ScriptError> tell_listener(const engine::InputSource& source);
     std::optional<ScriptError> run_timers();
     template <class... Arguments>
     std::optional<ScriptError> call(const char* name, bool* result, const Arguments&... arguments);

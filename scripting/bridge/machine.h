@@ -24,7 +24,7 @@ struct Machine {
     std::unique_ptr<engine::Renderer> renderer;
     std::unique_ptr<engine::Audio> audio;
 
-    [[nodiscard]] Services services() { return {*files, *renderer, *audio, platform->window()}; }
+    [[nodiscard]] Services services() { return {*files, *renderer, *audio, platform->window(), *platform}; }
 };
 
 enum class MachineKind {

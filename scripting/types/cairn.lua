@@ -1900,7 +1900,7 @@ cairn.input = {}
 ---@return boolean down
 function cairn.input.is_down(key) end
 
----Buttons: "left", "middle", "right", "x1", "x2". A touch is the left button.
+---Buttons: "left", "middle", "right", "x1", "x2". The first finger is the left button too.
 ---@param button string
 ---@return boolean down
 function cairn.input.is_mouse_down(button) end
@@ -1909,6 +1909,89 @@ function cairn.input.is_mouse_down(button) end
 ---@return number x [px]
 ---@return number y [px]
 function cairn.input.mouse_position() end
+
+---Names what the player does, `cairn.input.bind("jump", { "space", "gamepad_a", "mouse_left" })`, instead of what was bound before. Sources are keys, "mouse_" with a button, "gamepad_" with a button or with a stick and its direction ("gamepad_left_x+", "gamepad_right_y-", "gamepad_left_trigger"); "gamepad2_a" is the second gamepad's alone.
+---@param action string
+---@param sources table
+function cairn.input.bind(action, sources) end
+
+---A new list of what an action is bound to.
+---@param action string
+---@return string[] sources
+function cairn.input.sources(action) end
+
+---A new list of all actions, sorted.
+---@return string[] actions
+function cairn.input.actions() end
+
+---@param action string
+---@return boolean down
+function cairn.input.is_action_down(action) end
+
+---Whether it went down in this update.
+---@param action string
+---@return boolean pressed
+function cairn.input.was_pressed(action) end
+
+---Whether it went up in this update.
+---@param action string
+---@return boolean released
+function cairn.input.was_released(action) end
+
+---0 to 1: how far its strongest source is pressed.
+---@param action string
+---@return number value
+function cairn.input.action_value(action) end
+
+----1 to 1, from two actions: `cairn.input.axis("left", "right")`.
+---@param negative string
+---@param positive string
+---@return number value
+function cairn.input.axis(negative, positive) end
+
+---Calls `listener(source)` with the next thing that is pressed, for rebinding; that event goes nowhere else.
+---@param listener function
+function cairn.input.listen(listener) end
+
+function cairn.input.stop_listening() end
+
+---A new list of the numbers of the gamepads that are connected, from 1.
+---@return integer[] numbers
+function cairn.input.gamepads() end
+
+---Empty when it is not connected.
+---@param gamepad integer
+---@return string name
+function cairn.input.gamepad_name(gamepad) end
+
+---Buttons by their place on most gamepads: "a" (below), "b" (right), "x" (left), "y" (above), "back", "guide", "start", "left_stick", "right_stick", "left_shoulder", "right_shoulder", "dpad_up", "dpad_down", "dpad_left", "dpad_right".
+---@param gamepad integer
+---@param button string
+---@return boolean down
+function cairn.input.is_gamepad_down(gamepad, button) end
+
+---"left_x", "left_y", "right_x", "right_y": -1 to 1, right and up positive; "left_trigger", "right_trigger": 0 to 1. Small tremors around the middle are 0.
+---@param gamepad integer
+---@param axis string
+---@return number value
+function cairn.input.gamepad_axis(gamepad, axis) end
+
+---Shakes it, 0 to 1; `low` is the strength of its heavier weight.
+---@param gamepad integer
+---@param strength number
+---@param seconds number [s]
+---@param low number?
+function cairn.input.rumble(gamepad, strength, seconds, low) end
+
+---A new list of the fingers that touch, from 1.
+---@return integer[] numbers
+function cairn.input.touches() end
+
+---Where a finger is, or nil.
+---@param touch integer
+---@return number? x [px]
+---@return number? y [px]
+function cairn.input.touch_position(touch) end
 
 cairn.window = {}
 
@@ -2201,6 +2284,41 @@ function cairn.test.mouse_release(x, y, button) end
 ---@param dx number
 ---@param dy number
 function cairn.test.wheel(dx, dy) end
+
+---@param gamepad integer
+function cairn.test.gamepad_connect(gamepad) end
+
+---@param gamepad integer
+function cairn.test.gamepad_disconnect(gamepad) end
+
+---@param gamepad integer
+---@param button string
+function cairn.test.gamepad_press(gamepad, button) end
+
+---@param gamepad integer
+---@param button string
+function cairn.test.gamepad_release(gamepad, button) end
+
+---@param gamepad integer
+---@param axis string
+---@param value number
+function cairn.test.gamepad_move(gamepad, axis, value) end
+
+---The finger alone, without the mouse.
+---@param touch integer
+---@param x number [px]
+---@param y number [px]
+function cairn.test.touch_press(touch, x, y) end
+
+---@param touch integer
+---@param x number [px]
+---@param y number [px]
+function cairn.test.touch_move(touch, x, y) end
+
+---@param touch integer
+---@param x number [px]
+---@param y number [px]
+function cairn.test.touch_release(touch, x, y) end
 
 ---Fails unless the condition is true.
 ---@param condition any

@@ -55,6 +55,7 @@ class HeadlessPlatform final : public Platform {
     void poll_events(std::vector<InputEvent>&) override {}
     double now_s() const override { return 0; }
     void sleep_s(double) override {}
+    void rumble(int, float, float, double) override {}
     Result<void> set_clipboard_text(const std::string&) override { return {}; }
 
   private:

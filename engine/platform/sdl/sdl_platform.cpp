@@ -13,6 +13,7 @@
 
 #include "audio/sdl/mixer_backend.h"
 #include "platform/sdl/sdl_events.h"
+#include "platform/sdl/sdl_gamepads.h"
 #include "platform/sdl/sdl_window.h"
 #include "render/sdl/window_backend.h"
 
@@ -64,9 +65,12 @@ class SdlPlatform final : public Platform {
 
     void poll_events(std::vector<InputEvent>& events) override {
         SDL_Event sdl;
-        while (SDL_PollEvent(&sdl))
-            if (std::optional<InputEvent> event = translate(sdl, *window_))
-                events.push_back(std::move(*event));
+        while (SDL_PollEvent(&sdl)) {
+            if (gamepads_.translate(sdl, events)) continue;
+            std::optional<InputEvent> event = touches_.translate(sdl, *window_);
+            if (!event) event = translate(sdl, *window_);
+            if (event) events.push_back(std::move(*event));
+        }
     }
 
     double now_s() const override {
@@ -75,6 +79,10 @@ class SdlPlatform final : public Platform {
 
     void sleep_s(double duration_s) override {
         if (duration_s > 0) std::this_thread::sleep_for(std::chrono::duration<double>(duration_s));
+    }
+
+    void rumble(int gamepad, float low, float high, double duration_s) override {
+        gamepads_.rumble(gamepad, low, high, duration_s);
     }
 
     Result<void> set_clipboard_text(const std::string& text) override {
@@ -86,6 +94,8 @@ class SdlPlatform final : public Platform {
   private:
     VideoSubsystem video_;
     std::unique_ptr<SdlWindow> window_;
+    SdlGamepads gamepads_;
+    SdlTouches touches_;
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 

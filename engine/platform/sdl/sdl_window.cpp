@@ -60,6 +60,12 @@ Vec2 SdlWindow::position_from_points(Vec2 points) const {
     return viewport().to_logical({points.x * ratio.x, points.y * ratio.y});
 }
 
+Vec2 SdlWindow::position_from_share(Vec2 share) const {
+    const Viewport view = viewport();
+    return view.to_logical(
+        {share.x * static_cast<float>(view.output.width), share.y * static_cast<float>(view.output.height)});
+}
+
 Vec2 SdlWindow::movement_from_points(Vec2 points) const {
     const Vec2 ratio = pixels_per_point();
     const float scale = viewport().scale;

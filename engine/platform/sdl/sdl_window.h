@@ -29,6 +29,8 @@ class SdlWindow final : public Window {
     /// Turns positions and movements in the desktop's points, as SDL reports them, into logical pixels.
     Vec2 position_from_points(Vec2 points) const;
     Vec2 movement_from_points(Vec2 points) const;
+    /// The same for shares of the window, 0 .. 1, as SDL reports fingers.
+    Vec2 position_from_share(Vec2 share) const;
 
   private:
     struct Destroy {

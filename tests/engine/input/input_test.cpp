@@ -94,6 +94,54 @@ TEST_CASE("losing the focus releases everything") {
     CHECK(state.has_focus());
 }
 
+TEST_CASE("gamepads come, are pressed and moved, and leave nothing behind when they go") {
+    InputState state;
+    CHECK_FALSE(state.gamepad(2).is_connected());
+    state.apply({.kind = InputKind::GamepadConnected, .text = "Pad", .number = 2});
+    state.apply({.kind = InputKind::GamepadPressed, .number = 2, .gamepad_button = GamepadButton::X});
+    state.apply(
+        {.kind = InputKind::GamepadMoved, .number = 2, .gamepad_axis = GamepadAxis::LeftY, .value = -0.5f});
+    CHECK(state.gamepad(2).is_connected());
+    CHECK(state.gamepad(2).name() == "Pad");
+    CHECK(state.gamepad(2).is_down(GamepadButton::X));
+    CHECK(state.gamepad(2).axis(GamepadAxis::LeftY) == -0.5f);
+    CHECK_FALSE(state.gamepad(1).is_down(GamepadButton::X));
+    state.apply({.kind = InputKind::GamepadDisconnected, .number = 2});
+    CHECK_FALSE(state.gamepad(2).is_down(GamepadButton::X));
+    CHECK(state.gamepad(2).axis(GamepadAxis::LeftY) == 0);
+    state.apply({.kind = InputKind::GamepadPressed, .number = 99});
+    CHECK_FALSE(state.gamepad(99).is_down(GamepadButton::A));
+}
+
+TEST_CASE("fingers are followed while they touch") {
+    InputState state;
+    state.apply({.kind = InputKind::TouchPressed, .position = {5, 6}, .number = 3});
+    CHECK(state.touch(3) == Vec2{5, 6});
+    CHECK_FALSE(state.touch(1));
+    state.apply({.kind = InputKind::TouchMoved, .position = {7, 6}, .number = 3});
+    CHECK(state.touch(3) == Vec2{7, 6});
+    state.apply({.kind = InputKind::TouchReleased, .position = {7, 6}, .number = 3});
+    CHECK_FALSE(state.touch(3));
+    state.apply({.kind = InputKind::TouchPressed, .position = {5, 6}, .number = 1});
+    state.apply(plain(InputKind::FocusLost));
+    CHECK_FALSE(state.touch(1));
+}
+
+TEST_CASE("parts of gamepads have names of their own that lead back to them") {
+    std::set<std::string_view> names;
+    for (int i = 0; i < kGamepadButtonCount; ++i) {
+        const auto button = static_cast<GamepadButton>(i);
+        CHECK(names.insert(gamepad_button_name(button)).second);
+        CHECK(gamepad_button_from_name(gamepad_button_name(button)) == button);
+    }
+    for (int i = 0; i < kGamepadAxisCount; ++i) {
+        const auto axis = static_cast<GamepadAxis>(i);
+        CHECK(names.insert(gamepad_axis_name(axis)).second);
+        CHECK(gamepad_axis_from_name(gamepad_axis_name(axis)) == axis);
+    }
+    CHECK_FALSE(gamepad_button_from_name("A"));
+}
+
 TEST_CASE("an event written as text reads back as the same event") {
     InputEvent text = plain(InputKind::TextEntered);
     text.text = "\xc3\xa4 100%\n";
@@ -112,6 +160,19 @@ TEST_CASE("an event written as text reads back as the same event") {
              mouse(InputKind::WheelMoved, {1, 2}, MouseButton::Left, {0, -1}),
              text,
              resized,
+             InputEvent{.kind = InputKind::GamepadConnected, .text = "Pad 2 (blue)", .number = 2},
+             InputEvent{.kind = InputKind::GamepadDisconnected, .number = 8},
+             InputEvent{
+                 .kind = InputKind::GamepadPressed, .number = 1, .gamepad_button = GamepadButton::DpadUp},
+             InputEvent{
+                 .kind = InputKind::GamepadReleased, .number = 1, .gamepad_button = GamepadButton::Start},
+             InputEvent{.kind = InputKind::GamepadMoved,
+             .number = 3,
+             .gamepad_axis = GamepadAxis::RightTrigger,
+             .value = third},
+             InputEvent{.kind = InputKind::TouchPressed, .position = {third, 4}, .number = 10},
+             InputEvent{.kind = InputKind::TouchMoved, .position = {1, 2}, .delta = {-1, third}, .number = 1},
+             InputEvent{.kind = InputKind::TouchReleased, .position = {1, 2}, .number = 1},
              plain(InputKind::FocusGained),
              plain(InputKind::FocusLost),
              plain(InputKind::QuitRequested),
@@ -139,6 +200,11 @@ TEST_CASE("a line that is no event gives an error that names the fault") {
     CHECK_THAT(error_of("mouse_pressed left 3 x"), Catch::Contains("'x' is not a finite number"));
     CHECK_THAT(error_of("mouse_moved 1 2 3 nan"), Catch::Contains("'nan' is not a finite number"));
     CHECK_THAT(error_of("text_entered a%2"), Catch::Contains("hexadecimal"));
+    CHECK_THAT(error_of("gamepad_pressed 9 a"), Catch::Contains("'9' is not a whole number from 1 to 8"));
+    CHECK_THAT(error_of("gamepad_pressed 1 z"), Catch::Contains("no gamepad button 'z'"));
+    CHECK_THAT(error_of("gamepad_moved 1 left_z 0"), Catch::Contains("no gamepad axis 'left_z'"));
+    CHECK_THAT(error_of("gamepad_moved 1 left_x inf"), Catch::Contains("not a finite number"));
+    CHECK_THAT(error_of("touch_pressed 0 1 1"), Catch::Contains("from 1 to 10"));
     CHECK_THAT(error_of("focus_lost now"), Catch::Contains("unexpected 'now'"));
     CHECK_THAT(error_of(""), Catch::Contains("ends before the kind of event"));
 }

@@ -1,5 +1,6 @@
 // A real window, as under Xvfb. Without a display these tests are skipped with a message.
 #include <SDL.h>
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cstdlib>
 
@@ -198,4 +199,63 @@ TEST_CASE("a picture that follows the window tells its new size") {
     REQUIRE_FALSE(resized.empty());
     CHECK(resized.back().delta == Vec2{500, 300});
     CHECK(game.platform->window().logical_size() == Size{500, 300});
+}
+
+TEST_CASE("a gamepad that is plugged in, used and pulled out again is seen") {
+    if (!has_display()) return;
+    SDL_SetHint(SDL_HINT_JOYSTICK_ALLOW_BACKGROUND_EVENTS, "1");
+    WindowGame game;
+    (void)game.events();
+    const int device = SDL_JoystickAttachVirtual(SDL_JOYSTICK_TYPE_GAMECONTROLLER, SDL_CONTROLLER_AXIS_MAX,
+                                                 SDL_CONTROLLER_BUTTON_MAX, 0);
+    REQUIRE(device >= 0);
+    const auto came = game.events_of(InputKind::GamepadConnected);
+    REQUIRE(came.size() == 1);
+    CHECK(came[0].number == 1);
+    CHECK_FALSE(came[0].text.empty());
+
+    SDL_Joystick* joystick = SDL_JoystickFromInstanceID(SDL_JoystickGetDeviceInstanceID(device));
+    REQUIRE(joystick);
+    SDL_JoystickSetVirtualButton(joystick, SDL_CONTROLLER_BUTTON_B, 1);
+    SDL_JoystickSetVirtualAxis(joystick, SDL_CONTROLLER_AXIS_LEFTY, -32768);
+    SDL_JoystickSetVirtualAxis(joystick, SDL_CONTROLLER_AXIS_LEFTX, 2000);  // a tremor
+    SDL_JoystickUpdate();
+    std::vector<std::string> lines;
+    for (const InputEvent& event : game.events())
+        if (event.number == 1) lines.push_back(to_text(event));
+    CHECK(std::count(lines.begin(), lines.end(), "gamepad_pressed 1 b") == 1);
+    CHECK(std::count(lines.begin(), lines.end(), "gamepad_moved 1 left_y 1") == 1);
+    for (const std::string& line : lines) CHECK(line.find("left_x") == std::string::npos);
+    game.platform->rumble(1, 1, 1, 0.1);  // a virtual one cannot; nothing happens
+    game.platform->rumble(7, 1, 1, 0.1);
+
+    SDL_JoystickDetachVirtual(device);
+    const auto went = game.events_of(InputKind::GamepadDisconnected);
+    REQUIRE(went.size() == 1);
+    CHECK(went[0].number == 1);
+}
+
+TEST_CASE("fingers get small numbers, which are given again") {
+    if (!has_display()) return;
+    WindowGame game;
+    const auto finger = [](Uint32 type, SDL_FingerID id, float x, float y) {
+        SDL_Event event = sdl_event(type);
+        event.tfinger.fingerId = id;
+        event.tfinger.x = x;
+        event.tfinger.y = y;
+        event.tfinger.dx = 0.25f;
+        SDL_PushEvent(&event);
+    };
+    finger(SDL_FINGERDOWN, 123456789, 0.5f, 0.5f);
+    finger(SDL_FINGERDOWN, 42, 0.25f, 0.5f);
+    finger(SDL_FINGERMOTION, 123456789, 0.75f, 0.5f);
+    finger(SDL_FINGERUP, 123456789, 0.75f, 0.5f);
+    finger(SDL_FINGERDOWN, 77, 0.5f, 0.25f);
+    finger(SDL_FINGERMOTION, 999, 0.5f, 0.25f);  // never pressed
+    std::vector<std::string> lines;
+    for (const InputEvent& event : game.events())
+        if (event.number != 0) lines.push_back(to_text(event));
+    CHECK(lines == std::vector<std::string>{"touch_pressed 1 160 100", "touch_pressed 2 80 100",
+                                            "touch_moved 1 240 100 80 0", "touch_released 1 240 100",
+                                            "touch_pressed 1 160 50"});
 }

@@ -62,6 +62,8 @@ class Actions {
     void begin_update();
     /// After the event was applied to the state.
     std::vector<Change> follow(const InputState& state);
+    /// Takes what is held down as it is, as if nothing had been pressed or released.
+    void settle(const InputState& state);
 
     bool is_down(std::string_view name) const;
     bool was_pressed(std::string_view name) const;
@@ -77,6 +79,7 @@ class Actions {
         bool was_released = false;
     };
     const Action* find(std::string_view name) const;
+    static bool would_be_down(const Action& action, const InputState& state);
 
     std::map<std::string, Action, std::less<>> actions_;
 };

@@ -75,6 +75,9 @@ class Platform {
     /// Lets other programs run. Headless: returns at once.
     virtual void sleep_s(double duration_s) = 0;
 
+    /// Shakes a gamepad, with its heavy and its light weight, 0 .. 1 each; nothing where there is none.
+    virtual void rumble(int gamepad, float low, float high, double duration_s) = 0;
+
     virtual Result<void> set_clipboard_text(const std::string& text) = 0;
 };
 
