@@ -12,12 +12,13 @@ namespace {
 
 // In the order of the reference.
 constexpr std::array kModules = {
-    &kCoreModule,       &kPhysicsModule, &kWorldMethods, &kBodyMethods,   &kShapeMethods,   &kJointMethods,
-    &kPrefabModule,     &kPrefabMethods, &kCameraModule, &kCameraMethods, &kGraphicsModule, &kImageMethods,
-    &kFontMethods,      &kCanvasMethods, &kQuadMethods,  &kAtlasMethods,  &kBatchMethods,   &kParticlesModule,
-    &kParticlesMethods, &kAudioModule,   &kInputModule,  &kWindowModule,  &kFilesModule,    &kRandomModule,
-    &kRandomMethods,    &kTimerModule,   &kTimerMethods, &kTweenModule,   &kTweenMethods,   &kSceneModule,
-    &kLevelModule,      &kTestModule,
+    &kCoreModule,     &kPhysicsModule, &kWorldMethods,    &kBodyMethods,      &kShapeMethods,
+    &kJointMethods,   &kPrefabModule,  &kPrefabMethods,   &kCameraModule,     &kCameraMethods,
+    &kGraphicsModule, &kImageMethods,  &kFontMethods,     &kCanvasMethods,    &kQuadMethods,
+    &kAtlasMethods,   &kBatchMethods,  &kParticlesModule, &kParticlesMethods, &kTileMapModule,
+    &kTileMapMethods, &kAudioModule,   &kInputModule,     &kWindowModule,     &kFilesModule,
+    &kRandomModule,   &kRandomMethods, &kTimerModule,     &kTimerMethods,     &kTweenModule,
+    &kTweenMethods,   &kSceneModule,   &kLevelModule,     &kTestModule,
 };
 
 struct TypeOfObject {
@@ -35,6 +36,7 @@ constexpr TypeOfObject kTypes[] = {
     {ObjectTag::Font, &kFontMethods, nullptr},
     {ObjectTag::Random, &kRandomMethods, nullptr},
     {ObjectTag::Particles, &kParticlesMethods, finalize_particles},
+    {ObjectTag::TileMap, &kTileMapMethods, finalize_tile_map},
     {ObjectTag::Tween, &kTweenMethods, nullptr},
     {ObjectTag::Timer, &kTimerMethods, nullptr},
     {ObjectTag::Prefab, &kPrefabMethods, finalize_prefab},

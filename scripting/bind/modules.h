@@ -27,6 +27,8 @@ extern const Module kAtlasMethods;
 extern const Module kBatchMethods;
 extern const Module kParticlesModule;  // cairn.particles
 extern const Module kParticlesMethods;
+extern const Module kTileMapModule;  // cairn.tilemap
+extern const Module kTileMapMethods;
 extern const Module kAudioModule;   // cairn.audio
 extern const Module kInputModule;   // cairn.input
 extern const Module kWindowModule;  // cairn.window
@@ -46,10 +48,11 @@ int finalize_world(lua_State* L);
 /// The same of a Prefab.
 int finalize_prefab(lua_State* L);
 
-/// Frees the texture of a Canvas, the sprites of a Batch, the particles of a Particles.
+/// Frees the texture of a Canvas, the sprites of a Batch, the particles of a Particles, a TileMap's map.
 int finalize_canvas(lua_State* L);
 int finalize_batch(lua_State* L);
 int finalize_particles(lua_State* L);
+int finalize_tile_map(lua_State* L);
 
 /// Adds `cairn.random.visual` to the table on top of the stack, and makes math.random use the gameplay
 /// stream.

@@ -28,9 +28,10 @@ enum class ObjectTag : std::uint32_t {
     Atlas,
     Batch,
     Tween,
-    Particles
+    Particles,
+    TileMap
 };
-inline constexpr int kObjectTagCount = static_cast<int>(ObjectTag::Particles) + 1;
+inline constexpr int kObjectTagCount = static_cast<int>(ObjectTag::TileMap) + 1;
 
 struct ObjectHeader {
     ObjectTag tag;
@@ -73,6 +74,8 @@ constexpr const char* object_type_name(ObjectTag tag) {
             return "Tween";
         case ObjectTag::Particles:
             return "Particles";
+        case ObjectTag::TileMap:
+            return "TileMap";
     }
     return "userdata";
 }

@@ -1801,6 +1801,91 @@ function Particles:update(dt) end
 ---All with one draw call, tinted by the color that is set; only in `cairn.draw`.
 function Particles:draw() end
 
+cairn.tilemap = {}
+
+---@class cairn.tilemap.load.Fields
+---@field scale? number units per pixel of the map: metres, under a camera
+---@field y_up? boolean whether y points up, as under a camera
+
+---Loads an orthogonal map of fixed size, .tmx or .tmj, with its tile sets and pictures. Layer data may be CSV or base64, plain or packed with zlib or gzip.
+---@param path string
+---@param fields cairn.tilemap.load.Fields?
+---@return TileMap map
+function cairn.tilemap.load(path, fields) end
+
+---@class TileMap
+local TileMap = {}
+
+---Draws a layer, or all that are visible; only what the picture shows, with the color that is set. Of object layers it draws the tiles. Under a camera load it with `y_up = true` and a scale.
+---@param layer string?
+function TileMap:draw(layer) end
+
+---In the map's units; it begins at (0, 0).
+---@return number width
+---@return number height
+function TileMap:size() end
+
+---@return integer columns
+---@return integer rows
+function TileMap:cells() end
+
+---In the map's units.
+---@return number width
+---@return number height
+function TileMap:cell_size() end
+
+---A new table of the map's own.
+---@return table properties
+function TileMap:properties() end
+
+---A new list, the lowest first; those in groups are called "group/layer".
+---@return string[] names
+function TileMap:layers() end
+
+---The number of a tile among all sets, 0 for none. Columns and rows count from 1, at the top left.
+---@param layer string
+---@param column integer
+---@param row integer
+---@return integer id
+function TileMap:tile(layer, column, row) end
+
+---Puts a tile there, or 0 for none.
+---@param layer string
+---@param column integer
+---@param row integer
+---@param id integer
+function TileMap:set_tile(layer, column, row, id) end
+
+---A new table of what the tile set says about a tile; `class` is its class.
+---@param id integer
+---@return table properties
+function TileMap:tile_properties(id) end
+
+---The cell that holds a place, also outside of the map.
+---@param x number
+---@param y number
+---@return integer column
+---@return integer row
+function TileMap:cell_at(x, y) end
+
+---The middle of a cell.
+---@param column integer
+---@param row integer
+---@return number x
+---@return number y
+function TileMap:cell_center(column, row) end
+
+---Covers the layer's tiles, all or those whose property is there and not false, with few rectangles: a list of { x, y, width, height }, x and y being the middle, as `body:add_box` takes them.
+---@param layer string
+---@param property string?
+---@return table rectangles
+function TileMap:solids(layer, property) end
+
+---A new list of tables: id, name, class, shape ("rectangle", "ellipse", "point", "polygon", "polyline", "tile" or "text"), x, y (the middle), width, height, angle, visible, properties, points, tile, text.
+---@param layer string?
+---@return table objects
+function TileMap:objects(layer) end
+
 cairn.audio = {}
 
 ---@class cairn.audio.play.Fields

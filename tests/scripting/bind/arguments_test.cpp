@@ -23,6 +23,7 @@ std::string receiver(const std::string& type) {
     if (type == "Batch") return "cairn.graphics.new_batch(cairn.graphics.new_image('pixel.png'))";
     if (type == "Tween") return "cairn.tween.to({ x = 1 }, { x = 2 }, 1)";
     if (type == "Particles") return "cairn.particles.new{}";
+    if (type == "TileMap") return "cairn.tilemap.load('map.tmj')";
     if (type == "Prefab") return "cairn.prefab.pendulum(cairn.physics.new_world{})";
     if (type == "Joint") {
         return "(function() local w = cairn.physics.new_world{} return w:add_distance_joint{ body_a = "
@@ -69,8 +70,10 @@ TEST_CASE("nonsense in any argument raises an error that names the binding, and 
                                                "coroutine.create(print)"};
     for (const Module* module : all_modules()) {
         if (std::string(module->name) == "cairn.test") continue;  // only there in tests of games
-        LuaBench bench(GameFiles{{"pixel.png", kPixel},
-                                 {"atlas.json", R"({"frames": {}, "meta": {"image": "pixel.png"}})"}});
+        LuaBench bench(
+            GameFiles{{"pixel.png", kPixel},
+                      {"atlas.json", R"({"frames": {}, "meta": {"image": "pixel.png"}})"},
+                      {"map.tmj", R"({"width": 1, "height": 1, "tilewidth": 1, "tileheight": 1})"}});
         const std::string path = module->is_type ? receiver(module->name) : module->name;
         REQUIRE(bench.run("receiver = " + path) == "");
         for (const Function& function : module->functions) {

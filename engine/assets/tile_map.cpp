@@ -1,0 +1,423 @@
+// Reads maps. Invariant: nothing of a file is believed before it was checked; the first fault ends the
+// reading, with the place at which it was found.
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include <cairn/engine/tile_map.h>
+
+#include "assets/tile_data.h"
+#include "assets/tiled_xml.h"
+
+namespace cairn::engine {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Sides of maps, in tiles; with 16 million cells in all, what fits into memory and into a picture.
+constexpr int kMaxSide = 10000;
+constexpr std::size_t kMaxCells = 16u << 20;
+
+/// Thrown by the reading below and caught in load_tile_map, which makes an Error of it: a fault can lie deep.
+struct Fault {
+    std::string message;
+};
+
+/// A value of the file with the way to it, "layers[2].objects[5]", for messages.
+class Node {
+  public:
+    Node(const Json& json, std::string place) : json_(json), place_(std::move(place)) {
+        if (!json_.is_object()) fail("must be an object");
+    }
+
+    [[noreturn]] void fail(const std::string& rule) const { throw Fault{place_ + ": " + rule}; }
+    [[noreturn]] void fail(const char* field, const std::string& rule) const {
+        const auto found = json_.find(field);
+        const std::string value = found == json_.end() ? "missing" : found->dump().substr(0, 40);
+        throw Fault{(place_.empty() ? "" : place_ + '.') + field + " is " + value + ", but " + rule};
+    }
+
+    bool has(const char* field) const { return json_.contains(field) && !json_[field].is_null(); }
+    const Json& at(const char* field) const { return json_[field]; }
+
+    double number(const char* field, double otherwise) const {
+        return has(field) ? number(field) : otherwise;
+    }
+    double number(const char* field) const {
+        if (!has(field) || !json_[field].is_number() || !std::isfinite(json_[field].get<double>()))
+            fail(field, "must be a number");
+        return json_[field].get<double>();
+    }
+    int whole(const char* field, int low, int high) const {
+        const double value = number(field);
+        if (value != std::floor(value) || value < low || value > high)
+            fail(field, "must be a whole number from " + std::to_string(low) + " to " + std::to_string(high));
+        return static_cast<int>(value);
+    }
+    int whole(const char* field, int low, int high, int otherwise) const {
+        return has(field) ? whole(field, low, high) : otherwise;
+    }
+    std::uint32_t tile_bits(const char* field) const {
+        const double value = number(field);
+        if (value != std::floor(value) || value < 0 || value > 4294967295.0)
+            fail(field, "must be a tile number");
+        return static_cast<std::uint32_t>(value);
+    }
+    std::string text(const char* field, const std::string& otherwise = "") const {
+        if (!has(field)) return otherwise;
+        if (!json_[field].is_string()) fail(field, "must be a text");
+        return json_[field].get<std::string>();
+    }
+    bool flag(const char* field, bool otherwise) const {
+        if (!has(field)) return otherwise;
+        if (!json_[field].is_boolean()) fail(field, "must be true or false");
+        return json_[field].get<bool>();
+    }
+    std::vector<Node> list(const char* field) const {
+        std::vector<Node> nodes;
+        if (!has(field)) return nodes;
+        if (!json_[field].is_array()) fail(field, "must be a list");
+        const std::string place = (place_.empty() ? "" : place_ + '.') + field + '[';
+        for (std::size_t i = 0; i < json_[field].size(); ++i)
+            nodes.emplace_back(json_[field][i], place + std::to_string(i) + ']');
+        return nodes;
+    }
+
+  private:
+    const Json& json_;
+    std::string place_;
+};
+
+/// The path of what a file names, which is relative to that file; "a/../b" is written as "b".
+std::string beside(std::string_view path, const std::string& name) {
+    std::vector<std::string> parts;
+    const std::size_t slash = path.rfind('/');
+    std::string all = (slash == std::string_view::npos ? "" : std::string(path.substr(0, slash + 1))) + name;
+    std::size_t begin = 0;
+    while (begin <= all.size()) {
+        const std::size_t end = std::min(all.find('/', begin), all.size());
+        const std::string part = all.substr(begin, end - begin);
+        if (part == ".." && !parts.empty() && parts.back() != "..")
+            parts.pop_back();
+        else if (part != "." && !part.empty())
+            parts.push_back(part);
+        begin = end + 1;
+    }
+    std::string result;
+    for (const std::string& part : parts) result += (result.empty() ? "" : "/") + part;
+    return result;
+}
+
+Json read_json(const Files& files, std::string_view path) {
+    const Result<std::string> text = files.read_text(path);
+    if (!text) throw Fault{text.error().message};
+    if (path.ends_with(".tmx") || path.ends_with(".tsx") || path.ends_with(".xml")) {
+        Result<Json> json = tiled_json_from_xml(*text);
+        if (!json) throw Fault{json.error().message};
+        return std::move(*json);
+    }
+    try {
+        return Json::parse(*text);
+    } catch (const Json::parse_error& error) {
+        throw Fault{std::string("is not JSON: ") + error.what()};
+    }
+}
+
+TileProperties read_properties(const Node& node) {
+    TileProperties properties;
+    for (const Node& property : node.list("properties")) {
+        const std::string name = property.text("name");
+        if (!property.has("value")) continue;
+        const Json& value = property.at("value");
+        if (value.is_boolean())
+            properties[name] = value.get<bool>();
+        else if (value.is_number())
+            properties[name] = value.get<double>();
+        else if (value.is_string())
+            properties[name] = value.get<std::string>();
+        else
+            property.fail("value", "must be a text, a number, true or false");
+    }
+    return properties;
+}
+
+/// "#rrggbb" or "#aarrggbb".
+std::optional<Color> read_color(const Node& node, const char* field) {
+    if (!node.has(field)) return std::nullopt;
+    std::string text = node.text(field);
+    if (text.starts_with('#')) text.erase(0, 1);
+    if (text.size() == 6) text = "ff" + text;
+    if (text.size() != 8 || text.find_first_not_of("0123456789abcdefABCDEF") != std::string::npos)
+        node.fail(field, "must be a color like \"#rrggbb\"");
+    const auto part = [&](std::size_t at) {
+        return static_cast<float>(std::stoi(text.substr(at, 2), nullptr, 16)) / 255;
+    };
+    return Color{part(2), part(4), part(6), part(0)};
+}
+
+// ---- Tile sets
+
+TileSet read_set(const Node& node, std::uint32_t first_id, std::string_view path) {
+    TileSet set;
+    set.first_id = first_id;
+    set.name = node.text("name");
+    if (!node.has("image"))
+        node.fail("image", "must name the picture of all its tiles; sets of single pictures are not known");
+    set.image_path = beside(path, node.text("image"));
+    set.tile_size = {node.whole("tilewidth", 1, 4096), node.whole("tileheight", 1, 4096)};
+    set.columns = node.whole("columns", 1, 8192);
+    set.tile_count = node.whole("tilecount", 1, 1 << 24);
+    set.margin = node.whole("margin", 0, 4096, 0);
+    set.spacing = node.whole("spacing", 0, 4096, 0);
+    for (const Node& tile : node.list("tiles")) {
+        const std::uint32_t id =
+            first_id + static_cast<std::uint32_t>(tile.whole("id", 0, set.tile_count - 1));
+        TileProperties properties = read_properties(tile);
+        const std::string kind = tile.text("class", tile.text("type"));
+        if (!kind.empty()) properties.emplace("class", kind);
+        if (!properties.empty()) set.properties[id] = std::move(properties);
+        for (const Node& frame : tile.list("animation"))
+            set.animations[id].push_back(
+                {first_id + static_cast<std::uint32_t>(frame.whole("tileid", 0, set.tile_count - 1)),
+                 frame.whole("duration", 1, 3'600'000) / 1000.0});
+    }
+    return set;
+}
+
+// ---- Layers
+
+Tile read_tile(std::uint32_t bits) {
+    return {.id = bits & 0x0fffffffu,
+            .flip_x = (bits & 0x80000000u) != 0,
+            .flip_y = (bits & 0x40000000u) != 0,
+            .flip_diagonal = (bits & 0x20000000u) != 0};
+}
+
+class MapReader {
+  public:
+    MapReader(const Files& files, std::string_view path) : files_(files), path_(path) {}
+
+    TileMap read() {
+        const Json json = read_json(files_, path_);
+        const Node node(json, "");
+        if (node.text("orientation", "orthogonal") != "orthogonal")
+            node.fail("orientation", "must be orthogonal");
+        if (node.flag("infinite", false))
+            node.fail("infinite", "must be false: give the map a fixed size in the editor");
+        map_.columns = node.whole("width", 1, kMaxSide);
+        map_.rows = node.whole("height", 1, kMaxSide);
+        if (cells() > kMaxCells) node.fail("width", "width times height must be at most 16777216");
+        map_.tile_size = {node.whole("tilewidth", 1, 4096), node.whole("tileheight", 1, 4096)};
+        map_.properties = read_properties(node);
+        map_.background = read_color(node, "backgroundcolor");
+        for (const Node& set : node.list("tilesets")) add_set(set);
+        add_layers(node, "", {}, 1, true);
+        return std::move(map_);
+    }
+
+  private:
+    std::size_t cells() const {
+        return static_cast<std::size_t>(map_.columns) * static_cast<std::size_t>(map_.rows);
+    }
+
+    void add_set(const Node& node) {
+        const auto first_id = static_cast<std::uint32_t>(node.whole("firstgid", 1, 0x0fffffff));
+        if (!map_.sets.empty() &&
+            first_id < map_.sets.back().first_id + static_cast<std::uint32_t>(map_.sets.back().tile_count))
+            node.fail("firstgid", "must lie behind the tiles of the set before");
+        if (!node.has("source")) return map_.sets.push_back(read_set(node, first_id, path_));
+        const std::string path = beside(path_, node.text("source"));
+        try {
+            const Json json = read_json(files_, path);
+            map_.sets.push_back(read_set(Node(json, ""), first_id, path));
+        } catch (const Fault& fault) {
+            throw Fault{"the tile set '" + path + "': " + fault.message};
+        }
+    }
+
+    void check_tile(const Tile& tile, const Node& node) const {
+        if (tile.id != 0 && map_.set_of(tile.id) == nullptr)
+            node.fail("it has a tile " + std::to_string(tile.id) + " that no tile set has");
+    }
+
+    void add_layers(const Node& parent, const std::string& prefix, Vec2 offset, float opacity,
+                    bool is_visible) {
+        for (const Node& node : parent.list("layers")) {
+            MapLayer layer;
+            layer.name = prefix + node.text("name");
+            layer.is_visible = is_visible && node.flag("visible", true);
+            layer.opacity = opacity * static_cast<float>(node.number("opacity", 1));
+            layer.offset = offset + Vec2{static_cast<float>(node.number("offsetx", 0)),
+                                         static_cast<float>(node.number("offsety", 0))};
+            layer.properties = read_properties(node);
+            const std::string type = node.text("type");
+            if (type == "group") {
+                add_layers(node, layer.name + '/', layer.offset, layer.opacity, layer.is_visible);
+                continue;
+            }
+            if (type == "imagelayer") continue;  // pictures behind maps are drawn by games themselves
+            if (type == "tilelayer") {
+                read_tiles(node, layer);
+            } else if (type == "objectgroup") {
+                layer.kind = MapLayer::Kind::Objects;
+                for (const Node& object : node.list("objects")) layer.objects.push_back(read_object(object));
+            } else {
+                node.fail("type", "must be a tilelayer, an objectgroup, a group or an imagelayer");
+            }
+            map_.layers.push_back(std::move(layer));
+        }
+    }
+
+    void read_tiles(const Node& node, MapLayer& layer) const {
+        if (node.has("chunks")) node.fail("chunks", "the map must have a fixed size");
+        if (!node.has("data")) node.fail("data", "must hold the tiles");
+        const Json& data = node.at("data");
+        std::vector<std::uint32_t> bits;
+        if (data.is_array()) {
+            for (const Json& value : data) {
+                if (!value.is_number_unsigned()) node.fail("data", "must hold tile numbers");
+                bits.push_back(value.get<std::uint32_t>());
+            }
+            if (bits.size() != cells())
+                node.fail("data has " + std::to_string(bits.size()) + " tiles, but the map has " +
+                          std::to_string(cells()) + " cells");
+        } else {
+            const std::string encoding = node.text("encoding", "csv");
+            if (encoding != "csv" && encoding != "base64") node.fail("encoding", "must be csv or base64");
+            const std::string text = node.text("data");
+            Result<std::vector<std::uint32_t>> read =
+                encoding == "csv" ? tiles_from_csv(text, cells())
+                                  : tiles_from_base64(text, node.text("compression"), cells());
+            if (!read) node.fail(read.error().message);
+            bits = std::move(*read);
+        }
+        layer.tiles.reserve(bits.size());
+        for (const std::uint32_t value : bits) {
+            layer.tiles.push_back(read_tile(value));
+            check_tile(layer.tiles.back(), node);
+        }
+    }
+
+    MapObject read_object(const Node& node) const {
+        if (node.has("template")) node.fail("template", "templates are not known; detach the object from it");
+        MapObject object;
+        object.id = node.whole("id", 0, 1 << 30, 0);
+        object.name = node.text("name");
+        object.kind = node.text("class", node.text("type"));
+        object.position = {static_cast<float>(node.number("x")), static_cast<float>(node.number("y"))};
+        object.size = {static_cast<float>(node.number("width", 0)),
+                       static_cast<float>(node.number("height", 0))};
+        object.rotation_rad =
+            static_cast<float>(node.number("rotation", 0)) * std::numbers::pi_v<float> / 180;
+        object.is_visible = node.flag("visible", true);
+        object.properties = read_properties(node);
+        if (node.flag("ellipse", false)) object.shape = MapShape::Ellipse;
+        if (node.flag("point", false)) object.shape = MapShape::Point;
+        for (const auto& [field, shape] :
+             {std::pair{"polygon", MapShape::Polygon}, std::pair{"polyline", MapShape::Polyline}}) {
+            if (!node.has(field)) continue;
+            object.shape = shape;
+            for (const Node& point : node.list(field))
+                object.points.push_back(
+                    {static_cast<float>(point.number("x")), static_cast<float>(point.number("y"))});
+        }
+        if (node.has("gid")) {
+            object.shape = MapShape::Tile;
+            object.tile = read_tile(node.tile_bits("gid"));
+            check_tile(object.tile, node);
+        }
+        if (node.has("text")) {
+            object.shape = MapShape::Text;
+            object.text = Node(node.at("text"), "text").text("text");
+        }
+        return object;
+    }
+
+    const Files& files_;
+    std::string_view path_;
+    TileMap map_;
+};
+
+}  // namespace
+
+Rect TileSet::source(std::uint32_t id) const {
+    const int index = static_cast<int>(id - first_id);
+    return {static_cast<float>(margin + index % columns * (tile_size.width + spacing)),
+            static_cast<float>(margin + index / columns * (tile_size.height + spacing)),
+            static_cast<float>(tile_size.width), static_cast<float>(tile_size.height)};
+}
+
+const TileSet* TileMap::set_of(std::uint32_t id) const {
+    const auto behind = std::upper_bound(sets.begin(), sets.end(), id,
+                                         [](std::uint32_t i, const TileSet& s) { return i < s.first_id; });
+    if (behind == sets.begin()) return nullptr;
+    const TileSet& set = *(behind - 1);
+    return id - set.first_id < static_cast<std::uint32_t>(set.tile_count) ? &set : nullptr;
+}
+
+const MapLayer* TileMap::layer(std::string_view name) const {
+    for (const MapLayer& layer : layers)
+        if (layer.name == name) return &layer;
+    return nullptr;
+}
+
+const TileProperties& TileMap::properties_of(std::uint32_t id) const {
+    static const TileProperties kNone;
+    const TileSet* set = set_of(id);
+    if (set == nullptr) return kNone;
+    const auto found = set->properties.find(id);
+    return found == set->properties.end() ? kNone : found->second;
+}
+
+std::uint32_t TileMap::shown(std::uint32_t id, double time_s) const {
+    const TileSet* set = set_of(id);
+    if (set == nullptr) return id;
+    const auto found = set->animations.find(id);
+    if (found == set->animations.end()) return id;
+    double length_s = 0;
+    for (const TileFrame& frame : found->second) length_s += frame.duration_s;
+    double rest_s = std::fmod(std::max(time_s, 0.0), length_s);
+    for (const TileFrame& frame : found->second) {
+        if (rest_s < frame.duration_s) return frame.id;
+        rest_s -= frame.duration_s;
+    }
+    return found->second.back().id;
+}
+
+Result<TileMap> load_tile_map(const Files& files, std::string_view path) {
+    try {
+        return MapReader(files, path).read();
+    } catch (const Fault& fault) {
+        return Error{"map '" + std::string(path) + "': " + fault.message};
+    }
+}
+
+std::vector<CellRect> cover_cells(int columns, int rows, const std::vector<bool>& is_solid) {
+    std::vector<CellRect> rects;
+    std::vector<std::size_t> open;  // of the row above, by column
+    for (int row = 0; row < rows; ++row) {
+        std::vector<std::size_t> now;
+        for (int column = 0; column < columns; ++column) {
+            const auto at = [&](int c) { return is_solid[static_cast<std::size_t>(row) * columns + c]; };
+            if (!at(column)) continue;
+            int end = column;
+            while (end < columns && at(end)) ++end;
+            const auto same = std::find_if(open.begin(), open.end(), [&](std::size_t i) {
+                return rects[i].column == column && rects[i].columns == end - column;
+            });
+            if (same != open.end()) {
+                ++rects[*same].rows;
+                now.push_back(*same);
+            } else {
+                now.push_back(rects.size());
+                rects.push_back({column, row, end - column, 1});
+            }
+            column = end;
+        }
+        open = std::move(now);
+    }
+    return rects;
+}
+
+}  // namespace cairn::engine

@@ -1,0 +1,163 @@
+// The rewriting. Source: the pages "TMX Map Format" and "JSON Map Format" of Tiled's manual.
+#include "assets/tiled_xml.h"
+
+#include <array>
+#include <charconv>
+#include <pugixml.hpp>
+#include <string>
+
+namespace cairn::engine {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Attributes that are words even when they look like numbers.
+constexpr std::array<std::string_view, 9> kTexts = {"name",  "value", "type",     "class",      "source",
+                                                    "color", "trans", "encoding", "compression"};
+
+bool is_text(std::string_view name) {
+    for (const std::string_view text : kTexts)
+        if (name == text) return true;
+    return false;
+}
+
+Json number_or_text(std::string_view text) {
+    double value = 0;
+    const auto end = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (end.ec == std::errc{} && end.ptr == text.data() + text.size()) return value;
+    return std::string(text);
+}
+
+Json attributes(const pugi::xml_node& node) {
+    Json json = Json::object();
+    for (const pugi::xml_attribute& attribute : node.attributes()) {
+        const std::string_view name = attribute.name();
+        json[std::string(name)] = is_text(name) ? Json(attribute.value()) : number_or_text(attribute.value());
+    }
+    // XML says 0 and 1 where JSON says false and true.
+    if (json.contains("visible")) json["visible"] = json["visible"] != 0;
+    return json;
+}
+
+Json properties(const pugi::xml_node& node) {
+    Json list = Json::array();
+    for (const pugi::xml_node& property : node.child("properties").children("property")) {
+        Json entry = attributes(property);
+        // A text of several lines stands inside.
+        const std::string value =
+            property.attribute("value") ? property.attribute("value").value() : property.child_value();
+        const std::string type = entry.value("type", "string");
+        if (type == "bool")
+            entry["value"] = value == "true";
+        else if (type == "int" || type == "float" || type == "object")
+            entry["value"] = number_or_text(value);
+        else
+            entry["value"] = value;
+        list.push_back(std::move(entry));
+    }
+    return list;
+}
+
+/// "x,y x,y ..." as [{"x": .., "y": ..}, ...].
+Json points(std::string_view text) {
+    Json list = Json::array();
+    while (!text.empty()) {
+        const std::size_t space = std::min(text.find(' '), text.size());
+        const std::string_view pair = text.substr(0, space);
+        const std::size_t comma = std::min(pair.find(','), pair.size());
+        list.push_back({{"x", number_or_text(pair.substr(0, comma))},
+                        {"y", number_or_text(pair.substr(std::min(comma + 1, pair.size())))}});
+        text.remove_prefix(std::min(space + 1, text.size()));
+    }
+    return list;
+}
+
+Json object(const pugi::xml_node& node) {
+    Json json = attributes(node);
+    json["properties"] = properties(node);
+    if (node.child("ellipse")) json["ellipse"] = true;
+    if (node.child("point")) json["point"] = true;
+    if (const pugi::xml_node text = node.child("text")) json["text"] = {{"text", text.child_value()}};
+    for (const char* name : {"polygon", "polyline"})
+        if (const pugi::xml_node shape = node.child(name))
+            json[name] = points(shape.attribute("points").value());
+    return json;
+}
+
+Json tile_set(const pugi::xml_node& node) {
+    Json json = attributes(node);
+    json["properties"] = properties(node);
+    if (const pugi::xml_node image = node.child("image")) {
+        json["image"] = image.attribute("source").value();
+        json["imagewidth"] = number_or_text(image.attribute("width").value());
+        json["imageheight"] = number_or_text(image.attribute("height").value());
+    }
+    Json tiles = Json::array();
+    for (const pugi::xml_node& tile : node.children("tile")) {
+        Json entry = attributes(tile);
+        entry["properties"] = properties(tile);
+        if (const pugi::xml_node image = tile.child("image"))
+            entry["image"] = image.attribute("source").value();
+        if (const pugi::xml_node animation = tile.child("animation")) {
+            Json frames = Json::array();
+            for (const pugi::xml_node& frame : animation.children("frame"))
+                frames.push_back(attributes(frame));
+            entry["animation"] = std::move(frames);
+        }
+        tiles.push_back(std::move(entry));
+    }
+    json["tiles"] = std::move(tiles);
+    return json;
+}
+
+Json layers(const pugi::xml_node& parent) {
+    Json list = Json::array();
+    for (const pugi::xml_node& node : parent.children()) {
+        const std::string_view name = node.name();
+        if (name != "layer" && name != "objectgroup" && name != "group" && name != "imagelayer") continue;
+        Json json = attributes(node);
+        json["properties"] = properties(node);
+        json["type"] = name == "layer" ? "tilelayer" : std::string(name);
+        if (name == "group") json["layers"] = layers(node);
+        if (name == "layer") {
+            const pugi::xml_node data = node.child("data");
+            for (const char* field : {"encoding", "compression"})
+                if (data.attribute(field)) json[field] = data.attribute(field).value();
+            json["data"] = data.child_value();
+            if (data.child("chunk")) json["chunks"] = Json::array();
+        }
+        if (name == "objectgroup") {
+            Json objects = Json::array();
+            for (const pugi::xml_node& child : node.children("object")) objects.push_back(object(child));
+            json["objects"] = std::move(objects);
+        }
+        list.push_back(std::move(json));
+    }
+    return list;
+}
+
+}  // namespace
+
+Result<Json> tiled_json_from_xml(std::string_view xml) {
+    pugi::xml_document document;
+    const pugi::xml_parse_result parsed = document.load_buffer(xml.data(), xml.size());
+    if (!parsed)
+        return Error{std::string("the XML is broken at byte ") + std::to_string(parsed.offset) + ": " +
+                     parsed.description()};
+    if (const pugi::xml_node set = document.child("tileset")) return tile_set(set);
+    const pugi::xml_node map = document.child("map");
+    if (!map) return Error{"it holds neither a <map> nor a <tileset>"};
+    Json json = attributes(map);
+    // What stays a text in JSON too.
+    json["infinite"] = map.attribute("infinite").as_int() != 0;
+    if (const pugi::xml_attribute color = map.attribute("backgroundcolor"))
+        json["backgroundcolor"] = color.value();
+    json["properties"] = properties(map);
+    Json sets = Json::array();
+    for (const pugi::xml_node& set : map.children("tileset")) sets.push_back(tile_set(set));
+    json["tilesets"] = std::move(sets);
+    json["layers"] = layers(map);
+    return json;
+}
+
+}  // namespace cairn::engine

@@ -1,0 +1,15 @@
+// Rewrites Tiled's XML as the JSON that Tiled writes for the same map, so that one reader reads both.
+// Invariant: what the JSON would have as a number is a number, and what it would have as a list is a list.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string_view>
+
+#include <cairn/engine/result.h>
+
+namespace cairn::engine {
+
+/// Of a map (.tmx) or a tile set (.tsx). The error says at which byte the XML is broken.
+Result<nlohmann::ordered_json> tiled_json_from_xml(std::string_view xml);
+
+}  // namespace cairn::engine

@@ -1,0 +1,117 @@
+// Maps of tiles and objects, as the editor Tiled saves them (.tmx and .tsx, .tmj and .tsj, .json).
+// Invariant: every tile of every layer is 0 or a tile of one of the tile sets, so drawing need not check.
+// Coordinates are pixels of the map, y down, as in the editor.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include <cairn/engine/files.h>
+#include <cairn/engine/geometry.h>
+#include <cairn/engine/result.h>
+
+namespace cairn::engine {
+
+using TileProperty = std::variant<bool, double, std::string>;
+using TileProperties = std::map<std::string, TileProperty, std::less<>>;
+
+/// A tile as a layer holds it: its number among all tile sets, from 1, and how it is turned.
+struct Tile {
+    std::uint32_t id = 0;  ///< 0: none
+    bool flip_x = false;
+    bool flip_y = false;
+    bool flip_diagonal = false;  ///< before the others: x and y change places
+
+    friend bool operator==(const Tile&, const Tile&) = default;
+};
+
+struct TileFrame {
+    std::uint32_t id = 0;
+    double duration_s = 0;
+};
+
+struct TileSet {
+    std::string name;
+    std::uint32_t first_id = 1;
+    int tile_count = 0;
+    Size tile_size;  ///< pixels
+    int columns = 1;
+    int margin = 0;
+    int spacing = 0;
+    std::string image_path;                                      ///< as Files knows it
+    std::map<std::uint32_t, TileProperties> properties;          ///< by id
+    std::map<std::uint32_t, std::vector<TileFrame>> animations;  ///< by id
+
+    /// Where a tile lies in the image.
+    Rect source(std::uint32_t id) const;
+};
+
+enum class MapShape { Rectangle, Ellipse, Point, Polygon, Polyline, Tile, Text };
+
+struct MapObject {
+    int id = 0;
+    std::string name;
+    std::string kind;  ///< the class (or type) that the editor shows
+    MapShape shape = MapShape::Rectangle;
+    Vec2 position;  ///< top left; of tiles the bottom left
+    Vec2 size;
+    float rotation_rad = 0;    ///< clockwise in the editor
+    std::vector<Vec2> points;  ///< of polygons and polylines, from the position
+    Tile tile;
+    std::string text;
+    bool is_visible = true;
+    TileProperties properties;
+};
+
+struct MapLayer {
+    enum class Kind { Tiles, Objects };
+
+    std::string name;
+    Kind kind = Kind::Tiles;
+    bool is_visible = true;
+    float opacity = 1;
+    Vec2 offset;
+    TileProperties properties;
+    std::vector<Tile> tiles;  ///< rows from the top
+    std::vector<MapObject> objects;
+};
+
+struct TileMap {
+    int columns = 0;
+    int rows = 0;
+    Size tile_size;
+    std::vector<TileSet> sets;     ///< by first_id
+    std::vector<MapLayer> layers;  ///< the lowest first; those in groups are named "group/layer"
+    TileProperties properties;
+    std::optional<Color> background;
+
+    const TileSet* set_of(std::uint32_t id) const;
+    const MapLayer* layer(std::string_view name) const;
+    /// The properties of a kind of tile; empty for 0.
+    const TileProperties& properties_of(std::uint32_t id) const;
+    /// What an animated tile shows at a time; others show themselves.
+    std::uint32_t shown(std::uint32_t id, double time_s) const;
+};
+
+/// Orthogonal maps of fixed size; layer data as CSV or base64, plain or compressed with zlib or gzip. Errors
+/// name the file, the place in it, the value and the rule.
+Result<TileMap> load_tile_map(const Files& files, std::string_view path);
+
+/// Covers the cells that `is_solid` says with few rectangles (in cells), so that bodies slide over no joints:
+/// rows of cells are joined, and equal rows below each other.
+struct CellRect {
+    int column = 0;
+    int row = 0;
+    int columns = 0;
+    int rows = 0;
+
+    friend bool operator==(const CellRect&, const CellRect&) = default;
+};
+std::vector<CellRect> cover_cells(int columns, int rows, const std::vector<bool>& is_solid);
+
+}  // namespace cairn::engine

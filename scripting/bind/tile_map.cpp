@@ -1,0 +1,500 @@
+// cairn.tilemap and the methods of TileMap. Invariant: the author sees one frame only, that of the map's
+// units: y down as on the screen, or y up as in the world, with (0, 0) at the map's corner of least x and y.
+#include <algorithm>
+#include <cmath>
+
+#include <cairn/engine/tile_map.h>
+
+#include "bind/context.h"
+#include "bind/fields.h"
+#include "bind/graphics_objects.h"
+#include "bind/modules.h"
+#include "bind/timers.h"
+#include "data/nearest.h"
+#include "lua/state.h"
+
+namespace cairn::scripting {
+namespace {
+
+using engine::MapLayer;
+using engine::MapObject;
+using engine::Rect;
+using engine::Tile;
+using engine::Vec2;
+
+struct TileMapObject : ObjectHeader {
+    static constexpr ObjectTag kTag = ObjectTag::TileMap;
+    engine::TileMap map;
+    std::vector<engine::TextureId> textures;  ///< of the map's sets
+    float scale;                              ///< units per pixel of the map
+    bool is_y_up;
+
+    [[nodiscard]] float cell_width() const { return static_cast<float>(map.tile_size.width) * scale; }
+    [[nodiscard]] float cell_height() const { return static_cast<float>(map.tile_size.height) * scale; }
+    [[nodiscard]] float height() const { return static_cast<float>(map.rows) * cell_height(); }
+    /// From pixels of the map to units.
+    [[nodiscard]] Vec2 to_units(Vec2 pixels) const {
+        const float y = pixels.y * scale;
+        return {pixels.x * scale, is_y_up ? height() - y : y};
+    }
+};
+
+}  // namespace
+
+template <>
+struct Argument<TileMapObject*> {
+    static constexpr std::string_view kType = "TileMap";
+    static TileMapObject* get(lua_State* L, int index) {
+        auto* map = object_at<TileMapObject>(L, index);
+        if (map == nullptr) argument_error(L, index, "a TileMap");
+        return map;
+    }
+};
+
+namespace {
+
+constexpr Field kScale =
+    above(number_field("scale", 1, "1", "units per pixel of the map: metres, under a camera"), 0, 1e6);
+constexpr Field kYUp = boolean_field("y_up", false, "whether y points up, as under a camera");
+constexpr const Field* kOwn[] = {&kScale, &kYUp};
+constexpr FieldSet kLoadFields{kOwn};
+
+Pushed load(lua_State* L, std::string_view path, std::optional<TableArgument> fields) {
+    if (!fields) lua_newtable(L);
+    const FieldReader reader(L, fields ? fields->index : -1, kLoadFields);
+    const Services& services = context_of(L).services;
+    engine::TileMap map = value_or_raise(L, engine::load_tile_map(services.files, path));
+    std::vector<engine::TextureId> textures;
+    for (const engine::TileSet& set : map.sets) {
+        textures.push_back(value_or_raise(L, services.renderer.load_texture(set.image_path)));
+        const engine::Size size = services.renderer.texture_size(textures.back());
+        const Rect last = set.source(set.first_id + static_cast<std::uint32_t>(set.tile_count) - 1);
+        if (last.x + last.width > static_cast<float>(size.width) ||
+            last.y + last.height > static_cast<float>(size.height))
+            call_error(L, "the tile set '" + set.name + "' has more tiles than its picture '" +
+                              set.image_path + "' has room for");
+    }
+    new_object<TileMapObject>(L, 0, std::move(map), std::move(textures), reader.real(kScale),
+                              reader.boolean(kYUp));
+    return {1};
+}
+
+// ---- Facts
+
+std::tuple<float, float> size(TileMapObject* self) {
+    return {static_cast<float>(self->map.columns) * self->cell_width(), self->height()};
+}
+std::tuple<std::int64_t, std::int64_t> cells(TileMapObject* self) {
+    return {self->map.columns, self->map.rows};
+}
+std::tuple<float, float> cell_size(TileMapObject* self) {
+    return {self->cell_width(), self->cell_height()};
+}
+
+void push_properties(lua_State* L, const engine::TileProperties& properties) {
+    lua_createtable(L, 0, static_cast<int>(properties.size()));
+    for (const auto& [name, value] : properties) {
+        if (const bool* flag = std::get_if<bool>(&value)) lua_pushboolean(L, *flag ? 1 : 0);
+        if (const double* number = std::get_if<double>(&value)) {
+            lua_Integer whole = 0;
+            if (lua_numbertointeger(*number, &whole) && static_cast<double>(whole) == *number)
+                lua_pushinteger(L, whole);
+            else
+                lua_pushnumber(L, *number);
+        }
+        if (const std::string* text = std::get_if<std::string>(&value))
+            lua_pushlstring(L, text->data(), text->size());
+        lua_setfield(L, -2, name.c_str());
+    }
+}
+
+Pushed properties(lua_State* L, TileMapObject* self) {
+    push_properties(L, self->map.properties);
+    return {1};
+}
+
+Pushed layers(lua_State* L, TileMapObject* self) {
+    lua_createtable(L, static_cast<int>(self->map.layers.size()), 0);
+    lua_Integer count = 0;
+    for (const MapLayer& layer : self->map.layers) {
+        lua_pushlstring(L, layer.name.data(), layer.name.size());
+        lua_rawseti(L, -2, ++count);
+    }
+    return {1};
+}
+
+/// Raises for a layer that is not there, with the nearest that is.
+MapLayer& find_layer(lua_State* L, TileMapObject* self, std::string_view name, MapLayer::Kind kind) {
+    std::vector<std::string> names;
+    for (MapLayer& layer : self->map.layers) {
+        if (layer.kind != kind) continue;
+        if (layer.name == name) return layer;
+        names.push_back(layer.name);
+    }
+    call_error(L, "layer is \"" + std::string(name) + "\": no such layer of " +
+                      (kind == MapLayer::Kind::Tiles ? "tiles" : "objects") + suggestion(name, names));
+}
+
+// ---- Tiles. Columns and rows count from 1, rows from the top, as the editor shows them plus one.
+
+Tile* tile_at(TileMapObject* self, MapLayer& layer, std::int64_t column, std::int64_t row) {
+    if (column < 1 || row < 1 || column > self->map.columns || row > self->map.rows) return nullptr;
+    return &layer.tiles[static_cast<std::size_t>(row - 1) * static_cast<std::size_t>(self->map.columns) +
+                        static_cast<std::size_t>(column - 1)];
+}
+
+std::int64_t tile(lua_State* L, TileMapObject* self, std::string_view layer, std::int64_t column,
+                  std::int64_t row) {
+    const Tile* found = tile_at(self, find_layer(L, self, layer, MapLayer::Kind::Tiles), column, row);
+    return found ? found->id : 0;
+}
+
+void set_tile(lua_State* L, TileMapObject* self, std::string_view layer, std::int64_t column,
+              std::int64_t row, std::int64_t id) {
+    Tile* found = tile_at(self, find_layer(L, self, layer, MapLayer::Kind::Tiles), column, row);
+    if (!found)
+        call_error(L, "column and row are " + std::to_string(column) + " and " + std::to_string(row) +
+                          "; the map has " + std::to_string(self->map.columns) + " columns and " +
+                          std::to_string(self->map.rows) + " rows");
+    if (id < 0 || id > 0x0fffffff || (id != 0 && !self->map.set_of(static_cast<std::uint32_t>(id))))
+        argument_error(L, 5, "0, or a tile of one of the map's sets");
+    *found = {.id = static_cast<std::uint32_t>(id)};
+}
+
+Pushed tile_properties(lua_State* L, TileMapObject* self, std::int64_t id) {
+    push_properties(
+        L, self->map.properties_of(static_cast<std::uint32_t>(std::clamp<std::int64_t>(id, 0, 0x0fffffff))));
+    return {1};
+}
+
+std::tuple<std::int64_t, std::int64_t> cell_at(TileMapObject* self, float x, float y) {
+    const auto index = [](float place, float cell) {
+        const float whole = std::floor(place / cell);
+        return static_cast<std::int64_t>(std::clamp(whole, -1e9f, 1e9f)) + 1;
+    };
+    return {index(x, self->cell_width()), index(self->is_y_up ? self->height() - y : y, self->cell_height())};
+}
+
+std::tuple<float, float> cell_center(TileMapObject* self, std::int64_t column, std::int64_t row) {
+    const Vec2 middle =
+        self->to_units({(static_cast<float>(column) - 0.5f) * static_cast<float>(self->map.tile_size.width),
+                        (static_cast<float>(row) - 0.5f) * static_cast<float>(self->map.tile_size.height)});
+    return {middle.x, middle.y};
+}
+
+Pushed solids(lua_State* L, TileMapObject* self, std::string_view name,
+              std::optional<std::string_view> property) {
+    const MapLayer& layer = find_layer(L, self, name, MapLayer::Kind::Tiles);
+    std::vector<bool> is_solid;
+    is_solid.reserve(layer.tiles.size());
+    for (const Tile& cell : layer.tiles) {
+        bool solid = cell.id != 0;
+        if (solid && property) {
+            const engine::TileProperties& all = self->map.properties_of(cell.id);
+            const auto found = all.find(*property);
+            const bool* flag = found == all.end() ? nullptr : std::get_if<bool>(&found->second);
+            solid = found != all.end() && (flag == nullptr || *flag);
+        }
+        is_solid.push_back(solid);
+    }
+    lua_newtable(L);
+    lua_Integer count = 0;
+    for (const engine::CellRect& rect : engine::cover_cells(self->map.columns, self->map.rows, is_solid)) {
+        const auto width = static_cast<float>(self->map.tile_size.width);
+        const auto height = static_cast<float>(self->map.tile_size.height);
+        const Vec2 middle = self->to_units(
+            {(static_cast<float>(rect.column) + 0.5f * static_cast<float>(rect.columns)) * width,
+             (static_cast<float>(rect.row) + 0.5f * static_cast<float>(rect.rows)) * height});
+        const std::pair<const char*, float> fields[] = {
+            {"x", middle.x},
+            {"y", middle.y},
+            {"width", static_cast<float>(rect.columns) * self->cell_width()},
+            {"height", static_cast<float>(rect.rows) * self->cell_height()}};
+        lua_createtable(L, 0, 4);
+        for (const auto& [field, value] : fields) {
+            lua_pushnumber(L, static_cast<double>(value));
+            lua_setfield(L, -2, field);
+        }
+        lua_rawseti(L, -2, ++count);
+    }
+    return {1};
+}
+
+// ---- Objects
+
+const char* shape_name(engine::MapShape shape) {
+    switch (shape) {
+        case engine::MapShape::Rectangle:
+            return "rectangle";
+        case engine::MapShape::Ellipse:
+            return "ellipse";
+        case engine::MapShape::Point:
+            return "point";
+        case engine::MapShape::Polygon:
+            return "polygon";
+        case engine::MapShape::Polyline:
+            return "polyline";
+        case engine::MapShape::Tile:
+            return "tile";
+        case engine::MapShape::Text:
+            return "text";
+    }
+    return "";
+}
+
+void set_number(lua_State* L, const char* field, float value) {
+    lua_pushnumber(L, static_cast<double>(value));
+    lua_setfield(L, -2, field);
+}
+void set_text(lua_State* L, const char* field, std::string_view value) {
+    lua_pushlstring(L, value.data(), value.size());
+    lua_setfield(L, -2, field);
+}
+
+void push_map_object(lua_State* L, const TileMapObject& self, const MapObject& object) {
+    // Tiled turns an object about its position; the author gets its middle, which is what bodies and images
+    // want.
+    Vec2 middle = object.size * 0.5f;
+    if (object.shape == engine::MapShape::Tile) middle.y = -middle.y;
+    const engine::Affine2 turn =
+        engine::Affine2::translation(object.position) * engine::Affine2::rotation(object.rotation_rad);
+    const Vec2 center = self.to_units(turn.apply(middle));
+    lua_createtable(L, 0, 12);
+    lua_pushinteger(L, object.id);
+    lua_setfield(L, -2, "id");
+    set_text(L, "name", object.name);
+    set_text(L, "class", object.kind);
+    set_text(L, "shape", shape_name(object.shape));
+    set_number(L, "x", center.x);
+    set_number(L, "y", center.y);
+    set_number(L, "width", object.size.x * self.scale);
+    set_number(L, "height", object.size.y * self.scale);
+    set_number(L, "angle", self.is_y_up ? -object.rotation_rad : object.rotation_rad);
+    lua_pushboolean(L, object.is_visible ? 1 : 0);
+    lua_setfield(L, -2, "visible");
+    if (object.tile.id != 0) {
+        lua_pushinteger(L, object.tile.id);
+        lua_setfield(L, -2, "tile");
+    }
+    if (!object.text.empty()) set_text(L, "text", object.text);
+    push_properties(L, object.properties);
+    lua_setfield(L, -2, "properties");
+    if (object.points.empty()) return;
+    lua_createtable(L, static_cast<int>(object.points.size()), 0);
+    for (std::size_t i = 0; i < object.points.size(); ++i) {
+        const Vec2 point = self.to_units(turn.apply(object.points[i]));
+        lua_createtable(L, 2, 0);
+        lua_pushnumber(L, static_cast<double>(point.x));
+        lua_rawseti(L, -2, 1);
+        lua_pushnumber(L, static_cast<double>(point.y));
+        lua_rawseti(L, -2, 2);
+        lua_rawseti(L, -2, static_cast<lua_Integer>(i + 1));
+    }
+    lua_setfield(L, -2, "points");
+}
+
+Pushed objects(lua_State* L, TileMapObject* self, std::optional<std::string_view> name) {
+    const MapLayer* only = name ? &find_layer(L, self, *name, MapLayer::Kind::Objects) : nullptr;
+    lua_newtable(L);
+    lua_Integer count = 0;
+    for (const MapLayer& layer : self->map.layers) {
+        if (only != nullptr && &layer != only) continue;
+        for (const MapObject& object : layer.objects) {
+            push_map_object(L, *self, object);
+            lua_rawseti(L, -2, ++count);
+        }
+    }
+    return {1};
+}
+
+// ---- Drawing
+
+/// Triangles of the tiles of one layer, sent whenever the picture changes.
+class TileMesh {
+  public:
+    TileMesh(engine::Renderer& renderer, const TileMapObject& map, engine::Color color, double time_s)
+        : renderer_(renderer), map_(map), color_(color), time_s_(time_s) {
+        // Where a pixel of the map is not one of the screen, the filter would mix a tile with its neighbour
+        // in the set.
+        const float pixel = renderer.transform().mean_scale() * renderer.pixel_scale() * map.scale;
+        margin_ = std::fabs(pixel - 1) < 0.001f ? 0 : 0.5f;
+    }
+    ~TileMesh() { send(); }
+    TileMesh(const TileMesh&) = delete;
+    TileMesh& operator=(const TileMesh&) = delete;
+
+    /// A tile whose bottom left lies at a place of the map, in pixels.
+    void add(const Tile& tile, Vec2 bottom_left) {
+        const std::uint32_t id = map_.map.shown(tile.id, time_s_);
+        const engine::TileSet& set = *map_.map.set_of(id);
+        const auto index = static_cast<std::size_t>(&set - map_.map.sets.data());
+        if (index != set_) {
+            send();
+            set_ = index;
+            texture_size_ = renderer_.texture_size(map_.textures[index]);
+        }
+        const Rect source = set.source(id);
+        Vec2 uv[] = {{source.x + margin_, source.y + margin_},
+                     {source.x + source.width - margin_, source.y + margin_},
+                     {source.x + source.width - margin_, source.y + source.height - margin_},
+                     {source.x + margin_, source.y + source.height - margin_}};
+        if (tile.flip_diagonal) std::swap(uv[1], uv[3]);
+        if (tile.flip_x) {
+            std::swap(uv[0], uv[1]);
+            std::swap(uv[2], uv[3]);
+        }
+        if (tile.flip_y) {
+            std::swap(uv[0], uv[3]);
+            std::swap(uv[1], uv[2]);
+        }
+        const Vec2 low = {bottom_left.x, bottom_left.y - source.height};
+        const Vec2 high = {bottom_left.x + source.width, bottom_left.y};
+        const Vec2 corners[] = {low, {high.x, low.y}, high, {low.x, high.y}};
+        const auto first = static_cast<std::uint32_t>(vertices_.size());
+        for (int i = 0; i < 4; ++i)
+            vertices_.push_back({map_.to_units(corners[i]),
+                                 color_,
+                                 {uv[i].x / static_cast<float>(std::max(texture_size_.width, 1)),
+                                  uv[i].y / static_cast<float>(std::max(texture_size_.height, 1))}});
+        indices_.insert(indices_.end(), {first, first + 1, first + 2, first, first + 2, first + 3});
+    }
+
+  private:
+    void send() {
+        if (!indices_.empty()) renderer_.draw_mesh(vertices_, indices_, map_.textures[set_]);
+        vertices_.clear();
+        indices_.clear();
+    }
+
+    engine::Renderer& renderer_;
+    const TileMapObject& map_;
+    engine::Color color_;
+    double time_s_;
+    float margin_ = 0;
+    std::size_t set_ = static_cast<std::size_t>(-1);
+    engine::Size texture_size_;
+    std::vector<engine::MeshVertex> vertices_;
+    std::vector<std::uint32_t> indices_;
+};
+
+/// The cells that the picture may show, with room for tiles that are larger than cells.
+struct CellRange {
+    int first_column, last_column, first_row, last_row;
+};
+CellRange visible_cells(const engine::Renderer& renderer, const TileMapObject& map, Vec2 offset) {
+    const engine::Size target = renderer.target_size();
+    const engine::Affine2 back = renderer.transform().inverse();
+    Vec2 low = {1e30f, 1e30f};
+    Vec2 high = {-1e30f, -1e30f};
+    for (const Vec2 corner : {Vec2{0, 0}, Vec2{1, 0}, Vec2{0, 1}, Vec2{1, 1}}) {
+        Vec2 p = back.apply(
+            {corner.x * static_cast<float>(target.width), corner.y * static_cast<float>(target.height)});
+        if (map.is_y_up) p.y = map.height() - p.y;
+        p = p * (1 / map.scale) - offset;
+        low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+        high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    }
+    engine::Size largest = map.map.tile_size;
+    for (const engine::TileSet& set : map.map.sets)
+        largest = {std::max(largest.width, set.tile_size.width),
+                   std::max(largest.height, set.tile_size.height)};
+    const auto cell = [](float place, int size, int count) {
+        return static_cast<int>(
+            std::clamp(std::floor(place / static_cast<float>(size)), -1.0f, static_cast<float>(count)));
+    };
+    const engine::Size tile = map.map.tile_size;
+    return {std::max(cell(low.x - static_cast<float>(largest.width), tile.width, map.map.columns), 0),
+            std::min(cell(high.x, tile.width, map.map.columns), map.map.columns - 1),
+            std::max(cell(low.y, tile.height, map.map.rows), 0),
+            std::min(cell(high.y + static_cast<float>(largest.height), tile.height, map.map.rows),
+                     map.map.rows - 1)};
+}
+
+void draw_layer(const Context& context, const TileMapObject& map, const MapLayer& layer) {
+    engine::Renderer& renderer = context.services.renderer;
+    engine::Color color = context.draw.color;
+    color.a *= layer.opacity;
+    TileMesh mesh(renderer, map, color, static_cast<double>(context.frame) / kUpdatesPerSecond);
+    if (layer.kind == MapLayer::Kind::Objects) {
+        for (const MapObject& object : layer.objects)
+            if (object.shape == engine::MapShape::Tile && object.is_visible)
+                mesh.add(object.tile, object.position + layer.offset);
+        return;
+    }
+    const CellRange range = visible_cells(renderer, map, layer.offset);
+    for (int row = range.first_row; row <= range.last_row; ++row)
+        for (int column = range.first_column; column <= range.last_column; ++column) {
+            const Tile& tile =
+                layer.tiles[static_cast<std::size_t>(row) * static_cast<std::size_t>(map.map.columns) +
+                            column];
+            if (tile.id == 0) continue;
+            mesh.add(tile, Vec2{static_cast<float>(column * map.map.tile_size.width),
+                                static_cast<float>((row + 1) * map.map.tile_size.height)} +
+                               layer.offset);
+        }
+}
+
+void draw(lua_State* L, TileMapObject* self, std::optional<std::string_view> name) {
+    const Context& context = drawing_context(L);
+    for (const MapLayer& layer : self->map.layers) {
+        if (name ? layer.name == *name : layer.is_visible) draw_layer(context, *self, layer);
+    }
+    if (name && self->map.layer(*name) == nullptr) find_layer(L, self, *name, MapLayer::Kind::Tiles);
+}
+
+constexpr std::array<std::string_view, 1> kReturnsMap = {"TileMap"};
+constexpr std::array<std::string_view, 1> kReturnsTable = {"table"};
+constexpr std::array<std::string_view, 1> kReturnsNames = {"string[]"};
+
+constexpr Function kModuleFunctions[] = {
+    function_pushing<&load>(
+        "load", "path, fields = {}", "map", kReturnsMap,
+        "Loads an orthogonal map of fixed size, .tmx or .tmj, with its tile sets and pictures. Layer "
+        "data may be CSV or base64, plain or packed with zlib or gzip.",
+        &kLoadFields),
+};
+constexpr Function kMethods[] = {
+    function<&draw>(
+        "draw", "layer = nil", "",
+        "Draws a layer, or all that are visible; only what the picture shows, with the color that is set. "
+        "Of object layers it draws the tiles. Under a camera load it with `y_up = true` and a scale."),
+    function<&size>("size", "", "width, height", "In the map's units; it begins at (0, 0)."),
+    function<&cells>("cells", "", "columns, rows", ""),
+    function<&cell_size>("cell_size", "", "width, height", "In the map's units."),
+    function_pushing<&properties>("properties", "", "properties", kReturnsTable,
+                                  "A new table of the map's own."),
+    function_pushing<&layers>("layers", "", "names", kReturnsNames,
+                              "A new list, the lowest first; those in groups are called \"group/layer\"."),
+    function<&tile>(
+        "tile", "layer, column, row", "id",
+        "The number of a tile among all sets, 0 for none. Columns and rows count from 1, at the top left."),
+    function<&set_tile>("set_tile", "layer, column, row, id", "", "Puts a tile there, or 0 for none."),
+    function_pushing<&tile_properties>(
+        "tile_properties", "id", "properties", kReturnsTable,
+        "A new table of what the tile set says about a tile; `class` is its class."),
+    function<&cell_at>("cell_at", "x, y", "column, row",
+                       "The cell that holds a place, also outside of the map."),
+    function<&cell_center>("cell_center", "column, row", "x, y", "The middle of a cell."),
+    function_pushing<&solids>(
+        "solids", "layer, property = nil", "rectangles", kReturnsTable,
+        "Covers the layer's tiles, all or those whose property is there and not false, with few rectangles: "
+        "a list of "
+        "{ x, y, width, height }, x and y being the middle, as `body:add_box` takes them."),
+    function_pushing<&objects>("objects", "layer = nil", "objects", kReturnsTable,
+                               "A new list of tables: id, name, class, shape (\"rectangle\", \"ellipse\", "
+                               "\"point\", \"polygon\", \"polyline\", "
+                               "\"tile\" or \"text\"), x, y (the middle), width, height, angle, visible, "
+                               "properties, points, tile, text."),
+};
+
+}  // namespace
+
+int finalize_tile_map(lua_State* L) {
+    object_at<TileMapObject>(L, 1)->~TileMapObject();
+    return 0;
+}
+
+const Module kTileMapModule = {"cairn.tilemap", "Maps drawn with the editor Tiled.", kModuleFunctions};
+const Module kTileMapMethods = {"TileMap", "A map of tiles and objects.", kMethods, true};
+
+}  // namespace cairn::scripting

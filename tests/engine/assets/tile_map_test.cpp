@@ -1,0 +1,229 @@
+// Maps of Tiled in XML and JSON, every way to write tiles, and what can be wrong with them.
+#include <catch2/catch.hpp>
+
+#include <cairn/engine/random.h>
+#include <cairn/engine/tile_map.h>
+
+#include "engine/support/temporary_folder.h"
+
+using namespace cairn::engine;
+
+namespace {
+
+struct Maps {
+    Maps() {
+        auto made = Files::create({});
+        REQUIRE(made);
+        files = std::move(*made);
+        REQUIRE(files->mount(folder.path().string()));
+        folder.put(
+            "maps/sets/ground.tsx",
+            R"(<?xml version="1.0"?><tileset name="ground" tilewidth="16" tileheight="16" tilecount="8" columns="4"
+                   margin="1" spacing="2"><image source="../../art/ground.png" width="80" height="40"/>
+                   <tile id="2" class="grass"><properties><property name="solid" type="bool" value="true"/></properties></tile>
+                   <tile id="5"><animation><frame tileid="5" duration="100"/><frame tileid="6" duration="300"/></animation></tile>
+                   </tileset>)");
+    }
+    Result<TileMap> load(const std::string& name, const std::string& text) {
+        folder.put("maps/" + name, text);
+        return load_tile_map(*files, "maps/" + name);
+    }
+    TemporaryFolder folder;
+    std::unique_ptr<Files> files;
+};
+
+/// A map of 3 x 2 cells of 16 pixels whose layer's data element is given.
+std::string tmx(const std::string& data, const std::string& more = "") {
+    return R"(<?xml version="1.0" encoding="UTF-8"?><map version="1.10" orientation="orthogonal" width="3" height="2"
+        tilewidth="16" tileheight="16" infinite="0" backgroundcolor="#ff8000"><properties>
+        <property name="title" value="7"/><property name="wind" type="float" value="0.5"/></properties>
+        <tileset firstgid="1" source="sets/ground.tsx"/><layer id="1" name="ground" width="3" height="2" opacity="0.5">)" +
+           data + "</layer>" + more + "</map>";
+}
+
+const char* kCsv = "<data encoding=\"csv\">\n1,0,3,\n2147483650,1610612741,8\n</data>";
+
+std::vector<std::uint32_t> ids(const MapLayer& layer) {
+    std::vector<std::uint32_t> all;
+    for (const Tile& tile : layer.tiles) all.push_back(tile.id);
+    return all;
+}
+
+}  // namespace
+
+TEST_CASE_METHOD(Maps, "a map has its size, its sets, its layers and its properties") {
+    const auto map = load("a.tmx", tmx(kCsv));
+    if (!map) FAIL(map.error().message);
+    CHECK(map->columns == 3);
+    CHECK(map->rows == 2);
+    CHECK(map->tile_size == Size{16, 16});
+    CHECK(map->background == Color{1, 128 / 255.0f, 0, 1});
+    CHECK(std::get<std::string>(map->properties.at("title")) == "7");
+    CHECK(std::get<double>(map->properties.at("wind")) == 0.5);
+    REQUIRE(map->sets.size() == 1);
+    CHECK(map->sets[0].image_path == "art/ground.png");
+    CHECK(map->sets[0].source(1) == Rect{1, 1, 16, 16});
+    CHECK(map->sets[0].source(6) == Rect{19, 19, 16, 16});
+    const MapLayer* ground = map->layer("ground");
+    REQUIRE(ground);
+    CHECK(ground->opacity == 0.5f);
+    CHECK(ids(*ground) == std::vector<std::uint32_t>{1, 0, 3, 2, 5, 8});
+    CHECK(ground->tiles[3] == Tile{.id = 2, .flip_x = true});
+    CHECK(ground->tiles[4] == Tile{.id = 5, .flip_y = true, .flip_diagonal = true});
+}
+
+TEST_CASE_METHOD(Maps, "tiles have properties, and animated ones show frame after frame") {
+    const auto map = load("a.tmx", tmx(kCsv));
+    REQUIRE(map);
+    CHECK(std::get<bool>(map->properties_of(3).at("solid")));
+    CHECK(std::get<std::string>(map->properties_of(3).at("class")) == "grass");
+    CHECK(map->properties_of(1).empty());
+    CHECK(map->properties_of(0).empty());
+    CHECK(map->shown(6, 0.05) == 6);
+    CHECK(map->shown(6, 0.15) == 7);
+    CHECK(map->shown(6, 0.39) == 7);
+    CHECK(map->shown(6, 0.45) == 6);
+    CHECK(map->shown(3, 9) == 3);
+}
+
+TEST_CASE_METHOD(Maps, "every way to write the tiles gives the same tiles") {
+    // The same six numbers, written by Python's base64, zlib and gzip.
+    const std::vector<std::uint32_t> expected = {1, 0, 3, 2, 5, 8};
+    for (const char* data :
+         {"<data encoding=\"base64\">AQAAAAAAAAADAAAAAgAAAAUAAAAIAAAA</data>",
+          "<data encoding=\"base64\" compression=\"zlib\">eJxjZIAAZiBmAmJWIOYAYgAAwAAU</data>",
+          "<data encoding=\"base64\" "
+          "compression=\"gzip\">H4sIAAAAAAACA2NkgABmIGYCYlYg5gBiAOGjQ2oYAAAA</data>",
+          "<data encoding=\"csv\">1,0,3,2,5,8</data>"}) {
+        INFO(data);
+        const auto map = load("b.tmx", tmx(data));
+        if (!map) FAIL(map.error().message);
+        CHECK(ids(map->layers[0]) == expected);
+    }
+}
+
+TEST_CASE_METHOD(Maps, "JSON says the same as XML") {
+    const std::string set =
+        R"({"firstgid": 1, "name": "ground", "tilewidth": 16, "tileheight": 16, "tilecount": 8,
+        "columns": 4, "margin": 1, "spacing": 2, "image": "../art/ground.png",
+        "tiles": [{"id": 2, "type": "grass", "properties": [{"name": "solid", "type": "bool", "value": true}]}]})";
+    const auto json =
+        load("a.tmj", R"({"orientation": "orthogonal", "infinite": false, "width": 3, "height": 2,
+        "tilewidth": 16, "tileheight": 16, "backgroundcolor": "#ff8000", "tilesets": [)" +
+                          set +
+                          R"(], "layers": [{"type": "tilelayer", "name": "ground", "opacity": 0.5,
+        "data": [1, 0, 3, 2147483650, 1610612741, 8]}]})");
+    if (!json) FAIL(json.error().message);
+    const auto xml = load("a.tmx", tmx(kCsv));
+    REQUIRE(xml);
+    CHECK(json->layers[0].tiles == xml->layers[0].tiles);
+    CHECK(json->layers[0].opacity == xml->layers[0].opacity);
+    CHECK(json->sets[0].image_path == xml->sets[0].image_path);
+    CHECK(json->properties_of(3) == xml->properties_of(3));
+    CHECK(json->background == xml->background);
+}
+
+TEST_CASE_METHOD(Maps, "objects of every shape, in groups too") {
+    const auto map = load(
+        "o.tmx",
+        tmx(kCsv, R"(<group name="things" offsetx="3" opacity="0.5"><objectgroup name="objects" visible="0">
+        <object id="4" name="door" class="exit" x="10" y="20" width="6" height="8" rotation="90">
+        <properties><property name="to" value="cellar"/></properties></object>
+        <object id="5" x="1" y="2" width="4" height="4"><ellipse/></object><object id="6" x="1" y="2"><point/></object>
+        <object id="7" x="1" y="2"><polygon points="0,0 5,0 5,-7.5"/></object>
+        <object id="8" x="1" y="2"><polyline points="0,0 1,1"/></object>
+        <object id="9" gid="2147483651" x="16" y="32" width="16" height="16"/>
+        <object id="10" x="0" y="0" width="9" height="9"><text>Hello</text></object></objectgroup></group>)"));
+    if (!map) FAIL(map.error().message);
+    const MapLayer* layer = map->layer("things/objects");
+    REQUIRE(layer);
+    CHECK(layer->kind == MapLayer::Kind::Objects);
+    CHECK_FALSE(layer->is_visible);
+    CHECK(layer->offset == Vec2{3, 0});
+    CHECK(layer->opacity == 0.5f);
+    REQUIRE(layer->objects.size() == 7);
+    const MapObject& door = layer->objects[0];
+    CHECK(door.name == "door");
+    CHECK(door.kind == "exit");
+    CHECK(door.shape == MapShape::Rectangle);
+    CHECK(door.position == Vec2{10, 20});
+    CHECK(door.size == Vec2{6, 8});
+    CHECK(door.rotation_rad == Approx(3.14159265 / 2));
+    CHECK(std::get<std::string>(door.properties.at("to")) == "cellar");
+    CHECK(layer->objects[1].shape == MapShape::Ellipse);
+    CHECK(layer->objects[2].shape == MapShape::Point);
+    CHECK(layer->objects[3].points == std::vector<Vec2>{{0, 0}, {5, 0}, {5, -7.5f}});
+    CHECK(layer->objects[4].shape == MapShape::Polyline);
+    CHECK(layer->objects[5].tile == Tile{.id = 3, .flip_x = true});
+    CHECK(layer->objects[6].text == "Hello");
+}
+
+TEST_CASE_METHOD(Maps, "a wrong map is an error that names the file, the place and the rule") {
+    const auto message = [&](const std::string& text) {
+        const auto map = load("w.tmx", text);
+        return map ? "" : map.error().message;
+    };
+    const auto data = [&](const std::string& d) { return message(tmx(d)); };
+    CHECK_THAT(load_tile_map(*files, "none.tmx").error().message,
+               Catch::Contains("'none.tmx'") && Catch::Contains("not found"));
+    CHECK_THAT(message("<map"),
+               Catch::Contains("maps/w.tmx") && Catch::Contains("the XML is broken at byte"));
+    CHECK_THAT(message("<game/>"), Catch::Contains("neither a <map> nor a <tileset>"));
+    CHECK_THAT(data("<data encoding=\"csv\">1,2,3</data>"),
+               Catch::Contains("layers[0]") && Catch::Contains("3 tiles, but the layer has 6 cells"));
+    CHECK_THAT(data("<data encoding=\"csv\">1,2,3,4,5,6,7</data>"), Catch::Contains("7 tiles"));
+    CHECK_THAT(data("<data encoding=\"csv\">1,2,x,4,5,6</data>"),
+               Catch::Contains("'x,4,5,6' is no tile number"));
+    CHECK_THAT(data("<data encoding=\"csv\">1,2,9,4,5,6</data>"),
+               Catch::Contains("a tile 9 that no tile set has"));
+    CHECK_THAT(data("<data encoding=\"base64\">!!!!</data>"), Catch::Contains("no letter of base64"));
+    CHECK_THAT(data("<data encoding=\"base64\" compression=\"zlib\">AAAA</data>"),
+               Catch::Contains("damaged"));
+    CHECK_THAT(data("<data encoding=\"base64\" compression=\"zstd\">AAAA</data>"),
+               Catch::Contains("save it as CSV"));
+    CHECK_THAT(data("<data encoding=\"morse\">AAAA</data>"),
+               Catch::Contains("encoding is \"morse\", but must be csv or base64"));
+    const auto without = [&](const std::string& from, const std::string& to) {
+        std::string text = tmx(kCsv);
+        return message(text.replace(text.find(from), from.size(), to));
+    };
+    CHECK_THAT(without("orthogonal", "isometric"),
+               Catch::Contains("orientation is \"isometric\", but must be orthogonal"));
+    CHECK_THAT(without("infinite=\"0\"", "infinite=\"1\""), Catch::Contains("a fixed size"));
+    CHECK_THAT(without("width=\"3\"", "width=\"0\""),
+               Catch::Contains("width is 0.0, but must be a whole number from 1"));
+    CHECK_THAT(without("width=\"3\"", "width=\"x\""),
+               Catch::Contains("width is \"x\", but must be a number"));
+    CHECK_THAT(without("sets/ground.tsx", "sets/none.tsx"),
+               Catch::Contains("the tile set 'maps/sets/none.tsx'"));
+    CHECK_THAT(without("#ff8000", "#fg8000"), Catch::Contains("must be a color"));
+    CHECK_THAT(load("w.tmj", "{").error().message, Catch::Contains("is not JSON"));
+    CHECK_THAT(load("w.tmj", "[]").error().message, Catch::Contains("must be an object"));
+    CHECK_THAT(load("w.tmj", R"({"width": 1, "height": 1, "tilewidth": 1, "tileheight": 1, "layers": [3]})")
+                   .error()
+                   .message,
+               Catch::Contains("layers[0]: must be an object"));
+}
+
+TEST_CASE_METHOD(Maps, "a map cut off anywhere is an error and no crash") {
+    const std::string whole =
+        tmx(kCsv, "<objectgroup name=\"o\"><object id=\"1\" x=\"1\" y=\"1\"/></objectgroup>");
+    for (std::size_t length = 0; length < whole.size(); length += 7)
+        CHECK_FALSE(load("c.tmx", whole.substr(0, length)));
+}
+
+TEST_CASE("rectangles cover exactly the solid cells, each once, and runs with one rectangle") {
+    CHECK(cover_cells(4, 3, std::vector<bool>(12, true)) == std::vector<CellRect>{{0, 0, 4, 3}});
+    CHECK(cover_cells(3, 2, std::vector<bool>(6, false)).empty());
+    Random random(3);
+    for (int round = 0; round < 50; ++round) {
+        constexpr int kColumns = 17, kRows = 9;
+        std::vector<bool> solid;
+        for (int i = 0; i < kColumns * kRows; ++i) solid.push_back(random.uniform() < 0.6);
+        std::vector<int> covered(solid.size(), 0);
+        for (const CellRect& r : cover_cells(kColumns, kRows, solid))
+            for (int y = r.row; y < r.row + r.rows; ++y)
+                for (int x = r.column; x < r.column + r.columns; ++x) ++covered[y * kColumns + x];
+        for (std::size_t i = 0; i < solid.size(); ++i) REQUIRE(covered[i] == (solid[i] ? 1 : 0));
+    }
+}

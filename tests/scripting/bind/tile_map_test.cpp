@@ -1,0 +1,122 @@
+// cairn.tilemap: places in both frames, tiles, objects, rectangles for bodies, and the picture.
+#include <catch2/catch.hpp>
+
+#include "scripting/support/drawing.h"
+#include "scripting/support/lua_bench.h"
+
+namespace cairn::scripting::test {
+namespace {
+
+/// Two tiles of 8 x 8 pixels: red, and one that is green above and blue below.
+std::string tiles_png() {
+    engine::Image image{{16, 8}, {}};
+    for (int y = 0; y < 8; ++y)
+        for (int x = 0; x < 16; ++x) {
+            const bool red = x < 8;
+            const bool green = !red && y < 4;
+            image.rgba.insert(image.rgba.end(), {std::uint8_t(red ? 255 : 0), std::uint8_t(green ? 255 : 0),
+                                                 std::uint8_t(!red && !green ? 255 : 0), 255});
+        }
+    const auto png = engine::encode_png(image);
+    return {reinterpret_cast<const char*>(png->data()), png->size()};
+}
+
+struct Maps : LuaBench {
+    Maps()
+        : LuaBench({{"conf.lua", "{ width = 200, height = 100 }"},
+                    {"tiles.png", tiles_png()},
+                    {"map.tmj", R"({"width": 4, "height": 3, "tilewidth": 8, "tileheight": 8,
+        "properties": [{"name": "title", "type": "string", "value": "Test"}],
+        "tilesets": [{"firstgid": 1, "name": "t", "tilewidth": 8, "tileheight": 8, "tilecount": 2, "columns": 2,
+            "image": "tiles.png", "tiles": [{"id": 0, "properties": [{"name": "solid", "type": "bool", "value": true}]}]}],
+        "layers": [{"type": "tilelayer", "name": "ground", "data": [0, 0, 0, 2,  1, 1, 0, 2,  1, 1, 1, 1]},
+            {"type": "objectgroup", "name": "things", "objects": [{"id": 1, "name": "start", "type": "spawn", "x": 8, "y": 0,
+            "width": 8, "height": 8, "properties": [{"name": "lives", "type": "int", "value": 3}]},
+            {"id": 2, "x": 0, "y": 24, "polygon": [{"x": 0, "y": 0}, {"x": 8, "y": 0}, {"x": 8, "y": -8}]}]}]})"}},
+                   MachineKind::HeadlessDrawing) {
+        REQUIRE(run("screen = cairn.tilemap.load('map.tmj') world = cairn.tilemap.load('map.tmj', { scale = "
+                    "1 / 8, y_up = "
+                    "true })") == "");
+    }
+};
+
+}  // namespace
+
+TEST_CASE_METHOD(Maps, "the same place has its coordinates in each frame") {
+    CHECK(value("table.concat({ screen:size() }, ' ')") == "32.0 24.0");
+    CHECK(value("table.concat({ world:size() }, ' ')") == "4.0 3.0");
+    CHECK(value("table.concat({ world:cells() }, ' ') .. ' ' .. table.concat({ world:cell_size() }, ' ')") ==
+          "4 3 1.0 1.0");
+    CHECK(value("table.concat({ screen:cell_center(1, 3) }, ' ')") == "4.0 20.0");
+    CHECK(value("table.concat({ world:cell_center(1, 3) }, ' ')") == "0.5 0.5");
+    CHECK(value("table.concat({ screen:cell_at(25, 1) }, ' ')") == "4 1");
+    CHECK(value("table.concat({ world:cell_at(3.1, 2.9) }, ' ')") == "4 1");
+    CHECK(value("table.concat({ world:cell_at(-0.1, 3.1) }, ' ')") == "0 0");
+}
+
+TEST_CASE_METHOD(Maps, "tiles are asked for and put, and what is solid is covered by few rectangles") {
+    CHECK(
+        value("screen:tile('ground', 1, 2) .. screen:tile('ground', 3, 2) .. screen:tile('ground', 9, 9)") ==
+        "100");
+    CHECK(value("screen:tile_properties(1).solid") == "true");
+    CHECK(value("screen:properties().title .. ' ' .. table.concat(screen:layers(), ' ')") ==
+          "Test ground things");
+    REQUIRE(run("function text(list) local t = {} for i, r in ipairs(list) do t[i] = ('%g,%g "
+                "%gx%g'):format(r.x, r.y, "
+                "r.width, r.height) end return table.concat(t, '; ') end") == "");
+    CHECK(value("text(world:solids('ground', 'solid'))") == "1,1.5 2x1; 2,0.5 4x1");
+    REQUIRE(run("w = cairn.physics.new_world{} ground = w:new_body{ type = 'static' } for _, rect in "
+                "ipairs(world:solids('ground')) do ground:add_box(rect) end") == "");
+    CHECK(value("w:body_at(0.5, 1.5) == ground and w:body_at(2.5, 1.5) == nil and w:body_at(3.5, 2.5) == "
+                "ground") == "true");
+    REQUIRE(run("world:set_tile('ground', 3, 2, 1)") == "");
+    CHECK(value("text(world:solids('ground', 'solid'))") == "1.5,1.5 3x1; 2,0.5 4x1");
+}
+
+TEST_CASE_METHOD(Maps, "objects come with their middle, points and properties") {
+    REQUIRE(run("start = world:objects('things')[1] slope = world:objects()[2]") == "");
+    CHECK(value("('%s %s %s %g %g %g %g %d'):format(start.name, start.class, start.shape, start.x, start.y, "
+                "start.width, "
+                "start.height, start.properties.lives)") == "start spawn rectangle 1.5 2.5 1 1 3");
+    CHECK(value("slope.shape .. ' ' .. #slope.points .. ' ' .. slope.points[3][1] .. ' ' .. "
+                "slope.points[3][2]") == "polygon 3 1.0 1.0");
+}
+
+TEST_CASE_METHOD(Maps, "the map is drawn upright in each frame") {
+    REQUIRE(run("camera = cairn.camera.new{ x = 2, y = 1.5, height = 10 }") == "");
+    const engine::Image image =
+        picture_of(*this, "screen:draw() camera:attach() world:draw('ground') camera:detach()");
+    is_color(image, 4, 12, 255, 0, 0);
+    is_color(image, 4, 4, 0, 0, 0);
+    is_color(image, 28, 2, 0, 255, 0);
+    is_color(image, 28, 6, 0, 0, 255);
+    // 10 pixels a metre; the map lies from 80 to 120 and from 35 to 65.
+    is_color(image, 85, 50, 255, 0, 0);
+    is_color(image, 85, 40, 0, 0, 0);
+    is_color(image, 115, 37, 0, 255, 0);
+    is_color(image, 115, 43, 0, 0, 255);
+    is_color(image, 125, 50, 0, 0, 0);
+    CHECK(machine().renderer->stats().draw_calls == 1);
+}
+
+TEST_CASE_METHOD(Maps, "what the picture does not show is not drawn") {
+    picture_of(*this, "cairn.graphics.translate(-1000, 0) screen:draw()");
+    CHECK(machine().renderer->stats().vertices == 0);
+    picture_of(*this, "screen:draw('ground')");
+    CHECK(machine().renderer->stats().vertices == 4 * 8);
+}
+
+TEST_CASE_METHOD(Maps, "wrong layers, tiles and files say what is wrong") {
+    CHECK(run("screen:tile('grond', 1, 1)")
+              .find("layer is \"grond\": no such layer of tiles; did you mean \"ground\"?") !=
+          std::string::npos);
+    CHECK(run("screen:objects('ground')").find("no such layer of objects") != std::string::npos);
+    CHECK(run("screen:set_tile('ground', 9, 1, 1)").find("the map has 4 columns and 3 rows") !=
+          std::string::npos);
+    CHECK(run("screen:set_tile('ground', 1, 1, 3)").find("id is 3; expected 0, or a tile") !=
+          std::string::npos);
+    CHECK(run("cairn.tilemap.load('none.tmx')").find("map 'none.tmx'") != std::string::npos);
+    CHECK(draw_error(*this, "screen:draw('sky')").find("layer is \"sky\"") != std::string::npos);
+}
+
+}  // namespace cairn::scripting::test
