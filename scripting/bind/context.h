@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <lua.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -54,6 +55,7 @@ struct Context {
     engine::Random random;         ///< of gameplay: seeded, recorded, hashed
     engine::Random visual_random;  ///< of what decides nothing
     engine::InputState input{};
+    std::span<const engine::InputEvent> events{};  ///< of the update that runs
     engine::Actions actions{};
     int listener = LUA_NOREF;  ///< in the registry: what cairn.input.listen was given
     Timers timers{};

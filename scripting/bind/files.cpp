@@ -37,6 +37,22 @@ bool exists(lua_State* L, std::string_view path) {
     return context.services.files.exists(path);
 }
 
+engine::Result<void> remove(lua_State* L, std::string_view path) {
+    Context& context = context_of(L);
+    check_or_raise(L, engine::check_virtual_path(path));
+    if (auto* saves = played(context, path)) return saves->remove(path);
+    // Refuses what is not below save/.
+    return context.services.files.remove(path);
+}
+
+bool is_folder(lua_State* L, std::string_view path) {
+    const Context& context = context_of(L);
+    if (!engine::check_virtual_path(path)) return false;
+    if (const auto* saves = played(context, path)) return saves->is_folder(path);
+    const auto kind = context.services.files.kind(path);
+    return kind && *kind == engine::FileKind::Folder;
+}
+
 Pushed list(lua_State* L, std::string_view folder) {
     const Context& context = context_of(L);
     check_or_raise(L, engine::check_virtual_path(folder));
@@ -67,7 +83,9 @@ constexpr Function kFunctions[] = {
     function<&read>("read", "path", "text", "The contents of a file."),
     function<&write>("write", "path, text", "",
                      "Replaces a file below `save/` in one stroke; folders are made as needed."),
+    function<&remove>("remove", "path", "", "Deletes a file below `save/`."),
     function<&exists>("exists", "path", "exists", ""),
+    function<&is_folder>("is_folder", "path", "folder", ""),
     function_pushing<&list>("list", "folder", "names", kReturnsTable,
                             "Sorted names of what a folder holds; \"\" is the game."),
     function_pushing<&read_data>("read_data", "path", "data", kReturnsTable,

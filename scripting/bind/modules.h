@@ -29,6 +29,8 @@ extern const Module kParticlesModule;  // cairn.particles
 extern const Module kParticlesMethods;
 extern const Module kTileMapModule;  // cairn.tilemap
 extern const Module kTileMapMethods;
+extern const Module kUiModule;  // cairn.ui
+extern const Module kUiMethods;
 extern const Module kAudioModule;   // cairn.audio
 extern const Module kInputModule;   // cairn.input
 extern const Module kWindowModule;  // cairn.window
@@ -48,11 +50,13 @@ int finalize_world(lua_State* L);
 /// The same of a Prefab.
 int finalize_prefab(lua_State* L);
 
-/// Frees the texture of a Canvas, the sprites of a Batch, the particles of a Particles, a TileMap's map.
+/// Frees the texture of a Canvas, the sprites of a Batch, the particles of a Particles, a TileMap's map, a
+/// Ui's widgets.
 int finalize_canvas(lua_State* L);
 int finalize_batch(lua_State* L);
 int finalize_particles(lua_State* L);
 int finalize_tile_map(lua_State* L);
+int finalize_ui(lua_State* L);
 
 /// Adds `cairn.random.visual` to the table on top of the stack, and makes math.random use the gameplay
 /// stream.

@@ -29,9 +29,10 @@ enum class ObjectTag : std::uint32_t {
     Batch,
     Tween,
     Particles,
-    TileMap
+    TileMap,
+    Ui
 };
-inline constexpr int kObjectTagCount = static_cast<int>(ObjectTag::TileMap) + 1;
+inline constexpr int kObjectTagCount = static_cast<int>(ObjectTag::Ui) + 1;
 
 struct ObjectHeader {
     ObjectTag tag;
@@ -76,6 +77,8 @@ constexpr const char* object_type_name(ObjectTag tag) {
             return "Particles";
         case ObjectTag::TileMap:
             return "TileMap";
+        case ObjectTag::Ui:
+            return "Ui";
     }
     return "userdata";
 }

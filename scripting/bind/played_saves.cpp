@@ -53,6 +53,14 @@ engine::Result<void> PlayedSaves::write(std::string_view path, std::string_view 
     return {};
 }
 
+engine::Result<void> PlayedSaves::remove(std::string_view path) {
+    const auto found = files_.find(path);
+    if (found == files_.end()) return path_error(path, is_folder(path) ? "is a folder" : "not found");
+    bytes_ -= found->first.size() + found->second.size();
+    files_.erase(found);
+    return {};
+}
+
 bool PlayedSaves::exists(std::string_view path) const {
     return files_.contains(path) || is_folder(path);
 }

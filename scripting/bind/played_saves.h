@@ -22,13 +22,13 @@ class PlayedSaves {
 
     engine::Result<std::string> read(std::string_view path) const;
     engine::Result<void> write(std::string_view path, std::string_view text);
+    engine::Result<void> remove(std::string_view path);
     bool exists(std::string_view path) const;
+    bool is_folder(std::string_view path) const;
     /// Names, sorted.
     engine::Result<std::vector<std::string>> list(std::string_view folder) const;
 
   private:
-    bool is_folder(std::string_view path) const;
-
     std::map<std::string, std::string, std::less<>> files_;  ///< by path, with "save/"
     std::size_t bytes_ = 0;
 };

@@ -253,6 +253,7 @@ std::optional<ScriptError> Game::run_timers() {
 std::optional<ScriptError> Game::update(std::span<const InputEvent> events) {
     ++context_.frame;
     context_.actions.begin_update();
+    context_.events = events;
     for (const InputEvent& event : events) {
         if (auto error = deliver(event)) return error;
     }
@@ -262,6 +263,7 @@ std::optional<ScriptError> Game::update(std::span<const InputEvent> events) {
         if (auto error = protected_call(state_.get(), 0, 0)) return error;
     }
     auto error = call("update", nullptr, engine::FixedStep::kDefaultStep_s);
+    context_.events = {};
     context_.services.audio.advance(engine::FixedStep::kDefaultStep_s);
     return error;
 }

@@ -1886,6 +1886,138 @@ function TileMap:solids(layer, property) end
 ---@return table objects
 function TileMap:objects(layer) end
 
+cairn.ui = {}
+
+---@class cairn.ui.new.Fields
+---@field x? number px; the panel's middle; absent: that of the screen
+---@field y? number px
+---@field width? number px
+---@field max_height? number px of the panel; what does not fit is scrolled
+---@field row_height? number px; less is hard to hit with a finger
+---@field font_size? number px
+---@field title? string above the rows
+---@field accent? table {r, g, b}: of the title, the focus and values
+---@field back? function called for escape and the gamepad's "b"
+
+---Makes an empty panel.
+---@param fields cairn.ui.new.Fields?
+---@return Ui ui
+function cairn.ui.new(fields) end
+
+---@class Ui
+local Ui = {}
+
+---@class Ui.add_label.Fields
+---@field text? string what stands on it
+---@field same_row? boolean stands beside the widget before it
+
+---Adds a text. Widgets are numbered from 1, from the top.
+---@param fields Ui.add_label.Fields
+---@return integer widget
+function Ui:add_label(fields) end
+
+---@class Ui.add_button.Fields
+---@field action? function called when it is pressed
+---@field text? string what stands on it
+---@field enabled? boolean whether it can be used
+---@field same_row? boolean stands beside the widget before it
+
+---Adds a button.
+---@param fields Ui.add_button.Fields
+---@return integer widget
+function Ui:add_button(fields) end
+
+---@class Ui.add_toggle.Fields
+---@field value? boolean
+---@field changed? function called with true or false
+---@field text? string what stands on it
+---@field enabled? boolean whether it can be used
+---@field same_row? boolean stands beside the widget before it
+
+---Adds a switch that is on or off.
+---@param fields Ui.add_toggle.Fields
+---@return integer widget
+function Ui:add_toggle(fields) end
+
+---@class Ui.add_slider.Fields
+---@field value? number
+---@field low? number
+---@field high? number above low
+---@field step? number what one press changes
+---@field changed? function called with the number
+---@field text? string what stands on it
+---@field enabled? boolean whether it can be used
+---@field same_row? boolean stands beside the widget before it
+
+---Adds a number between two ends.
+---@param fields Ui.add_slider.Fields
+---@return integer widget
+function Ui:add_slider(fields) end
+
+---@class Ui.add_choice.Fields
+---@field choices table a list of strings
+---@field value? integer counts from 1
+---@field changed? function called with the number and the string
+---@field text? string what stands on it
+---@field enabled? boolean whether it can be used
+---@field same_row? boolean stands beside the widget before it
+
+---Adds one of several words.
+---@param fields Ui.add_choice.Fields
+---@return integer widget
+function Ui:add_choice(fields) end
+
+---@class Ui.add_text.Fields
+---@field value? string
+---@field max_length? integer characters, 1 to 1000
+---@field changed? function called with the text
+---@field text? string what stands on it
+---@field enabled? boolean whether it can be used
+---@field same_row? boolean stands beside the widget before it
+
+---Adds a field that text is typed into.
+---@param fields Ui.add_text.Fields
+---@return integer widget
+function Ui:add_text(fields) end
+
+---Takes the events of this update, and calls what was given for the widgets. Once per update of the scene that has it.
+function Ui:update() end
+
+---In screen pixels, whatever the transform; only in `cairn.draw`.
+function Ui:draw() end
+
+---A boolean, a number, the number of a choice, or a text; nil of labels and buttons.
+---@param widget integer
+---@return any value
+function Ui:value(widget) end
+
+---Without calling `changed`.
+---@param widget integer
+---@param value any
+function Ui:set_value(widget, value) end
+
+---What stands on it.
+---@param widget integer
+---@param text string
+function Ui:set_text(widget, text) end
+
+---@param widget integer
+---@param enabled boolean
+function Ui:set_enabled(widget, enabled) end
+
+---@param title string
+function Ui:set_title(title) end
+
+---The one that keys and gamepads act on; 0: none.
+---@return integer widget
+function Ui:focus() end
+
+---@param widget integer
+function Ui:set_focus(widget) end
+
+---Takes all widgets out.
+function Ui:clear() end
+
 cairn.audio = {}
 
 ---@class cairn.audio.play.Fields
@@ -2109,9 +2241,17 @@ function cairn.files.read(path) end
 ---@param text string
 function cairn.files.write(path, text) end
 
+---Deletes a file below `save/`.
+---@param path string
+function cairn.files.remove(path) end
+
 ---@param path string
 ---@return boolean exists
 function cairn.files.exists(path) end
+
+---@param path string
+---@return boolean folder
+function cairn.files.is_folder(path) end
 
 ---Sorted names of what a folder holds; "" is the game.
 ---@param folder string

@@ -24,6 +24,7 @@ std::string receiver(const std::string& type) {
     if (type == "Tween") return "cairn.tween.to({ x = 1 }, { x = 2 }, 1)";
     if (type == "Particles") return "cairn.particles.new{}";
     if (type == "TileMap") return "cairn.tilemap.load('map.tmj')";
+    if (type == "Ui") return "cairn.ui.new{}";
     if (type == "Prefab") return "cairn.prefab.pendulum(cairn.physics.new_world{})";
     if (type == "Joint") {
         return "(function() local w = cairn.physics.new_world{} return w:add_distance_joint{ body_a = "

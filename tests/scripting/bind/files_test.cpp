@@ -91,5 +91,26 @@ TEST_CASE("saves in memory have a limit, and what is replaced does not count") {
     CHECK(bench.run("cairn.files.write('save/a', '') cairn.files.write('save/b', half)") == "");
 }
 
+TEST_CASE("saved files are removed, in memory and on disk alike") {
+    for (const bool in_memory : {true, false}) {
+        INFO(in_memory);
+        LuaBench bench({}, MachineKind::Headless, {.plays_saves = in_memory});
+        REQUIRE(
+            bench.run("cairn.files.write('save/a/one.txt', 'first') cairn.files.write('save/two.txt', '')") ==
+            "");
+        CHECK(bench.value("cairn.files.is_folder('save/a')") == "true");
+        CHECK(bench.value("cairn.files.is_folder('save/two.txt')") == "false");
+        CHECK(bench.value("cairn.files.is_folder('nowhere')") == "false");
+        REQUIRE(bench.run("cairn.files.remove('save/two.txt')") == "");
+        CHECK(bench.value("cairn.files.exists('save/two.txt')") == "false");
+        CHECK(bench.value("cairn.files.exists('save/a/one.txt')") == "true");
+        CHECK(bench.run("cairn.files.remove('save/two.txt')").find("save/two.txt") != std::string::npos);
+        CHECK(bench.run("cairn.files.remove('save/a')") != "");
+        CHECK(bench.run("cairn.files.remove('main.lua')").find("save/") != std::string::npos);
+        CHECK(bench.run("cairn.files.remove('save/../main.lua')") != "");
+        CHECK(bench.value("cairn.files.read('save/a/one.txt')") == "first");
+    }
+}
+
 }  // namespace
 }  // namespace cairn::scripting::test
