@@ -7,6 +7,7 @@
 
 #include <cairn/engine/renderer.h>
 
+#include "base/utf8.h"
 #include "render/renderer_state.h"
 #include "render/text_layout.h"
 
@@ -31,6 +32,15 @@ bool is_upright(const Affine2& map) {
     return map.b == 0 && map.c == 0 && map.a > 0 && map.a == map.d;
 }
 
+/// Of a character in a text with spans.
+Color span_color(const TextDraw& draw, int index) {
+    const auto behind = std::upper_bound(draw.spans.begin(), draw.spans.end(), index,
+                                         [](int i, const TextSpan& span) { return i < span.first; });
+    if (behind == draw.spans.begin()) return draw.color;
+    const Color& c = (behind - 1)->color;
+    return {c.r * draw.color.r, c.g * draw.color.g, c.b * draw.color.b, c.a * draw.color.a};
+}
+
 }  // namespace
 
 Result<FontId> Renderer::load_font(std::string_view path, float size) {
@@ -46,13 +56,34 @@ float Renderer::line_height(FontId font) const {
     return face ? static_cast<float>(face->line_height()) : 0;
 }
 
-Vec2 Renderer::measure_text(FontId font, std::string_view text, float wrap_width) const {
+Vec2 Renderer::measure_text(FontId font, std::string_view text, float wrap_width, float line_spacing) const {
     const FontFace* face = state_->fonts.nominal(font);
     if (!face || text.empty()) return {};
     const std::vector<TextLine> lines = layout_text(*face, text, wrap_width);
     float width = 0;
     for (const TextLine& line : lines) width = std::max(width, line.width);
-    return {width, static_cast<float>(lines.size()) * static_cast<float>(face->line_height())};
+    const auto between = static_cast<float>(lines.size() - 1) * line_spacing;
+    return {width, (between + 1) * static_cast<float>(face->line_height())};
+}
+
+std::vector<std::string> Renderer::wrap_text(FontId font, std::string_view text, float wrap_width) const {
+    std::vector<std::string> wrapped;
+    const FontFace* face = state_->fonts.nominal(font);
+    if (!face) return wrapped;
+    std::vector<std::size_t> starts;  // in bytes, by character
+    for (std::string_view rest = text; !rest.empty(); take_character(rest))
+        starts.push_back(text.size() - rest.size());
+    starts.push_back(text.size());
+    for (const TextLine& line : layout_text(*face, text, wrap_width)) {
+        if (line.characters.empty()) {
+            wrapped.emplace_back();
+            continue;
+        }
+        const std::size_t begin = starts[static_cast<std::size_t>(line.characters.front().index)];
+        const std::size_t end = starts[static_cast<std::size_t>(line.characters.back().index) + 1];
+        wrapped.emplace_back(text.substr(begin, end - begin));
+    }
+    return wrapped;
 }
 
 void Renderer::draw_text(FontId font, std::string_view text, const TextDraw& draw) {
@@ -74,13 +105,15 @@ void Renderer::draw_text(FontId font, std::string_view text, const TextDraw& dra
     // A letter's picture is drawn pixel by pixel where that is possible, and scaled where it is not.
     const bool snapped = is_upright(map) && std::fabs(wanted - static_cast<float>(pixels)) < 0.5f;
     const float picture_scale = static_cast<float>(nominal_pixels) / static_cast<float>(pixels);
-    const Rgba8 color = to_rgba8(draw.color);
+    const Rgba8 plain = to_rgba8(draw.color);
 
     const std::vector<TextLine> lines = layout_text(*nominal, text, draw.wrap_width);
     float baseline = draw.position.y + static_cast<float>(nominal->ascent());
     for (const TextLine& line : lines) {
         const float start = draw.position.x + aligned_start(line, draw);
         for (const PlacedCharacter& placed : line.characters) {
+            if (draw.shown >= 0 && placed.index >= draw.shown) continue;
+            const Rgba8 color = draw.spans.empty() ? plain : to_rgba8(span_color(draw, placed.index));
             const std::optional<GlyphCache::Entry> glyph =
                 s.glyphs.find(font, pixels, *face, placed.character);
             if (!glyph || glyph->size.width == 0) continue;
@@ -112,7 +145,7 @@ void Renderer::draw_text(FontId font, std::string_view text, const TextDraw& dra
             out.add({corners[3], color, {uv.x, uv.y + uv.height}});
             out.add_quad(first, first + 1, first + 2, first + 3);
         }
-        baseline += static_cast<float>(nominal->line_height());
+        baseline += draw.line_spacing * static_cast<float>(nominal->line_height());
     }
 }
 

@@ -18,13 +18,14 @@ class LineBreaker {
     LineBreaker(const FontFace& font, float wrap_width) : font_(font), wrap_width_(wrap_width) {}
 
     void add(char32_t character) {
+        const int index = next_index_++;
         if (character == '\r') return;
         if (character == '\n') {
             end_line();
         } else if (character == '\t') {
-            for (int i = 0; i < kTabSpaces; ++i) append(' ');
+            for (int i = 0; i < kTabSpaces; ++i) append(' ', index);
         } else {
-            append(character);
+            append(character, index);
             const bool too_wide = wrap_width_ > 0 && line_.width > wrap_width_;
             if (too_wide && character != ' ' && line_.characters.size() > 1) break_line();
         }
@@ -36,10 +37,10 @@ class LineBreaker {
     }
 
   private:
-    void append(char32_t character) {
+    void append(char32_t character, int index) {
         if (!line_.characters.empty())
             line_.width += static_cast<float>(font_.kerning(line_.characters.back().character, character));
-        line_.characters.push_back({character, line_.width});
+        line_.characters.push_back({character, line_.width, index});
         line_.width += static_cast<float>(font_.advance(character));
     }
 
@@ -59,13 +60,14 @@ class LineBreaker {
             characters.pop_back();
         }
         end_line();
-        for (const PlacedCharacter& c : tail) append(c.character);
+        for (const PlacedCharacter& c : tail) append(c.character, c.index);
     }
 
     void end_line() { lines_.push_back(std::exchange(line_, {})); }
 
     const FontFace& font_;
     float wrap_width_;
+    int next_index_ = 0;
     TextLine line_;
     std::vector<TextLine> lines_;
 };

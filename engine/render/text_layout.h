@@ -12,7 +12,8 @@ namespace cairn::engine {
 
 struct PlacedCharacter {
     char32_t character = 0;
-    float x = 0;  ///< of the pen, from the line's left end
+    float x = 0;    ///< of the pen, from the line's left end
+    int index = 0;  ///< in the text, counted in characters, line ends too
 };
 
 struct TextLine {

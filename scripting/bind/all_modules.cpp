@@ -16,10 +16,10 @@ constexpr std::array kModules = {
     &kJointMethods,   &kPrefabModule,  &kPrefabMethods,   &kCameraModule,     &kCameraMethods,
     &kGraphicsModule, &kImageMethods,  &kFontMethods,     &kCanvasMethods,    &kQuadMethods,
     &kAtlasMethods,   &kBatchMethods,  &kParticlesModule, &kParticlesMethods, &kTileMapModule,
-    &kTileMapMethods, &kUiModule,      &kUiMethods,       &kAudioModule,      &kInputModule,
-    &kWindowModule,   &kFilesModule,   &kRandomModule,    &kRandomMethods,    &kTimerModule,
-    &kTimerMethods,   &kTweenModule,   &kTweenMethods,    &kSceneModule,      &kLevelModule,
-    &kTestModule,
+    &kTileMapMethods, &kUiModule,      &kUiMethods,       &kTextModule,       &kTextMethods,
+    &kAudioModule,    &kInputModule,   &kWindowModule,    &kFilesModule,      &kRandomModule,
+    &kRandomMethods,  &kTimerModule,   &kTimerMethods,    &kTweenModule,      &kTweenMethods,
+    &kSceneModule,    &kLevelModule,   &kTestModule,
 };
 
 struct TypeOfObject {
@@ -39,6 +39,7 @@ constexpr TypeOfObject kTypes[] = {
     {ObjectTag::Particles, &kParticlesMethods, finalize_particles},
     {ObjectTag::TileMap, &kTileMapMethods, finalize_tile_map},
     {ObjectTag::Ui, &kUiMethods, finalize_ui},
+    {ObjectTag::Text, &kTextMethods, finalize_text},
     {ObjectTag::Tween, &kTweenMethods, nullptr},
     {ObjectTag::Timer, &kTimerMethods, nullptr},
     {ObjectTag::Prefab, &kPrefabMethods, finalize_prefab},

@@ -18,9 +18,13 @@ Context& drawing_context(lua_State* L) {
 }
 
 engine::FontId current_font(lua_State* L) {
+    const engine::FontId font = context_of(L).draw.font;
+    return font.is_null() ? default_font(L) : font;
+}
+
+engine::FontId default_font(lua_State* L) {
     constexpr float kDefaultFontSize = 18;
     Context& context = context_of(L);
-    if (!context.draw.font.is_null()) return context.draw.font;
     if (context.default_font.is_null()) {
         context.default_font =
             value_or_raise(L, context.services.renderer.load_font("fonts/default.ttf", kDefaultFontSize));

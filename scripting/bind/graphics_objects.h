@@ -93,6 +93,9 @@ Context& drawing_context(lua_State* L);
 /// The font that is set, or the default one, which is loaded when it is first needed.
 engine::FontId current_font(lua_State* L);
 
+/// The default font, which is loaded when it is first needed.
+engine::FontId default_font(lua_State* L);
+
 /// True when y points up, as under a camera.
 bool is_y_up(const engine::Renderer& renderer);
 

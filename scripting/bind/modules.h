@@ -31,6 +31,8 @@ extern const Module kTileMapModule;  // cairn.tilemap
 extern const Module kTileMapMethods;
 extern const Module kUiModule;  // cairn.ui
 extern const Module kUiMethods;
+extern const Module kTextModule;  // cairn.text
+extern const Module kTextMethods;
 extern const Module kAudioModule;   // cairn.audio
 extern const Module kInputModule;   // cairn.input
 extern const Module kWindowModule;  // cairn.window
@@ -57,6 +59,7 @@ int finalize_batch(lua_State* L);
 int finalize_particles(lua_State* L);
 int finalize_tile_map(lua_State* L);
 int finalize_ui(lua_State* L);
+int finalize_text(lua_State* L);
 
 /// Adds `cairn.random.visual` to the table on top of the stack, and makes math.random use the gameplay
 /// stream.

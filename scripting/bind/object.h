@@ -30,9 +30,10 @@ enum class ObjectTag : std::uint32_t {
     Tween,
     Particles,
     TileMap,
-    Ui
+    Ui,
+    Text
 };
-inline constexpr int kObjectTagCount = static_cast<int>(ObjectTag::Ui) + 1;
+inline constexpr int kObjectTagCount = static_cast<int>(ObjectTag::Text) + 1;
 
 struct ObjectHeader {
     ObjectTag tag;
@@ -79,6 +80,8 @@ constexpr const char* object_type_name(ObjectTag tag) {
             return "TileMap";
         case ObjectTag::Ui:
             return "Ui";
+        case ObjectTag::Text:
+            return "Text";
     }
     return "userdata";
 }

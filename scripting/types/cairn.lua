@@ -2018,6 +2018,50 @@ function Ui:set_focus(widget) end
 ---Takes all widgets out.
 function Ui:clear() end
 
+cairn.text = {}
+
+---@class cairn.text.new.Fields
+---@field width? number px; lines are broken to be no wider; 0: only at line ends
+---@field align? string "left", "center" or "right"
+---@field line_spacing? number times the font's height
+
+---Makes a text of a string, or of parts in colors of their own: `cairn.text.new({ "Press ", { "A", 1, 0.8, 0.3 }, " to jump" }, { width = 300 })`. Without a font it has the default one.
+---@param parts any
+---@param fields cairn.text.new.Fields?
+---@param font Font?
+---@return Text text
+function cairn.text.new(parts, fields, font) end
+
+---The lines of a text that is broken to be no wider.
+---@param text string
+---@param width number [px]
+---@param font Font?
+---@return string[] lines
+function cairn.text.wrap(text, width, font) end
+
+---@class Text
+local Text = {}
+
+---(x, y) is the top, at the left, in the middle or at the right by its alignment; with a width, of the left end of its box. It is tinted by the color that is set; only in `cairn.draw`.
+---@param x number
+---@param y number
+function Text:draw(x, y) end
+
+---@return number width [px]
+---@return number height [px]
+function Text:size() end
+
+---@return integer characters
+function Text:length() end
+
+---Only so many are drawn, where they will stand when all are: for text that is typed before the player's eyes. Nil: all.
+---@param characters integer?
+function Text:set_shown(characters) end
+
+---Another string, or other parts.
+---@param parts any
+function Text:set_text(parts) end
+
 cairn.audio = {}
 
 ---@class cairn.audio.play.Fields

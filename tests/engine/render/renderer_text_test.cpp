@@ -186,3 +186,66 @@ TEST_CASE_METHOD(Drawing, "a missing or damaged font, and a size out of range, a
     CHECK_FALSE(renderer->load_font("fonts/default.ttf", std::numeric_limits<float>::quiet_NaN()));
     CHECK(*renderer->load_font("fonts/default.ttf", 16) == font(16));
 }
+
+TEST_CASE_METHOD(Drawing, "wrapped lines are the text again, character for character") {
+    const FontId f = font(20);
+    const std::string text = "One two  three\n\nfo\xc3\xbcr five";
+    const float width = renderer->measure_text(f, "three").x + 1;
+    const std::vector<std::string> lines = renderer->wrap_text(f, text, width);
+    CHECK(lines == std::vector<std::string>{"One", "two", "three", "", "fo\xc3\xbcr", "five"});
+    for (const std::string& line : lines) CHECK(renderer->measure_text(f, line).x <= width);
+    CHECK(renderer->wrap_text(f, text, 0) ==
+          std::vector<std::string>{"One two  three", "", "fo\xc3\xbcr five"});
+    CHECK(renderer->wrap_text(f, "", 0) == std::vector<std::string>{""});
+    CHECK(renderer->wrap_text({}, text, 0).empty());
+}
+
+TEST_CASE("text in several colors stands where text in one color stands") {
+    Drawing d({160, 40});
+    const FontId f = d.font(24);
+    const auto picture = [&](const TextDraw& draw) {
+        d.renderer->begin_frame({0, 0, 0, 1});
+        d.renderer->draw_text(f, "ab cd", draw);
+        Image image = d.capture();
+        d.renderer->end_frame();
+        return image;
+    };
+    const Image plain = picture({.position = {5, 5}});
+    const TextSpan spans[] = {{1, {1, 0, 0, 1}}, {3, {0, 1, 0, 1}}};
+    const Image colored = picture({.position = {5, 5}, .spans = spans});
+    const float b = 5 + d.renderer->measure_text(f, "a").x;
+    const float c = 5 + d.renderer->measure_text(f, "ab ").x;
+    for (int y = 0; y < 40; ++y)
+        for (int x = 0; x < 160; ++x) {
+            const int light = plain.pixel(x, y)[2];
+            const std::uint8_t* p = colored.pixel(x, y);
+            const auto at = static_cast<float>(x) + 0.5f;
+            // Two pixels around each border are left out: letters reach over their places.
+            if (std::abs(at - b) < 2 || std::abs(at - c) < 2) continue;
+            REQUIRE(static_cast<int>(p[0]) == (at < c ? light : 0));
+            REQUIRE(static_cast<int>(p[1]) == (at < b || at > c ? light : 0));
+            REQUIRE(static_cast<int>(p[2]) == (at < b ? light : 0));
+        }
+}
+
+TEST_CASE("text that is shown in part shows its first characters where they will stand") {
+    Drawing d({200, 100});
+    const FontId f = d.font(24);
+    const auto picture = [&](std::string_view text, int shown, float spacing = 1) {
+        d.renderer->begin_frame({0, 0, 0, 1});
+        d.renderer->draw_text(
+            f, text,
+            {.position = {100, 5}, .align = TextAlign::Center, .line_spacing = spacing, .shown = shown});
+        Image image = d.capture();
+        d.renderer->end_frame();
+        return image;
+    };
+    const Image all = picture("abc\ndef", -1);
+    CHECK(picture("abc\ndef", 7).rgba == all.rgba);
+    CHECK(picture("abc\ndef", 3).rgba == picture("abc", -1).rgba);
+    CHECK(ink(picture("abc\ndef", 0)).width <= 0);
+    // Wider spacing moves the second line and no other.
+    const float line = d.renderer->line_height(f);
+    CHECK(ink(picture("\ndef", -1, 2)).y - ink(picture("\ndef", -1)).y == Approx(line).margin(1));
+    CHECK(d.renderer->measure_text(f, "a\nb\nc", 0, 1.5f).y == Approx(4 * line));
+}

@@ -25,6 +25,7 @@ std::string receiver(const std::string& type) {
     if (type == "Particles") return "cairn.particles.new{}";
     if (type == "TileMap") return "cairn.tilemap.load('map.tmj')";
     if (type == "Ui") return "cairn.ui.new{}";
+    if (type == "Text") return "cairn.text.new('words')";
     if (type == "Prefab") return "cairn.prefab.pendulum(cairn.physics.new_world{})";
     if (type == "Joint") {
         return "(function() local w = cairn.physics.new_world{} return w:add_distance_joint{ body_a = "

@@ -12,7 +12,9 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include <cairn/engine/geometry.h>
 #include <cairn/engine/handle.h>
@@ -54,6 +56,12 @@ struct ImageDraw {
     Color tint = {1, 1, 1, 1};        ///< multiplies the image's colors
 };
 
+/// From a character on, text has another color.
+struct TextSpan {
+    int first = 0;  ///< counted in characters from 0, line ends too
+    Color color = {};
+};
+
 struct TextDraw {
     /// Top left of the text with TextAlign::Left. Without wrap_width, Center and Right put the middle or the
     /// right end of each line at position.x; with it, the lines are aligned inside position.x .. position.x +
@@ -61,7 +69,10 @@ struct TextDraw {
     Vec2 position = {};
     Color color = {1, 1, 1, 1};
     TextAlign align = TextAlign::Left;
-    float wrap_width = 0;  ///< lines are broken at spaces to be no wider than this; 0: only at '\n'
+    float wrap_width = 0;    ///< lines are broken at spaces to be no wider than this; 0: only at '\n'
+    float line_spacing = 1;  ///< times the font's line height
+    std::span<const TextSpan> spans = {};  ///< by `first`; each is multiplied by `color`
+    int shown = -1;  ///< only so many characters are drawn, where they will stand; -1: all
 };
 
 /// A picture whose corners keep their size, whose sides are stretched along themselves, and whose middle is
@@ -194,7 +205,9 @@ class Renderer {
     /// UTF-8; a byte that is not, and a character that the font lacks, draw a replacement mark.
     void draw_text(FontId font, std::string_view text, const TextDraw& draw);
     /// The width of the longest line and the height of all lines, the same numbers in every back-end.
-    Vec2 measure_text(FontId font, std::string_view text, float wrap_width = 0) const;
+    Vec2 measure_text(FontId font, std::string_view text, float wrap_width = 0, float line_spacing = 1) const;
+    /// The lines as they are drawn, without the spaces at which they were broken.
+    std::vector<std::string> wrap_text(FontId font, std::string_view text, float wrap_width) const;
 
   private:
     struct State;
