@@ -4,7 +4,7 @@ local g = cairn.graphics
 local map, world, camera, ball
 
 function cairn.load()
-    map = cairn.tilemap.load("maps/cave.tmx", { scale = 1 / 16, y_up = true }) -- a tile is a metre
+    map = cairn.tilemap.load("maps/cave.tmx", { scale = 1 / 16, y_up = true, filter = "nearest" }) -- a tile is a metre
     world = cairn.physics.new_world{}
     local rock = world:new_body{ type = "static", data = { visible = false } }
     for _, rectangle in ipairs(map:solids("ground", "solid")) do rock:add_box(rectangle) end

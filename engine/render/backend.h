@@ -59,9 +59,9 @@ class RenderBackend {
     virtual bool keeps_pixels() const = 0;
 
     /// The picture is premultiplied.
-    virtual Result<BackendTexture> create_texture(const Image& image) = 0;
+    virtual Result<BackendTexture> create_texture(const Image& image, TextureFilter filter) = 0;
     /// A transparent texture that can be a target.
-    virtual Result<BackendTexture> create_canvas(Size size) = 0;
+    virtual Result<BackendTexture> create_canvas(Size size, TextureFilter filter) = 0;
     /// Replaces the part of a texture whose top left is (x, y); the part lies inside.
     virtual void update_texture(BackendTexture texture, int x, int y, const Image& part) = 0;
     virtual void destroy_texture(BackendTexture texture) = 0;
@@ -70,8 +70,8 @@ class RenderBackend {
     virtual void set_target(BackendTexture canvas) = 0;
     /// Fills the whole target.
     virtual void clear(Color color) = 0;
-    /// Textures are sampled linearly and clamped at their edges. Drawing is cut to `scissor`, which lies
-    /// inside the target.
+    /// Textures are sampled by their filter and clamped at their edges. Drawing is cut to `scissor`, which
+    /// lies inside the target.
     virtual void draw(std::span<const RenderVertex> vertices, std::span<const int> indices,
                       BackendTexture texture, BlendMode blend, const PixelRect& scissor) = 0;
     /// The output's.

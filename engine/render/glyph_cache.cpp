@@ -63,7 +63,8 @@ std::optional<GlyphCache::Place> GlyphCache::find_place(Size size) {
     if (!pages_.empty())
         if (const std::optional<Place> place = place_on(pages_.back(), size)) return place;
     if (pages_.size() == kMaxPages) clear();
-    const Result<BackendTexture> texture = backend_.create_texture(blank_page(kPageSide));
+    const Result<BackendTexture> texture =
+        backend_.create_texture(blank_page(kPageSide), TextureFilter::Linear);
     if (!texture) {
         log(LogLevel::Error, texture.error().message);
         return std::nullopt;

@@ -57,19 +57,21 @@ Renderer::~Renderer() = default;
 
 // ---- Assets
 
-Result<TextureId> Renderer::load_texture(std::string_view path) {
-    if (const auto known = state_->textures_by_path.find(path); known != state_->textures_by_path.end())
+Result<TextureId> Renderer::load_texture(std::string_view path, TextureFilter filter) {
+    const std::pair key{std::string(path), filter};
+    if (const auto known = state_->textures_by_path.find(key); known != state_->textures_by_path.end())
         return known->second;
     const Result<std::vector<std::byte>> file = state_->files.read_bytes(path);
     if (!file) return Error{"image '" + std::string(path) + "' cannot be loaded: " + file.error().message};
 
     Texture texture;
     texture.path = path;
+    texture.filter = filter;
     if (state_->backend->keeps_pixels()) {
         Result<Image> image = decode_image(*file, path);
         if (!image) return image.error();
         premultiply(*image);
-        const Result<BackendTexture> made = state_->backend->create_texture(*image);
+        const Result<BackendTexture> made = state_->backend->create_texture(*image, filter);
         if (!made) return Error{"image '" + texture.path + "': " + made.error().message};
         texture.size = image->size;
         texture.backend_texture = *made;
@@ -79,11 +81,11 @@ Result<TextureId> Renderer::load_texture(std::string_view path) {
         texture.size = *size;
     }
     const TextureId id = state_->textures.insert(std::move(texture));
-    state_->textures_by_path.emplace(path, id);
+    state_->textures_by_path.emplace(key, id);
     return id;
 }
 
-Result<TextureId> Renderer::create_texture(const Image& image) {
+Result<TextureId> Renderer::create_texture(const Image& image, TextureFilter filter) {
     const auto [width, height] = image.size;
     if (width < 1 || height < 1 || width > kMaxImageSide || height > kMaxImageSide)
         return Error{"texture: the size " + std::to_string(width) + " x " + std::to_string(height) +
@@ -94,7 +96,7 @@ Result<TextureId> Renderer::create_texture(const Image& image) {
     if (state_->backend->keeps_pixels()) {
         Image premultiplied = image;
         premultiply(premultiplied);
-        const Result<BackendTexture> made = state_->backend->create_texture(premultiplied);
+        const Result<BackendTexture> made = state_->backend->create_texture(premultiplied, filter);
         if (!made) return made.error();
         texture.backend_texture = *made;
     }
@@ -142,7 +144,7 @@ void Renderer::State::destroy(TextureId texture) {
     if (!found) return;
     batch.flush();
     if (found->backend_texture) backend->destroy_texture(found->backend_texture);
-    textures_by_path.erase(found->path);
+    textures_by_path.erase({found->path, found->filter});
     textures.erase(texture);
 }
 

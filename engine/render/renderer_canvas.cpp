@@ -15,7 +15,7 @@ constexpr std::size_t kMaxCanvases = 8;
 
 }  // namespace
 
-Result<TextureId> Renderer::create_canvas(Size size) {
+Result<TextureId> Renderer::create_canvas(Size size, TextureFilter filter) {
     if (size.width < 1 || size.height < 1 || size.width > kMaxImageSide || size.height > kMaxImageSide)
         return Error{"canvas: the size " + std::to_string(size.width) + " x " + std::to_string(size.height) +
                      " must be 1 to " + std::to_string(kMaxImageSide) + " on each side"};
@@ -23,7 +23,7 @@ Result<TextureId> Renderer::create_canvas(Size size) {
     texture.size = size;
     texture.is_canvas = true;
     if (state_->backend->keeps_pixels()) {
-        const Result<BackendTexture> made = state_->backend->create_canvas(size);
+        const Result<BackendTexture> made = state_->backend->create_canvas(size, filter);
         if (!made) return made.error();
         texture.backend_texture = *made;
     }

@@ -29,8 +29,10 @@ void Renderer::draw_image(TextureId texture, const ImageDraw& draw) {
 
     const Affine2 uv_from_image = Affine2::scaling({1 / image_width, 1 / image_height});
     const Affine2 uv_from_source = uv_from_image * Affine2::translation({source.x, source.y});
-    // Half a texel inside the source rectangle the filter does not see what lies beside it.
-    const Vec2 margin = {std::min(0.5f, 0.5f * source.width), std::min(0.5f, 0.5f * source.height)};
+    // Half a texel inside the source rectangle the linear filter does not see what lies beside it; the
+    // nearest one must only not step over the edge.
+    const float inset = found->filter == TextureFilter::Nearest ? 1.0f / 64 : 0.5f;
+    const Vec2 margin = {std::min(inset, 0.5f * source.width), std::min(inset, 0.5f * source.height)};
     const Vec2 low = uv_from_source.apply(margin);
     const Vec2 size = uv_from_image.apply_vector({source.width - 2 * margin.x, source.height - 2 * margin.y});
     const Rect bounds = {std::clamp(low.x, 0.0f, 1.0f), std::clamp(low.y, 0.0f, 1.0f),

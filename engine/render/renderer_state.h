@@ -6,6 +6,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <cairn/engine/files.h>
@@ -23,6 +24,7 @@ struct Texture {
     BackendTexture backend_texture = 0;  ///< 0 when the back-end keeps no pixels
     Size size;
     std::string path;  ///< empty when it was made from an image in memory
+    TextureFilter filter = TextureFilter::Linear;
     bool is_canvas = false;
 };
 
@@ -63,7 +65,7 @@ struct Renderer::State {
     std::vector<Affine2> transforms = {Affine2{}};
 
     HandleTable<TextureId, Texture> textures;
-    std::map<std::string, TextureId, std::less<>> textures_by_path;
+    std::map<std::pair<std::string, TextureFilter>, TextureId> textures_by_path;
     TextureId soft_disc;
     FontStore fonts;
 

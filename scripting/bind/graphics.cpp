@@ -114,9 +114,9 @@ std::tuple<float, float> inverse_transform_point(lua_State* L, float x, float y)
 
 // ---- Images
 
-Pushed new_image(lua_State* L, std::string_view path) {
+Pushed new_image(lua_State* L, std::string_view path, std::optional<std::string_view> filter) {
     engine::Renderer& renderer = context_of(L).services.renderer;
-    const engine::TextureId texture = value_or_raise(L, renderer.load_texture(path));
+    const engine::TextureId texture = value_or_raise(L, renderer.load_texture(path, to_filter(L, 2, filter)));
     new_object<ImageObject>(L, 0, texture, renderer.texture_size(texture));
     return {1};
 }
@@ -361,16 +361,18 @@ constexpr Function kFunctions[] = {
                     "image { x, y, "
                     "r, g, b, a, u, v, ... }. For gradients."),
     function_pushing<&new_image>(
-        "new_image", "path", "image", kReturnsImage,
-        "Loads a PNG or JPEG file; the same path gives the same picture. Wherever an image "
+        "new_image", "path, filter = \"linear\"", "image", kReturnsImage,
+        "Loads a PNG or JPEG file; the same path gives the same picture. Where it is scaled, "
+        "\"linear\" mixes its pixels and \"nearest\" shows them as they are: pixel art. Wherever an image "
         "is drawn, a Canvas or a Quad can be too."),
-    function_pushing<&new_canvas>("new_canvas", "width [px], height [px]", "canvas", kReturnsCanvas,
+    function_pushing<&new_canvas>("new_canvas", "width [px], height [px], filter = \"linear\"", "canvas",
+                                  kReturnsCanvas,
                                   "Makes a transparent picture to draw into. Its pixels are logical ones."),
     function_pushing<&new_quad>("new_quad", "image, x [px], y [px], width [px], height [px]", "quad",
                                 kReturnsQuad,
                                 "A part of an image, to be drawn like one; it must lie inside."),
     function_pushing<&new_atlas>(
-        "new_atlas", "path", "atlas", kReturnsAtlas,
+        "new_atlas", "path, filter = \"linear\"", "atlas", kReturnsAtlas,
         "Loads many named parts of one image: a JSON file as TexturePacker, free-tex-packer "
         "and Aseprite write them, \"hash\" or \"array\", without rotation and trimming."),
     function_pushing<&new_batch>("new_batch", "image", "batch", kReturnsBatch,

@@ -93,6 +93,9 @@ Context& drawing_context(lua_State* L);
 /// The font that is set, or the default one, which is loaded when it is first needed.
 engine::FontId current_font(lua_State* L);
 
+/// "linear", which is also what nothing means, or "nearest".
+engine::TextureFilter to_filter(lua_State* L, int index, std::optional<std::string_view> name);
+
 /// The default font, which is loaded when it is first needed.
 engine::FontId default_font(lua_State* L);
 

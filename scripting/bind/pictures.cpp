@@ -29,13 +29,21 @@ Picture Argument<Picture>::get(lua_State* L, int index) {
 
 // ---- Canvas
 
-Pushed new_canvas(lua_State* L, std::int64_t width, std::int64_t height) {
+engine::TextureFilter to_filter(lua_State* L, int index, std::optional<std::string_view> name) {
+    const std::string_view filter = name.value_or("linear");
+    if (filter != "linear" && filter != "nearest") argument_error(L, index, "\"linear\" or \"nearest\"");
+    return filter == "nearest" ? engine::TextureFilter::Nearest : engine::TextureFilter::Linear;
+}
+
+Pushed new_canvas(lua_State* L, std::int64_t width, std::int64_t height,
+                  std::optional<std::string_view> filter) {
     for (const auto& [index, side] : {std::pair{1, width}, std::pair{2, height}})
         if (side < 1 || side > engine::kMaxImageSide)
             argument_error(L, index, "an integer from 1 to " + std::to_string(engine::kMaxImageSide));
     const engine::Size size{static_cast<int>(width), static_cast<int>(height)};
-    new_object<CanvasObject>(L, 0, value_or_raise(L, context_of(L).services.renderer.create_canvas(size)),
-                             size);
+    new_object<CanvasObject>(
+        L, 0, value_or_raise(L, context_of(L).services.renderer.create_canvas(size, to_filter(L, 3, filter))),
+        size);
     return {1};
 }
 
@@ -94,10 +102,11 @@ struct Argument<AtlasObject*> {
     }
 };
 
-Pushed new_atlas(lua_State* L, std::string_view path) {
+Pushed new_atlas(lua_State* L, std::string_view path, std::optional<std::string_view> filter) {
     const Services& services = context_of(L).services;
     const engine::Atlas atlas = value_or_raise(L, engine::load_atlas(services.files, path));
-    const engine::TextureId texture = value_or_raise(L, services.renderer.load_texture(atlas.image_path));
+    const engine::TextureId texture =
+        value_or_raise(L, services.renderer.load_texture(atlas.image_path, to_filter(L, 2, filter)));
     const engine::Size size = services.renderer.texture_size(texture);
     check_or_raise(L, engine::check_atlas(atlas, size, path));
 

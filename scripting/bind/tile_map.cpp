@@ -28,6 +28,7 @@ struct TileMapObject : ObjectHeader {
     std::vector<engine::TextureId> textures;  ///< of the map's sets
     float scale;                              ///< units per pixel of the map
     bool is_y_up;
+    bool is_nearest;
 
     [[nodiscard]] float cell_width() const { return static_cast<float>(map.tile_size.width) * scale; }
     [[nodiscard]] float cell_height() const { return static_cast<float>(map.tile_size.height) * scale; }
@@ -56,7 +57,9 @@ namespace {
 constexpr Field kScale =
     above(number_field("scale", 1, "1", "units per pixel of the map: metres, under a camera"), 0, 1e6);
 constexpr Field kYUp = boolean_field("y_up", false, "whether y points up, as under a camera");
-constexpr const Field* kOwn[] = {&kScale, &kYUp};
+constexpr Field kFilter{"filter", FieldType::String, "linear",
+                        "of its pictures: \"linear\", or \"nearest\" for pixel art"};
+constexpr const Field* kOwn[] = {&kScale, &kYUp, &kFilter};
 constexpr FieldSet kLoadFields{kOwn};
 
 Pushed load(lua_State* L, std::string_view path, std::optional<TableArgument> fields) {
@@ -64,9 +67,14 @@ Pushed load(lua_State* L, std::string_view path, std::optional<TableArgument> fi
     const FieldReader reader(L, fields ? fields->index : -1, kLoadFields);
     const Services& services = context_of(L).services;
     engine::TileMap map = value_or_raise(L, engine::load_tile_map(services.files, path));
+    const std::string_view filter = reader.text(kFilter);
+    if (filter != "linear" && filter != "nearest") reader.fail(kFilter, "must be \"linear\" or \"nearest\"");
+    const bool is_nearest = filter == "nearest";
     std::vector<engine::TextureId> textures;
     for (const engine::TileSet& set : map.sets) {
-        textures.push_back(value_or_raise(L, services.renderer.load_texture(set.image_path)));
+        textures.push_back(value_or_raise(
+            L, services.renderer.load_texture(set.image_path, is_nearest ? engine::TextureFilter::Nearest
+                                                                         : engine::TextureFilter::Linear)));
         const engine::Size size = services.renderer.texture_size(textures.back());
         const Rect last = set.source(set.first_id + static_cast<std::uint32_t>(set.tile_count) - 1);
         if (last.x + last.width > static_cast<float>(size.width) ||
@@ -75,7 +83,7 @@ Pushed load(lua_State* L, std::string_view path, std::optional<TableArgument> fi
                               set.image_path + "' has room for");
     }
     new_object<TileMapObject>(L, 0, std::move(map), std::move(textures), reader.real(kScale),
-                              reader.boolean(kYUp));
+                              reader.boolean(kYUp), is_nearest);
     return {1};
 }
 
@@ -317,7 +325,7 @@ class TileMesh {
         // Where a pixel of the map is not one of the screen, the filter would mix a tile with its neighbour
         // in the set.
         const float pixel = renderer.transform().mean_scale() * renderer.pixel_scale() * map.scale;
-        margin_ = std::fabs(pixel - 1) < 0.001f ? 0 : 0.5f;
+        margin_ = map.is_nearest || std::fabs(pixel - 1) < 0.001f ? 0 : 0.5f;
     }
     ~TileMesh() { send(); }
     TileMesh(const TileMesh&) = delete;

@@ -1492,16 +1492,18 @@ function cairn.graphics.line(points) end
 ---@param image Image|Canvas|Quad?
 function cairn.graphics.mesh(vertices, image) end
 
----Loads a PNG or JPEG file; the same path gives the same picture. Wherever an image is drawn, a Canvas or a Quad can be too.
+---Loads a PNG or JPEG file; the same path gives the same picture. Where it is scaled, "linear" mixes its pixels and "nearest" shows them as they are: pixel art. Wherever an image is drawn, a Canvas or a Quad can be too.
 ---@param path string
+---@param filter string?
 ---@return Image image
-function cairn.graphics.new_image(path) end
+function cairn.graphics.new_image(path, filter) end
 
 ---Makes a transparent picture to draw into. Its pixels are logical ones.
 ---@param width integer [px]
 ---@param height integer [px]
+---@param filter string?
 ---@return Canvas canvas
-function cairn.graphics.new_canvas(width, height) end
+function cairn.graphics.new_canvas(width, height, filter) end
 
 ---A part of an image, to be drawn like one; it must lie inside.
 ---@param image Image|Canvas|Quad
@@ -1514,8 +1516,9 @@ function cairn.graphics.new_quad(image, x, y, width, height) end
 
 ---Loads many named parts of one image: a JSON file as TexturePacker, free-tex-packer and Aseprite write them, "hash" or "array", without rotation and trimming.
 ---@param path string
+---@param filter string?
 ---@return Atlas atlas
-function cairn.graphics.new_atlas(path) end
+function cairn.graphics.new_atlas(path, filter) end
 
 ---A list of sprites from one image that is drawn with one call.
 ---@param image Image|Canvas|Quad
@@ -1806,6 +1809,7 @@ cairn.tilemap = {}
 ---@class cairn.tilemap.load.Fields
 ---@field scale? number units per pixel of the map: metres, under a camera
 ---@field y_up? boolean whether y points up, as under a camera
+---@field filter? string of its pictures: "linear", or "nearest" for pixel art
 
 ---Loads an orthogonal map of fixed size, .tmx or .tmj, with its tile sets and pictures. Layer data may be CSV or base64, plain or packed with zlib or gzip.
 ---@param path string

@@ -11,8 +11,8 @@ class NullBackend final : public RenderBackend {
 
     Viewport viewport() const override { return viewport_; }
     bool keeps_pixels() const override { return false; }
-    Result<BackendTexture> create_texture(const Image&) override { return ++last_texture_; }
-    Result<BackendTexture> create_canvas(Size) override { return ++last_texture_; }
+    Result<BackendTexture> create_texture(const Image&, TextureFilter) override { return ++last_texture_; }
+    Result<BackendTexture> create_canvas(Size, TextureFilter) override { return ++last_texture_; }
     void set_target(BackendTexture) override {}
     void update_texture(BackendTexture, int, int, const Image&) override {}
     void destroy_texture(BackendTexture) override {}

@@ -68,16 +68,16 @@ class AcceleratedBackend final : public RenderBackend {
     }
     bool keeps_pixels() const override { return true; }
 
-    Result<BackendTexture> create_texture(const Image& image) override {
+    Result<BackendTexture> create_texture(const Image& image, TextureFilter filter) override {
         TexturePtr texture(SDL_CreateTexture(renderer_.get(), SDL_PIXELFORMAT_RGBA32,
                                              SDL_TEXTUREACCESS_STATIC, image.size.width, image.size.height));
         if (!texture ||
             SDL_UpdateTexture(texture.get(), nullptr, image.rgba.data(), 4 * image.size.width) != 0)
             return sdl_error("cannot make a texture");
-        return keep(std::move(texture));
+        return keep(std::move(texture), filter);
     }
 
-    Result<BackendTexture> create_canvas(Size size) override {
+    Result<BackendTexture> create_canvas(Size size, TextureFilter filter) override {
         TexturePtr texture(SDL_CreateTexture(renderer_.get(), SDL_PIXELFORMAT_RGBA32,
                                              SDL_TEXTUREACCESS_TARGET, size.width, size.height));
         if (!texture) return sdl_error("cannot make a canvas");
@@ -86,7 +86,7 @@ class AcceleratedBackend final : public RenderBackend {
         SDL_SetRenderTarget(renderer_.get(), texture.get());
         clear({0, 0, 0, 0});
         SDL_SetRenderTarget(renderer_.get(), before);
-        return keep(std::move(texture));
+        return keep(std::move(texture), filter);
     }
 
     void set_target(BackendTexture canvas) override {
@@ -141,8 +141,9 @@ class AcceleratedBackend final : public RenderBackend {
     void present() override { SDL_RenderPresent(renderer_.get()); }
 
   private:
-    BackendTexture keep(TexturePtr texture) {
-        SDL_SetTextureScaleMode(texture.get(), SDL_ScaleModeLinear);
+    BackendTexture keep(TexturePtr texture, TextureFilter filter) {
+        SDL_SetTextureScaleMode(
+            texture.get(), filter == TextureFilter::Nearest ? SDL_ScaleModeNearest : SDL_ScaleModeLinear);
         for (std::size_t i = 0; i < textures_.size(); ++i)
             if (!textures_[i]) {
                 textures_[i] = std::move(texture);
@@ -169,10 +170,12 @@ class UnacceleratedBackend final : public RenderBackend {
         return window_viewport(window_, def_, output_size(renderer_.get()));
     }
     bool keeps_pixels() const override { return true; }
-    Result<BackendTexture> create_texture(const Image& image) override {
-        return surface_.create_texture(image);
+    Result<BackendTexture> create_texture(const Image& image, TextureFilter filter) override {
+        return surface_.create_texture(image, filter);
     }
-    Result<BackendTexture> create_canvas(Size size) override { return surface_.create_canvas(size); }
+    Result<BackendTexture> create_canvas(Size size, TextureFilter filter) override {
+        return surface_.create_canvas(size, filter);
+    }
     void set_target(BackendTexture canvas) override {
         surface_.set_target(canvas);
         draws_output_ = canvas == 0;

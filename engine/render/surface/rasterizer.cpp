@@ -98,6 +98,16 @@ Texel sample(const Image& texture, float u, float v) {
     return texel;
 }
 
+/// The texel that holds a place.
+Texel sample_nearest(const Image& texture, float u, float v) {
+    const auto index = [](float share, int size) {
+        return std::clamp(static_cast<int>(share * static_cast<float>(size)), 0, size - 1);
+    };
+    const std::uint8_t* p = texture.pixel(index(u, texture.size.width), index(v, texture.size.height));
+    return {static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2]),
+            static_cast<float>(p[3])};
+}
+
 /// Component i of what a color, 0 .. 255 and premultiplied, makes of what lies under it.
 float blended(float under, const Texel& color, std::size_t i, BlendMode blend) {
     constexpr std::size_t kAlpha = 3;
@@ -126,7 +136,8 @@ void blend_pixel(std::uint8_t* pixel, const Texel& color, BlendMode blend) {
 }  // namespace
 
 void rasterize_triangle(const RenderVertex& a, const RenderVertex& b, const RenderVertex& c,
-                        const Image* texture, BlendMode blend, const PixelRect& clip, Image& target) {
+                        const Image* texture, TextureFilter filter, BlendMode blend, const PixelRect& clip,
+                        Image& target) {
     std::array<const RenderVertex*, 3> corner = {&a, &b, &c};
     std::array<FixedPoint, 3> p = {to_fixed(a.position), to_fixed(b.position), to_fixed(c.position)};
     std::int64_t area = (p[1].x - p[0].x) * (p[2].y - p[0].y) - (p[1].y - p[0].y) * (p[2].x - p[0].x);
@@ -185,8 +196,10 @@ void rasterize_triangle(const RenderVertex& a, const RenderVertex& b, const Rend
             Texel color;
             for (std::size_t i = 0; i < 4; ++i) color[i] = start[i] + step[i] * distance;
             if (texture) {
-                const Texel texel =
-                    sample(*texture, start[4] + step[4] * distance, start[5] + step[5] * distance);
+                const float u = start[4] + step[4] * distance;
+                const float v = start[5] + step[5] * distance;
+                const Texel texel = filter == TextureFilter::Nearest ? sample_nearest(*texture, u, v)
+                                                                     : sample(*texture, u, v);
                 for (std::size_t i = 0; i < 4; ++i) color[i] *= texel[i] * (1.0f / 255);
             }
             blend_pixel(pixel, color, blend);

@@ -15,6 +15,7 @@ namespace cairn::engine {
 /// `texture` may be null: plain colors. All colors are premultiplied, those of the target too. `clip` lies
 /// inside the target. Positions beyond 2^20 pixels are not allowed.
 void rasterize_triangle(const RenderVertex& a, const RenderVertex& b, const RenderVertex& c,
-                        const Image* texture, BlendMode blend, const PixelRect& clip, Image& target);
+                        const Image* texture, TextureFilter filter, BlendMode blend, const PixelRect& clip,
+                        Image& target);
 
 }  // namespace cairn::engine

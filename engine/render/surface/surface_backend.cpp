@@ -34,22 +34,22 @@ void SurfaceBackend::set_viewport(const Viewport& viewport) {
     fill(picture_, {0, 0, 0, 255});
 }
 
-Result<BackendTexture> SurfaceBackend::create_texture(const Image& image) {
-    auto free_slot =
-        std::find_if(textures_.begin(), textures_.end(), [](const Image& t) { return t.rgba.empty(); });
-    if (free_slot == textures_.end()) free_slot = textures_.insert(free_slot, Image{});
-    *free_slot = image;
+Result<BackendTexture> SurfaceBackend::create_texture(const Image& image, TextureFilter filter) {
+    auto free_slot = std::find_if(textures_.begin(), textures_.end(),
+                                  [](const Texture& t) { return t.image.rgba.empty(); });
+    if (free_slot == textures_.end()) free_slot = textures_.insert(free_slot, Texture{});
+    *free_slot = {image, filter};
     return static_cast<BackendTexture>(free_slot - textures_.begin()) + 1;
 }
 
-Result<BackendTexture> SurfaceBackend::create_canvas(Size size) {
+Result<BackendTexture> SurfaceBackend::create_canvas(Size size, TextureFilter filter) {
     Image blank{size, {}};
     blank.rgba.resize(4 * static_cast<std::size_t>(size.width) * size.height);
-    return create_texture(blank);
+    return create_texture(blank, filter);
 }
 
 void SurfaceBackend::update_texture(BackendTexture texture, int x, int y, const Image& part) {
-    Image& whole = textures_[texture - 1];
+    Image& whole = textures_[texture - 1].image;
     assert(x >= 0 && y >= 0 && x + part.size.width <= whole.size.width &&
            y + part.size.height <= whole.size.height);
     const std::size_t row_bytes = 4 * static_cast<std::size_t>(part.size.width);
@@ -75,10 +75,11 @@ Result<Image> SurfaceBackend::read_pixels() {
 
 void SurfaceBackend::draw(std::span<const RenderVertex> vertices, std::span<const int> indices,
                           BackendTexture texture, BlendMode blend, const PixelRect& scissor) {
-    const Image* image = texture ? &textures_[texture - 1] : nullptr;
+    const Image* image = texture ? &textures_[texture - 1].image : nullptr;
+    const TextureFilter filter = texture ? textures_[texture - 1].filter : TextureFilter::Linear;
     for (std::size_t i = 0; i + 2 < indices.size(); i += 3)
         rasterize_triangle(vertices[indices[i]], vertices[indices[i + 1]], vertices[indices[i + 2]], image,
-                           blend, scissor, target());
+                           filter, blend, scissor, target());
 }
 
 }  // namespace cairn::engine

@@ -21,8 +21,8 @@ class SurfaceBackend final : public RenderBackend {
 
     Viewport viewport() const override { return viewport_; }
     bool keeps_pixels() const override { return true; }
-    Result<BackendTexture> create_texture(const Image& image) override;
-    Result<BackendTexture> create_canvas(Size size) override;
+    Result<BackendTexture> create_texture(const Image& image, TextureFilter filter) override;
+    Result<BackendTexture> create_canvas(Size size, TextureFilter filter) override;
     void set_target(BackendTexture canvas) override { target_ = canvas; }
     void update_texture(BackendTexture texture, int x, int y, const Image& part) override;
     void destroy_texture(BackendTexture texture) override;
@@ -33,12 +33,16 @@ class SurfaceBackend final : public RenderBackend {
     void present() override {}
 
   private:
-    Image& target() { return target_ ? textures_[target_ - 1] : picture_; }
+    struct Texture {
+        Image image;  ///< without area: the place is free
+        TextureFilter filter = TextureFilter::Linear;
+    };
+    Image& target() { return target_ ? textures_[target_ - 1].image : picture_; }
 
     Viewport viewport_;
     Image picture_;
     BackendTexture target_ = 0;
-    std::vector<Image> textures_;  ///< texture id - 1; without area: free
+    std::vector<Texture> textures_;  ///< texture id - 1
 };
 
 }  // namespace cairn::engine

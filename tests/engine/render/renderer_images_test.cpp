@@ -158,3 +158,18 @@ TEST_CASE_METHOD(Images, "a nine-patch smaller than its borders shrinks them") {
     CHECK(rgb(image, 12, 10) == 0x808080u);
     CHECK(rgb(image, 9, 10) == 0x808080u);
 }
+
+TEST_CASE_METHOD(Images, "the same path with another filter is another texture") {
+    const auto nearest = renderer->load_texture("palette.png", TextureFilter::Nearest);
+    REQUIRE(nearest);
+    CHECK(*nearest != texture);
+    CHECK(*renderer->load_texture("palette.png", TextureFilter::Nearest) == *nearest);
+    renderer->draw_image(*nearest, {.position = {4, 4}, .scale = {7, 7}});
+    const Image image = capture();
+    const Image expected = palette();
+    for (int y = 0; y < 14; ++y)
+        for (int x = 0; x < 28; ++x) REQUIRE(rgb(image, 4 + x, 4 + y) == rgb(expected, x / 7, y / 7));
+    renderer->destroy_texture(*nearest);
+    CHECK(renderer->is_valid(texture));
+    CHECK(*renderer->load_texture("palette.png") == texture);
+}

@@ -190,4 +190,19 @@ TEST_CASE_METHOD(Pictures, "ellipses, slices and blend modes reach the picture")
     CHECK(draw_error(*this, "g.set_blend_mode('subtract')").find("\"multiply\"") != std::string::npos);
 }
 
+TEST_CASE_METHOD(Pictures, "pixel art keeps its pixels, in images and canvases") {
+    REQUIRE(run("sharp = g.new_image('palette.png', 'nearest') small = g.new_canvas(4, 4, 'nearest')") == "");
+    const engine::Image picture =
+        picture_of(*this,
+                   "g.draw(sharp, 0, 0, 0, 3) small:attach(0, 0, 0, 0) g.set_color(1, 0, 0) "
+                   "g.rectangle('fill', 0, 0, 2, 4) small:detach() g.set_color(1, 1, 1) "
+                   "g.draw(small, 100, 0, 0, 10)");
+    is_color(picture, 23, 5, 255, 0, 0);
+    is_color(picture, 24, 5, 0, 255, 0);
+    is_color(picture, 119, 5, 255, 0, 0);
+    is_color(picture, 120, 5, 0, 0, 0);
+    CHECK(run("g.new_image('palette.png', 'sharp')") ==
+          "test.lua:1: cairn.graphics.new_image: filter is \"sharp\"; expected \"linear\" or \"nearest\"");
+}
+
 }  // namespace cairn::scripting::test

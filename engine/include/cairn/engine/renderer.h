@@ -34,6 +34,12 @@ enum class BlendMode {
     Replace,   ///< puts itself in place of what was there, transparency too: holes in canvases
 };
 
+/// What is seen between the pixels of a texture that is not drawn pixel by pixel.
+enum class TextureFilter {
+    Linear,   ///< a mixture: photographs, painted sprites
+    Nearest,  ///< the pixels as they are: pixel art
+};
+
 enum class LineCap {
     Butt,   ///< ends at the end point
     Round,  ///< ends in a half circle around the end point
@@ -105,9 +111,9 @@ class Renderer {
 
     // ---- Assets
 
-    /// The same path gives the same handle. The error names the path and the reason.
-    Result<TextureId> load_texture(std::string_view path);
-    Result<TextureId> create_texture(const Image& image);
+    /// The same path and filter give the same handle. The error names the path and the reason.
+    Result<TextureId> load_texture(std::string_view path, TextureFilter filter = TextureFilter::Linear);
+    Result<TextureId> create_texture(const Image& image, TextureFilter filter = TextureFilter::Linear);
     /// A white disc that fades from its middle to its rim, 64 pixels wide; made when it is first asked for.
     Result<TextureId> soft_disc();
     /// The size in the image's pixels; {0, 0} for a null or stale handle.
@@ -117,7 +123,7 @@ class Renderer {
     void destroy_texture(TextureId texture);
 
     /// A transparent picture to draw into, which then is drawn like any other; its pixels are logical ones.
-    Result<TextureId> create_canvas(Size size);
+    Result<TextureId> create_canvas(Size size, TextureFilter filter = TextureFilter::Linear);
 
     /// The same path and size give the same handle. Size is the height of a line's letters, in logical
     /// pixels, in 4 .. 256.
