@@ -11,6 +11,7 @@
 #include "base/prefetch.h"
 #include "world/contact_events.h"
 #include "world/contact_lists.h"
+#include "world/even_lists.h"
 #include "world/fast_bodies.h"
 #include "world/filtering.h"
 #include "world/narrow_phase.h"
@@ -432,10 +433,9 @@ bool has_contact(const Stores& stores, int shape_a, int shape_b) {
 
 void find_new_pairs(Stores& stores, StepScratch& scratch, TaskPool& tasks) {
     const int groups = stores.broad.start_search();
-    scratch.found_pairs.fit(groups, kGroupsPerChunk);
+    start_lists(scratch.found_pairs, groups, kGroupsPerChunk);
     tasks.parallel_for(groups, kGroupsPerChunk, [&](const Chunk& chunk) {
         std::vector<ItemPair>& found = scratch.found_pairs[chunk.index];
-        found.clear();
         stores.broad.search(chunk.begin, chunk.end, found);
     });
     scratch.pairs.clear();

@@ -6,6 +6,7 @@
 
 #include <cairn/physics/tuning.h>
 
+#include "world/even_lists.h"
 #include "world/finalize.h"
 
 namespace cairn::physics {
@@ -13,6 +14,9 @@ namespace {
 
 // m. Sweeps end with this gap: near enough to be a contact, wide enough for the distance to have a direction.
 constexpr float kImpactGap_m = 0.25f * tuning::kLinearSlop_m;
+
+// What a thread takes at once.
+constexpr int kRowsPerChunk = 512;
 
 // The mean velocity over the step if nothing is met.
 Vec2 expected_velocity(const BodyStore& bodies, int body, Vec2 gravity, float dt_s) {
@@ -36,7 +40,7 @@ bool is_fast(const Advance& advance, float dt_s) {
 
 // The boxes of the body enclose where it is and where it is expected, which is `turn` further round, and all
 // that lies between. What room they leave is that about the expected place.
-void cover_way(Stores& stores, int body, Vec2 way, float turn) {
+void cover_way(Stores& stores, int body, Vec2 way, float turn, std::vector<int>& untold) {
     const BodyRecord& record = stores.bodies.slots[body];
     const Transform now = stores.bodies.transform(body);
     const Vec2 center = record.mass.center_m;
@@ -49,7 +53,10 @@ void cover_way(Stores& stores, int body, Vec2 way, float turn) {
         // A point that turns is at most this far from the straight way between its ends.
         if (turn != 0) all = grown(all, std::min(0.125f * turn * turn, 2.0f) * record.turn_arm_m);
         const Aabb reach = grown(all, tuning::kAabbReach_m);
-        if (!contains(stores.fat_boxes[s], reach)) set_fat_box(stores, s, grown(all, shape.margin_m));
+        if (!contains(stores.fat_boxes[s], reach)) {
+            stores.fat_boxes[s] = grown(all, shape.margin_m);
+            untold.push_back(s);
+        }
         slack = std::min(slack, clearance(stores.fat_boxes[s], reach));
     }
     // Long ways are rounded when they are added up.
@@ -78,24 +85,37 @@ Vec2 moved(const Sweep& sweep, Vec2 arm, float time_s) {
 
 }  // namespace
 
-void cover_fast_ways(Stores& stores, Vec2 gravity_m_s2, float dt_s, StepScratch& scratch) {
-    scratch.fast.clear();
-    scratch.advances.assign(1, Advance{});
+void cover_fast_ways(Stores& stores, Vec2 gravity_m_s2, float dt_s, StepScratch& scratch, TaskPool& tasks) {
     const BodyRows& awake = stores.bodies.rows(RowSet::Awake);
-    for (int row = 0; row < awake.size(); ++row) {
+    scratch.advances.resize(awake.size() + 1);
+    scratch.advances[kWorldRow] = {};
+    start_lists(scratch.fast_found, awake.size(), kRowsPerChunk);
+    start_lists(scratch.untold_boxes, awake.size(), kRowsPerChunk);
+    const auto cover = [&](int row, std::vector<int>& fast, std::vector<int>& untold) {
         const int body = awake.body[row];
-        const Advance& advance =
-            scratch.advances.emplace_back(advance_of(stores.bodies, body, gravity_m_s2, dt_s));
+        Advance& advance = scratch.advances[row + 1];
+        advance = advance_of(stores.bodies, body, gravity_m_s2, dt_s);
         std::uint32_t& flags = stores.bodies.places[body].flags;
         const bool was_fast = (flags & place_flag::kFast) != 0;
         flags &= ~place_flag::kFast;
         if (is_fast(advance, dt_s)) {
             flags |= place_flag::kFast;
-            scratch.fast.push_back(body);
-            cover_way(stores, body, dt_s * advance.velocity_m_s, dt_s * awake.spin[row]);
+            fast.push_back(body);
+            cover_way(stores, body, dt_s * advance.velocity_m_s, dt_s * awake.spin[row], untold);
         } else if (was_fast) {
-            renew_boxes(stores, body);  // what covered its way would be too large for long
+            renew_boxes(stores, body, untold);  // what covered its way would be too large for long
         }
+    };
+    tasks.parallel_for(awake.size(), kRowsPerChunk, [&](const Chunk& chunk) {
+        std::vector<int>& fast = scratch.fast_found[chunk.index];
+        std::vector<int>& untold = scratch.untold_boxes[chunk.index];
+        for (int row = chunk.begin; row < chunk.end; ++row) cover(row, fast, untold);
+    });
+    tell_fat_boxes(stores, scratch.untold_boxes);
+    scratch.fast.clear();
+    for (int chunk = 0; chunk < scratch.fast_found.size(); ++chunk) {
+        const std::vector<int>& found = scratch.fast_found[chunk];
+        scratch.fast.insert(scratch.fast.end(), found.begin(), found.end());
     }
 }
 

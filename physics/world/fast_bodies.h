@@ -14,7 +14,7 @@ inline constexpr float kFastShare = 0.5f;
 
 /// Stage: the boxes of fast bodies cover the way of the coming step. The bodies are noted in `fast`, and what
 /// all awake ones are expected to do in `advances`.
-void cover_fast_ways(Stores& stores, Vec2 gravity_m_s2, float dt_s, StepScratch& scratch);
+void cover_fast_ways(Stores& stores, Vec2 gravity_m_s2, float dt_s, StepScratch& scratch, TaskPool& tasks);
 
 /// The same for rows that came since, of bodies that woke.
 void extend_advances(Stores& stores, Vec2 gravity_m_s2, float dt_s, StepScratch& scratch);

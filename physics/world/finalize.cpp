@@ -6,6 +6,8 @@
 
 #include <cairn/physics/tuning.h>
 
+#include "world/even_lists.h"
+
 namespace cairn::physics {
 namespace {
 
@@ -35,20 +37,24 @@ void halt(Motions& motions, int row) {
     motions.velocity[row].w = 0;
 }
 
-// Makes the boxes anew for which outdated(box, what it must enclose) says so.
-template <class Outdated>
-void follow(Stores& stores, int body, Outdated&& outdated) {
+// Makes the boxes anew for which outdated(box, what it must enclose) says so, by set(shape, box).
+template <class Outdated, class Set>
+void follow(Stores& stores, int body, Outdated&& outdated, Set&& set) {
     const Transform xf = stores.bodies.transform(body);
     float slack = std::numeric_limits<float>::infinity();
     for (int shape = stores.bodies.slots[body].first_shape; shape != kNone;
          shape = stores.shapes[shape].next_of_body) {
-        ShapeRecord& record = stores.shapes[shape];
+        const ShapeRecord& record = stores.shapes[shape];
         const Aabb box = bounds(record.convex, xf);
         const Aabb reach = grown(box, tuning::kAabbReach_m);
-        if (outdated(stores.fat_boxes[shape], reach)) set_fat_box(stores, shape, grown(box, record.margin_m));
+        if (outdated(stores.fat_boxes[shape], reach)) set(shape, grown(box, record.margin_m));
         slack = std::min(slack, clearance(stores.fat_boxes[shape], reach));
     }
     stores.bodies.rows_of(body).box_slack[stores.bodies.slots[body].row] = slack;
+}
+
+bool has_left(const Aabb& fat, const Aabb& reach) {
+    return !contains(fat, reach);
 }
 
 void take_place(BodyStore& bodies, const StepScratch& scratch, int row, float dt_s, bool sleep_enabled) {
@@ -84,9 +90,19 @@ void take_place(BodyStore& bodies, const StepScratch& scratch, int row, float dt
 void set_fat_box(Stores& stores, int shape, const Aabb& box) {
     const int body = stores.shapes[shape].body;
     stores.fat_boxes[shape] = box;
-    stores.broad.move(shape, box);
-    note_moved_boxes(stores, body);
+    tell_fat_box(stores, shape);
     stores.bodies.rows_of(body).box_slack[stores.bodies.slots[body].row] = 0;
+}
+
+void tell_fat_box(Stores& stores, int shape) {
+    stores.broad.move(shape, stores.fat_boxes[shape]);
+    note_moved_boxes(stores, stores.shapes[shape].body);
+}
+
+void tell_fat_boxes(Stores& stores, const PerChunk<std::vector<int>>& shapes) {
+    for (int chunk = 0; chunk < shapes.size(); ++chunk) {
+        for (const int shape : shapes[chunk]) tell_fat_box(stores, shape);
+    }
 }
 
 float clearance(const Aabb& outer, const Aabb& inner) {
@@ -96,11 +112,22 @@ float clearance(const Aabb& outer, const Aabb& inner) {
 }
 
 void update_boxes(Stores& stores, int body) {
-    follow(stores, body, [](const Aabb& fat, const Aabb& reach) { return !contains(fat, reach); });
+    follow(stores, body, has_left, [&](int shape, const Aabb& box) { set_fat_box(stores, shape, box); });
 }
 
-void renew_boxes(Stores& stores, int body) {
-    follow(stores, body, [](const Aabb&, const Aabb&) { return true; });
+void update_boxes(Stores& stores, int body, std::vector<int>& untold) {
+    follow(stores, body, has_left, [&](int shape, const Aabb& box) {
+        stores.fat_boxes[shape] = box;
+        untold.push_back(shape);
+    });
+}
+
+void renew_boxes(Stores& stores, int body, std::vector<int>& untold) {
+    const auto always = [](const Aabb&, const Aabb&) { return true; };
+    follow(stores, body, always, [&](int shape, const Aabb& box) {
+        stores.fat_boxes[shape] = box;
+        untold.push_back(shape);
+    });
 }
 
 void finalize_bodies(Stores& stores, StepScratch& scratch, float dt_s, bool sleep_enabled,
@@ -111,13 +138,15 @@ void finalize_bodies(Stores& stores, StepScratch& scratch, float dt_s, bool slee
         halt(scratch.motions, row + 1);
         quarantined.push_back(stores.bodies.slots.id(awake.body[row]));
     }
+    start_lists(scratch.untold_boxes, awake.size(), kRowsPerChunk);
     tasks.parallel_for(awake.size(), kRowsPerChunk, [&](const Chunk& chunk) {
-        for (int row = chunk.begin; row < chunk.end; ++row)
+        std::vector<int>& untold = scratch.untold_boxes[chunk.index];
+        for (int row = chunk.begin; row < chunk.end; ++row) {
             take_place(stores.bodies, scratch, row, dt_s, sleep_enabled);
+            if (awake.box_slack[row] <= 0) update_boxes(stores, awake.body[row], untold);
+        }
     });
-    for (int row = 0; row < awake.size(); ++row) {
-        if (awake.box_slack[row] <= 0) update_boxes(stores, awake.body[row]);
-    }
+    tell_fat_boxes(stores, scratch.untold_boxes);
 }
 
 }  // namespace cairn::physics

@@ -12,12 +12,19 @@ void finalize_bodies(Stores& stores, StepScratch& scratch, float dt_s, bool slee
 /// The box of a shape in the broad phase.
 void set_fat_box(Stores& stores, int shape, const Aabb& box);
 
+/// The same for boxes that were written already, by threads: they become known.
+void tell_fat_box(Stores& stores, int shape);
+void tell_fat_boxes(Stores& stores, const PerChunk<std::vector<int>>& shapes);
+
 /// How far the inner box may move in any direction without leaving the outer one.
 float clearance(const Aabb& outer, const Aabb& inner);
 
 /// Brings the boxes of a body's shapes up to its place; boxes that the shape has left are made anew.
 void update_boxes(Stores& stores, int body);
+/// The same on several threads, each with bodies of its own: shapes whose boxes are yet to be told are
+/// appended.
+void update_boxes(Stores& stores, int body, std::vector<int>& untold);
 /// Makes all of them anew, for boxes that have become too large.
-void renew_boxes(Stores& stores, int body);
+void renew_boxes(Stores& stores, int body, std::vector<int>& untold);
 
 }  // namespace cairn::physics

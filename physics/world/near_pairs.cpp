@@ -3,6 +3,7 @@
 
 #include <bit>
 
+#include "world/even_lists.h"
 #include "world/narrow_phase.h"
 
 namespace cairn::physics {
@@ -22,9 +23,7 @@ class NearLook {
           first_block_(first_block),
           dt_s_(dt_s),
           scratch_(scratch),
-          ahead_(ahead) {
-        ahead_.clear();
-    }
+          ahead_(ahead) {}
 
     void look_at(int block, unsigned lanes) {
         const PairBlock& pairs = lanes_.near_pairs(geometry_)[block];
@@ -97,7 +96,7 @@ void find_near(const Stores& stores, PairGeometry geometry, int first, int count
     const int first_block = first / kLanes;
     const int blocks = (count + kLanes - 1) / kLanes - first_block;
     scratch.near_findings.resize(blocks);
-    scratch.ahead_found.fit(blocks, kBlocksPerChunk);
+    start_lists(scratch.ahead_found, blocks, kBlocksPerChunk);
     tasks.parallel_for(blocks, kBlocksPerChunk, [&](const Chunk& chunk) {
         NearLook look(stores, geometry, first_block, dt_s, scratch, scratch.ahead_found[chunk.index]);
         for (int block = first_block + chunk.begin; block < first_block + chunk.end; ++block) {

@@ -37,7 +37,7 @@ void step_world(WorldState& world, float dt_s) {
     clock.enter(Stage::Pairs);
     start_events(world.events);
     settle_reshaped(stores);
-    cover_fast_ways(stores, def.gravity_m_s2, dt_s, scratch);
+    cover_fast_ways(stores, def.gravity_m_s2, dt_s, scratch, tasks);
     find_new_pairs(stores, scratch, tasks);
     prepare_motions(stores.bodies, def.gravity_m_s2, dt_s, scratch);
     clock.enter(Stage::Contacts);

@@ -184,6 +184,8 @@ struct StepScratch {
     StaticsScratch statics;
     std::vector<Advance> advances;  // by row of the motions
     std::vector<int> fast;          // bodies that could pass through others in this step
+    PerChunk<std::vector<int>> fast_found;
+    PerChunk<std::vector<int>> untold_boxes;  // of shapes: written, but not known to the broad phase yet
     WayScratch ways;
     std::vector<BlockFindings> findings;  // of blocks in colours, in their order
     std::vector<NearFindings> near_findings;
