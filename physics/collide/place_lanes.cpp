@@ -162,13 +162,17 @@ HWY_INLINE DisplacementColumns load_displacements(const Displacement* displaceme
 
 // `apart`: distance of the bodies' centres before the step; `relative`: how far one moved as seen from the
 // other without turning.
+// A way counts when it is long enough, on its own and as seen from the other.
 HWY_INLINE M may_have_met(const DisplacementColumns& one, const DisplacementColumns& other, V apart,
                           V relative) {
     const V arm = one.tail.x;
-    const V by_own_turn = hn::Add(relative, hn::Mul(one.head.z, arm));
+    const V turned = hn::Mul(one.head.z, arm);
+    const V own_way = hn::Add(hn::Sqrt(dot({one.head.x, one.head.y}, {one.head.x, one.head.y})), turned);
+    const V by_own_turn = hn::Add(relative, turned);
     const V by_other = hn::Mul(other.head.z, hn::Add(apart, arm));
     const V way = hn::Add(by_own_turn, by_other);
-    return hn::And(hn::Gt(way, one.tail.y), hn::Le(hn::Sub(apart, arm), hn::Add(other.head.u, way)));
+    const M far = hn::Gt(hn::Min(own_way, way), one.tail.y);
+    return hn::And(far, hn::Le(hn::Sub(apart, arm), hn::Add(other.head.u, way)));
 }
 
 void find_passed(const Place* places, const Lanes<std::int32_t>& body_a, const Lanes<std::int32_t>& body_b,

@@ -108,10 +108,10 @@ bool is_guarded(const Stores& stores, int body) {
 }
 
 float arm_of(const Stores& stores, const BodyRecord& record) {
-    if (record.first_shape == kNone) return 0;
-    const ShapeRecord& shape = stores.shapes[record.first_shape];
-    if (shape.next_of_body != kNone) return record.extent_m;
-    return length(shape.convex.centroid - record.mass.center_m);
+    float farthest = 0;
+    for (int s = record.first_shape; s != kNone; s = stores.shapes[s].next_of_body)
+        farthest = std::max(farthest, length(stores.shapes[s].convex.centroid - record.mass.center_m));
+    return farthest;
 }
 
 void note_displacements(const Stores& stores, std::vector<Displacement>& displacements) {
