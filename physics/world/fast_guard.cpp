@@ -67,8 +67,11 @@ class Way {
     [[nodiscard]] Position from() const { return from_; }
     [[nodiscard]] Vec2 way() const { return way_; }
 
+    /// Too short to have taken the centre through anything.
+    [[nodiscard]] bool is_short() const { return length_ <= least_way_; }
+
     [[nodiscard]] float free_share(int other) const {
-        if (length_ <= least_way_) return 1;
+        if (is_short()) return 1;
         const auto hit = cast_relative_way(stores_, other, from_, way_, least_way_);
         return hit ? std::max(hit->fraction - inner_radius(convex_) / length_, 0.0f) : 1;
     }
@@ -79,7 +82,7 @@ class Way {
     Position from_;
     Vec2 way_;
     float length_ = 0;
-    float least_way_ = 0;  // shorter ones take the centre through nothing
+    float least_way_ = 0;
 };
 
 // While a body stays in the boxes that it had when contacts were updated, all that it could pass through has
@@ -92,6 +95,7 @@ float free_share_by_trees(const Stores& stores, int body) {
     float share = 1;
     for (int s = stores.bodies.slots[body].first_shape; s != kNone; s = stores.shapes[s].next_of_body) {
         const Way way(stores, s);
+        if (way.is_short()) continue;
         const auto visit = [&](int other) {
             if (may_collide(stores, s, other) && !lets_pass(stores, s, other))
                 share = std::min(share, way.free_share(other));
