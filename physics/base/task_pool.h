@@ -52,29 +52,6 @@ ParallelLoop parallel_loop(int count, int grain, const F& f) {
     return {body, std::addressof(f), count, grain};
 }
 
-/// One T for each chunk of a loop, for results whose order matters: read them in the order of the chunks
-/// after the loop. Each is on cache lines of its own, and keeps its memory from loop to loop.
-template <class T>
-class PerChunk {
-  public:
-    /// Makes room; slots keep what they held.
-    void fit(int count, int grain) {
-        chunks_ = chunk_count(count, grain);
-        if (static_cast<int>(slots_.size()) < chunks_) slots_.resize(chunks_);
-    }
-    [[nodiscard]] int size() const { return chunks_; }
-    T& operator[](int chunk) { return slots_[chunk].value; }
-    const T& operator[](int chunk) const { return slots_[chunk].value; }
-
-  private:
-    struct alignas(64) Slot {
-        T value{};
-    };
-
-    std::vector<Slot> slots_;
-    int chunks_ = 0;
-};
-
 /// The threads, and how they share loops. The thread that calls is worker 0 and takes part. With one thread
 /// all is a plain loop. Nothing here allocates after construction.
 ///

@@ -22,7 +22,7 @@ struct alignas(32) ContactBlockPoint {
 
 /// A manifold of up to two points between two bodies, with one friction row midway between the points: on the
 /// line of a manifold all points have the same tangential arm.
-struct alignas(32) ContactBlock {
+struct alignas(64) ContactBlock {
     Lanes<std::int32_t> a;  // rows
     Lanes<std::int32_t> b;
     Lanes<float> normal_x;

@@ -29,7 +29,7 @@ enum class PairGeometry : std::uint8_t {
 inline constexpr int kPairGeometries = 3;
 
 /// Which contacts the lanes of a block are, and what the narrow phase needs of them.
-struct alignas(32) PairBlock {
+struct alignas(64) PairBlock {
     Lanes<std::int32_t> contact;
     Lanes<std::int32_t> body_a;
     Lanes<std::int32_t> body_b;

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <optional>
 #include <span>
 
 #include <cairn/physics/tuning.h>
@@ -11,7 +10,6 @@
 #include "base/prefetch.h"
 #include "world/contact_events.h"
 #include "world/contact_lists.h"
-#include "world/even_lists.h"
 #include "world/fast_bodies.h"
 #include "world/filtering.h"
 #include "world/narrow_phase.h"
@@ -145,7 +143,8 @@ class Update {
     int update_near(PairGeometry geometry, int first) {
         const int count = stores_.contacts.lanes.near_count(geometry);
         if (first >= count) return first;
-        find_near(stores_, geometry, first, count, time_.dt_s, scratch_, world_.tasks);
+        find_near(stores_, geometry, first, count, world_.def.gravity_m_s2, time_.dt_s, scratch_,
+                  world_.tasks);
         ahead_ = scratch_.near_ahead;
         const int first_block = first / kLanes;
         for (std::size_t i = 0; i < scratch_.near_findings.size(); ++i) {
@@ -158,7 +157,7 @@ class Update {
     void settle_near(PairGeometry geometry, int block, unsigned lanes, const NearFindings& found) {
         // Waking may move the blocks.
         const auto pairs = [&]() -> PairBlock& { return stores_.contacts.lanes.near_pairs(geometry)[block]; };
-        unsigned rest = (found.could_meet | pairs().remembers | found.gone | found.meets) & lanes;
+        unsigned rest = (found.will_meet | pairs().remembers | found.gone | found.meets) & lanes;
         for (; rest != 0; rest &= rest - 1) {
             const int lane = std::countr_zero(rest);
             const int contact = pairs().contact[lane];
@@ -166,7 +165,7 @@ class Update {
                 scratch_.gone.push_back(contact);
             } else if ((found.meets >> lane & 1) != 0) {
                 if (meets(stores_.contacts.slots[contact])) scratch_.met.push_back(contact);
-            } else if (predict(contact, next_ahead((found.could_meet >> lane & 1) != 0))) {
+            } else if (predict(contact, next_ahead((found.will_meet >> lane & 1) != 0))) {
                 pairs().remembers |= static_cast<std::uint8_t>(1u << lane);
             } else {
                 forget(pairs(), lane);
@@ -174,11 +173,11 @@ class Update {
         }
     }
 
-    std::optional<AxisGap> next_ahead(bool could_meet) {
-        if (!could_meet) return {};
-        const AxisGap seen = ahead_.front().seen;
+    const ContactInput* next_ahead(bool will_meet) {
+        if (!will_meet) return nullptr;
+        const ContactInput* next = &ahead_.front().input;
         ahead_ = ahead_.subspan(1);
-        return seen;
+        return next;
     }
 
     // The pair was in touch, or was about to be, and is apart again.
@@ -202,17 +201,17 @@ class Update {
                (stores_.bodies.is_awake(c.body_a) && is_dynamic(c.body_a));
     }
 
-    // A pair that is apart but meets within the step is solved in plain form, wherever it is listed. `seen`
-    // is where it could meet, if at all.
-    bool predict(int contact, const std::optional<AxisGap>& seen) {
+    // A pair that is apart but meets within the step is solved in plain form, wherever it is listed. `ahead`
+    // is the contact of then, or null.
+    bool predict(int contact, const ContactInput* ahead) {
         ContactRecord& c = stores_.contacts.slots[contact];
-        ContactInput input;
-        if (!seen || !predict_contact(stores_, c, *seen, world_.def.gravity_m_s2, time_.dt_s, input)) {
+        if (ahead == nullptr) {
             if (special::has(c, special::kOneWay)) forget_side(c);
             return false;
         }
         if (special::has(c, special::kOneWay) && !is_held_out(stores_, c)) return false;
         (void)meets(c);
+        ContactInput input = *ahead;
         input.a = stores_.bodies.places[c.body_a].row;
         input.b = stores_.bodies.places[c.body_b].row;
         input.contact = contact;
@@ -220,28 +219,34 @@ class Update {
         return true;
     }
 
-    // A pair that has no points, in a lane of what was looked at last.
-    bool predict_lane(int contact, int lane) {
-        const AxisGap seen = gap_in(manifold_, lane);
-        const bool could = (places_.fast >> lane & 1) != 0 &&
-                           could_meet(scratch_.advances[places_.row_a[lane]],
-                                      scratch_.advances[places_.row_b[lane]], seen, time_.dt_s);
-        return predict(contact, could ? std::optional(seen) : std::nullopt);
+    [[nodiscard]] bool meets_again(const BlockPlaces& places, const ManifoldLanes& manifold, int lane,
+                                   int contact, ContactInput& input) const {
+        return meets_ahead(stores_, scratch_.advances, places, manifold, lane, contact,
+                           world_.def.gravity_m_s2, time_.dt_s, input);
     }
 
     // All blocks, on several threads; then what they found that touches more than the block itself.
     void update_blocks() {
         const std::span<const int> blocks = stores_.contacts.lanes.blocks();
-        scratch_.findings.resize(blocks.size());
-        world_.tasks.parallel_for(static_cast<int>(blocks.size()), kBlocksPerChunk, [&](const Chunk& chunk) {
+        const int count = static_cast<int>(blocks.size());
+        scratch_.gone_lanes.resize(blocks.size());
+        scratch_.notes.start(count, kBlocksPerChunk, world_.tasks);
+        world_.tasks.parallel_for(count, kBlocksPerChunk, [&](const Chunk& chunk) {
             BlockPlaces places;
             ManifoldLanes manifold;
+            ChunkedList<LaneNote>::Appender notes(scratch_.notes, chunk);
             for (int i = chunk.begin; i < chunk.end; ++i) {
                 fetch_ahead(blocks, i);
-                scratch_.findings[i] = update_block(blocks[i], places, manifold);
+                scratch_.gone_lanes[i] =
+                    static_cast<std::uint8_t>(update_block(blocks[i], places, manifold, notes.items()));
             }
         });
-        for (std::size_t i = 0; i < blocks.size(); ++i) settle_block(blocks[i], scratch_.findings[i]);
+        for (int i = 0; i < count; ++i) {
+            for (unsigned gone = scratch_.gone_lanes[i]; gone != 0; gone &= gone - 1)
+                scratch_.gone.push_back(
+                    stores_.contacts.lanes.pairs(blocks[i]).contact[std::countr_zero(gone)]);
+        }
+        scratch_.notes.for_each([&](const LaneNote& note) { settle(note); });
     }
 
     void fetch_ahead(std::span<const int> blocks, int at) const {
@@ -261,52 +266,52 @@ class Update {
         collide_block(stores_, pairs, geometry, lanes, places.poses, manifold);
     }
 
-    void collide_colored(int block, BlockPlaces& places, ManifoldLanes& manifold) const {
-        const PairGeometry geometry = geometry_of(stores_.contacts.lanes.link(block).bucket);
-        collide(stores_.contacts.lanes.pairs(block), geometry, lanes_of(block), places, manifold);
-    }
-
-    BlockFindings update_block(int block_index, BlockPlaces& places, ManifoldLanes& manifold) {
+    // The result are the lanes of which the boxes have parted.
+    unsigned update_block(int block_index, BlockPlaces& places, ManifoldLanes& manifold,
+                          std::vector<LaneNote>& notes) {
         PairBlock& pairs = stores_.contacts.lanes.pairs(block_index);
         ContactBlock& block = stores_.contacts.lanes.block(block_index);
-        collide_colored(block_index, places, manifold);
+        const PairGeometry geometry = geometry_of(stores_.contacts.lanes.link(block_index).bucket);
+        collide(pairs, geometry, lanes_of(block_index), places, manifold);
         block.a = places.row_a;
         block.b = places.row_b;
         const PreparedLanes prepared =
             prepare_block(places.poses, manifold, scratch_.motions.velocity.data(),
                           scratch_.motions.pose.data(), pairs.features, impact_speed_, block);
-        const unsigned apart = prepared.apart & lanes_of(block_index);
+        const unsigned gone = gone_lanes(stores_.fat_boxes, pairs, places.boxes_moved);
+        const unsigned apart = prepared.apart & lanes_of(block_index) & ~gone;
         const unsigned told = (pairs.reports | (pairs.impacts & prepared.closing)) & ~prepared.apart;
         const unsigned loose = places.turn_far & prepared.swings & ~prepared.apart;
         block.reports = told != 0;
-        return {static_cast<std::uint8_t>(gone_lanes(stores_.fat_boxes, pairs, places.boxes_moved)),
-                static_cast<std::uint8_t>(apart), static_cast<std::uint8_t>(told),
-                static_cast<std::uint8_t>(loose)};
+        for (unsigned rest = apart; rest != 0; rest &= rest - 1) {
+            const int lane = std::countr_zero(rest);
+            LaneNote& note = notes.emplace_back(LaneNote{.block = block_index, .lane = lane, .parts = true});
+            note.will_meet = meets_again(places, manifold, lane, pairs.contact[lane], note.input);
+        }
+        for (unsigned rest = (told | loose) & ~gone; rest != 0; rest &= rest - 1) {
+            const int lane = std::countr_zero(rest);
+            LaneNote& note = notes.emplace_back(LaneNote{.block = block_index, .lane = lane});
+            note.is_loose = (loose >> lane & 1) != 0;
+            note.input = make_input(stores_, pairs, places, manifold, lane);
+        }
+        return gone;
     }
 
-    void settle_block(int block_index, const BlockFindings& found) {
-        const PairBlock& pairs = stores_.contacts.lanes.pairs(block_index);
-        for (unsigned gone = found.gone; gone != 0; gone &= gone - 1)
-            scratch_.gone.push_back(pairs.contact[std::countr_zero(gone)]);
-        const unsigned apart = found.apart & ~found.gone;
-        const unsigned plain = (found.told | found.loose) & ~found.gone;
-        if ((apart | plain) == 0) return;
-        collide_colored(block_index, places_, manifold_);  // again, as in settle_near
-        for (unsigned rest = apart; rest != 0; rest &= rest - 1) {
-            part(pairs.contact[std::countr_zero(rest)], std::countr_zero(rest));
+    void settle(const LaneNote& note) {
+        const int contact = stores_.contacts.lanes.pairs(note.block).contact[note.lane];
+        if (note.parts) {
+            part(contact, note.will_meet ? &note.input : nullptr);
+            return;
         }
-        for (unsigned rest = plain; rest != 0; rest &= rest - 1) {
-            const int lane = std::countr_zero(rest);
-            add_plain(pairs, stores_.contacts.lanes.block(block_index), lane);
-            if ((found.loose >> lane & 1) == 0) continue;
-            solve_as_scalar();
-            stores_.contacts.lanes.blank(block_index * kLanes + lane);
-        }
+        add_plain(note.input, stores_.contacts.lanes.block(note.block), note.lane);
+        if (!note.is_loose) return;
+        solve_as_scalar();
+        stores_.contacts.lanes.blank(note.block * kLanes + note.lane);
     }
 
     // The contact has no points any more. It leaves its list after this pass.
-    void part(int contact, int lane) {
-        if (predict_lane(contact, lane)) {
+    void part(int contact, const ContactInput* ahead) {
+        if (predict(contact, ahead)) {
             scratch_.parted.push_back(contact);
         } else {
             lose_points(contact);
@@ -320,8 +325,7 @@ class Update {
     }
 
     // The plain form, beside the lane.
-    void add_plain(const PairBlock& pairs, const ContactBlock& block, int lane) {
-        ContactInput input = make_input(stores_, pairs, places_, manifold_, lane);
+    void add_plain(ContactInput input, const ContactBlock& block, int lane) {
         for (int i = 0; i < input.count; ++i) input.points[i].impulse = block.points[i].impulse[lane];
         input.friction_impulse = block.friction_impulse[lane];
         scratch_.contacts.push_back(make_contact(input, scratch_.motions, rules_));
@@ -347,7 +351,9 @@ class Update {
         }
         if (special::has(c, special::kRefused)) return;
         if (manifold_.points[0].id[0] == kNoFeature) {
-            if (!predict_lane(contact, 0) && c.has_points) lose_points(contact);
+            ContactInput ahead;
+            const bool will_meet = meets_again(places_, manifold_, 0, contact, ahead);
+            if (!predict(contact, will_meet ? &ahead : nullptr) && c.has_points) lose_points(contact);
             return;
         }
         const bool was_loose = is_loose(c);
@@ -433,16 +439,12 @@ bool has_contact(const Stores& stores, int shape_a, int shape_b) {
 
 void find_new_pairs(Stores& stores, StepScratch& scratch, TaskPool& tasks) {
     const int groups = stores.broad.start_search();
-    start_lists(scratch.found_pairs, groups, kGroupsPerChunk);
+    scratch.found_pairs.start(groups, kGroupsPerChunk, tasks);
     tasks.parallel_for(groups, kGroupsPerChunk, [&](const Chunk& chunk) {
-        std::vector<ItemPair>& found = scratch.found_pairs[chunk.index];
-        stores.broad.search(chunk.begin, chunk.end, found);
+        ChunkedList<ItemPair>::Appender found(scratch.found_pairs, chunk);
+        stores.broad.search(chunk.begin, chunk.end, found.items());
     });
-    scratch.pairs.clear();
-    for (int chunk = 0; chunk < scratch.found_pairs.size(); ++chunk) {
-        const std::vector<ItemPair>& found = scratch.found_pairs[chunk];
-        scratch.pairs.insert(scratch.pairs.end(), found.begin(), found.end());
-    }
+    scratch.found_pairs.copy_to(scratch.pairs);
     stores.broad.end_search(scratch.pairs);
     for (const ItemPair& pair : scratch.pairs) {
         if (pair.may_be_known && has_contact(stores, pair.a, pair.b)) continue;

@@ -6,7 +6,6 @@
 
 #include <cairn/physics/tuning.h>
 
-#include "world/even_lists.h"
 #include "world/finalize.h"
 
 namespace cairn::physics {
@@ -89,8 +88,8 @@ void cover_fast_ways(Stores& stores, Vec2 gravity_m_s2, float dt_s, StepScratch&
     const BodyRows& awake = stores.bodies.rows(RowSet::Awake);
     scratch.advances.resize(awake.size() + 1);
     scratch.advances[kWorldRow] = {};
-    start_lists(scratch.fast_found, awake.size(), kRowsPerChunk);
-    start_lists(scratch.untold_boxes, awake.size(), kRowsPerChunk);
+    scratch.fast_found.start(awake.size(), kRowsPerChunk, tasks);
+    scratch.untold_boxes.start(awake.size(), kRowsPerChunk, tasks);
     const auto cover = [&](int row, std::vector<int>& fast, std::vector<int>& untold) {
         const int body = awake.body[row];
         Advance& advance = scratch.advances[row + 1];
@@ -107,16 +106,12 @@ void cover_fast_ways(Stores& stores, Vec2 gravity_m_s2, float dt_s, StepScratch&
         }
     };
     tasks.parallel_for(awake.size(), kRowsPerChunk, [&](const Chunk& chunk) {
-        std::vector<int>& fast = scratch.fast_found[chunk.index];
-        std::vector<int>& untold = scratch.untold_boxes[chunk.index];
-        for (int row = chunk.begin; row < chunk.end; ++row) cover(row, fast, untold);
+        ChunkedList<int>::Appender fast(scratch.fast_found, chunk);
+        ChunkedList<int>::Appender untold(scratch.untold_boxes, chunk);
+        for (int row = chunk.begin; row < chunk.end; ++row) cover(row, fast.items(), untold.items());
     });
     tell_fat_boxes(stores, scratch.untold_boxes);
-    scratch.fast.clear();
-    for (int chunk = 0; chunk < scratch.fast_found.size(); ++chunk) {
-        const std::vector<int>& found = scratch.fast_found[chunk];
-        scratch.fast.insert(scratch.fast.end(), found.begin(), found.end());
-    }
+    scratch.fast_found.copy_to(scratch.fast);
 }
 
 void extend_advances(Stores& stores, Vec2 gravity_m_s2, float dt_s, StepScratch& scratch) {

@@ -6,8 +6,6 @@
 
 #include <cairn/physics/tuning.h>
 
-#include "world/even_lists.h"
-
 namespace cairn::physics {
 namespace {
 
@@ -99,10 +97,8 @@ void tell_fat_box(Stores& stores, int shape) {
     note_moved_boxes(stores, stores.shapes[shape].body);
 }
 
-void tell_fat_boxes(Stores& stores, const PerChunk<std::vector<int>>& shapes) {
-    for (int chunk = 0; chunk < shapes.size(); ++chunk) {
-        for (const int shape : shapes[chunk]) tell_fat_box(stores, shape);
-    }
+void tell_fat_boxes(Stores& stores, const ChunkedList<int>& shapes) {
+    shapes.for_each([&](int shape) { tell_fat_box(stores, shape); });
 }
 
 float clearance(const Aabb& outer, const Aabb& inner) {
@@ -138,12 +134,12 @@ void finalize_bodies(Stores& stores, StepScratch& scratch, float dt_s, bool slee
         halt(scratch.motions, row + 1);
         quarantined.push_back(stores.bodies.slots.id(awake.body[row]));
     }
-    start_lists(scratch.untold_boxes, awake.size(), kRowsPerChunk);
+    scratch.untold_boxes.start(awake.size(), kRowsPerChunk, tasks);
     tasks.parallel_for(awake.size(), kRowsPerChunk, [&](const Chunk& chunk) {
-        std::vector<int>& untold = scratch.untold_boxes[chunk.index];
+        ChunkedList<int>::Appender untold(scratch.untold_boxes, chunk);
         for (int row = chunk.begin; row < chunk.end; ++row) {
             take_place(stores.bodies, scratch, row, dt_s, sleep_enabled);
-            if (awake.box_slack[row] <= 0) update_boxes(stores, awake.body[row], untold);
+            if (awake.box_slack[row] <= 0) update_boxes(stores, awake.body[row], untold.items());
         }
     });
     tell_fat_boxes(stores, scratch.untold_boxes);

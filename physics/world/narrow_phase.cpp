@@ -77,10 +77,6 @@ unsigned gone_lanes(const std::vector<Aabb>& fat_boxes, const PairBlock& pairs, 
     return gone;
 }
 
-AxisGap gap_in(const ManifoldLanes& manifold, int lane) {
-    return {{manifold.normal_x[lane], manifold.normal_y[lane]}, manifold.gap[lane]};
-}
-
 void collide_block(const Stores& stores, const PairBlock& pairs, PairGeometry geometry, unsigned lanes,
                    const PoseLanes& poses, ManifoldLanes& out) {
     unsigned general = ~0u;

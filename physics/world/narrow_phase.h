@@ -4,16 +4,12 @@
 #include "collide/manifold.h"
 #include "collide/place_lanes.h"
 #include "resolve/contact_constraint.h"
-#include "world/fast_bodies.h"
 #include "world/world_state.h"
 
 namespace cairn::physics {
 
 /// Of some lanes those whose boxes have parted.
 unsigned gone_lanes(const std::vector<Aabb>& fat_boxes, const PairBlock& pairs, unsigned lanes);
-
-/// Along which axis a lane without points was seen to be apart.
-AxisGap gap_in(const ManifoldLanes& manifold, int lane);
 
 /// `lanes` has a bit for each lane that is wanted.
 void collide_block(const Stores& stores, const PairBlock& pairs, PairGeometry geometry, unsigned lanes,

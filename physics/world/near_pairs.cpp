@@ -3,7 +3,6 @@
 
 #include <bit>
 
-#include "world/even_lists.h"
 #include "world/narrow_phase.h"
 
 namespace cairn::physics {
@@ -15,12 +14,13 @@ constexpr int kBlocksPerChunk = 32;
 // Looks at some blocks of near pairs, one after the other.
 class NearLook {
   public:
-    NearLook(const Stores& stores, PairGeometry geometry, int first_block, float dt_s, StepScratch& scratch,
-             std::vector<NearAhead>& ahead)
+    NearLook(const Stores& stores, PairGeometry geometry, int first_block, Vec2 gravity_m_s2, float dt_s,
+             StepScratch& scratch, std::vector<NearAhead>& ahead)
         : stores_(stores),
           lanes_(stores.contacts.lanes),
           geometry_(geometry),
           first_block_(first_block),
+          gravity_m_s2_(gravity_m_s2),
           dt_s_(dt_s),
           scratch_(scratch),
           ahead_(ahead) {}
@@ -64,14 +64,14 @@ class NearLook {
             const auto bit = static_cast<std::uint8_t>(1 << from_[lane] % kLanes);
             if (manifold_.points[0].id[lane] != kNoFeature) {
                 found.meets |= bit;
-            } else if ((places_.fast >> lane & 1) != 0) {
-                const AxisGap seen = gap_in(manifold_, lane);
-                if (!could_meet(scratch_.advances[places_.row_a[lane]],
-                                scratch_.advances[places_.row_b[lane]], seen, dt_s_))
-                    continue;
-                found.could_meet |= bit;
-                ahead_.push_back({from_[lane], seen});
+                continue;
             }
+            ContactInput input;
+            if (!meets_ahead(stores_, scratch_.advances, places_, manifold_, lane, pairs.contact[lane],
+                             gravity_m_s2_, dt_s_, input))
+                continue;
+            found.will_meet |= bit;
+            ahead_.push_back({from_[lane], input});
         }
     }
 
@@ -79,6 +79,7 @@ class NearLook {
     const ContactLanes& lanes_;
     const PairGeometry geometry_;
     const int first_block_;
+    const Vec2 gravity_m_s2_;
     const float dt_s_;
     StepScratch& scratch_;
     std::vector<NearAhead>& ahead_;
@@ -91,24 +92,30 @@ class NearLook {
 
 }  // namespace
 
-void find_near(const Stores& stores, PairGeometry geometry, int first, int count, float dt_s,
-               StepScratch& scratch, TaskPool& tasks) {
+bool meets_ahead(const Stores& stores, const std::vector<Advance>& advances, const BlockPlaces& places,
+                 const ManifoldLanes& manifold, int lane, int contact, Vec2 gravity_m_s2, float dt_s,
+                 ContactInput& input) {
+    if ((places.fast >> lane & 1) == 0) return false;
+    const AxisGap seen{{manifold.normal_x[lane], manifold.normal_y[lane]}, manifold.gap[lane]};
+    return could_meet(advances[places.row_a[lane]], advances[places.row_b[lane]], seen, dt_s) &&
+           predict_contact(stores, stores.contacts.slots[contact], seen, gravity_m_s2, dt_s, input);
+}
+
+void find_near(const Stores& stores, PairGeometry geometry, int first, int count, Vec2 gravity_m_s2,
+               float dt_s, StepScratch& scratch, TaskPool& tasks) {
     const int first_block = first / kLanes;
     const int blocks = (count + kLanes - 1) / kLanes - first_block;
     scratch.near_findings.resize(blocks);
-    start_lists(scratch.ahead_found, blocks, kBlocksPerChunk);
+    scratch.ahead_found.start(blocks, kBlocksPerChunk, tasks);
     tasks.parallel_for(blocks, kBlocksPerChunk, [&](const Chunk& chunk) {
-        NearLook look(stores, geometry, first_block, dt_s, scratch, scratch.ahead_found[chunk.index]);
+        ChunkedList<NearAhead>::Appender ahead(scratch.ahead_found, chunk);
+        NearLook look(stores, geometry, first_block, gravity_m_s2, dt_s, scratch, ahead.items());
         for (int block = first_block + chunk.begin; block < first_block + chunk.end; ++block) {
             look.look_at(block, near_lanes(first, count, block));
         }
         look.finish();
     });
-    scratch.near_ahead.clear();
-    for (int chunk = 0; chunk < scratch.ahead_found.size(); ++chunk) {
-        const std::vector<NearAhead>& found = scratch.ahead_found[chunk];
-        scratch.near_ahead.insert(scratch.near_ahead.end(), found.begin(), found.end());
-    }
+    scratch.ahead_found.copy_to(scratch.near_ahead);
 }
 
 }  // namespace cairn::physics

@@ -1,4 +1,4 @@
-// Pairs without points: which of them meet, which may meet within the step, and which have parted. Most are
+// Pairs without points: which of them meet, which will meet within the step, and which have parted. Most are
 // told by two discs, eight pairs at once; what is left is packed, so that lanes of the manifold's routines
 // are full.
 #pragma once
@@ -16,10 +16,16 @@ inline unsigned near_lanes(int first, int count, int block) {
     return (1u << end) - (1u << begin);
 }
 
+/// Whether a pair that has no points, in a lane of a block just looked at, will meet within the step: the
+/// contact of then, as predict_contact has it.
+bool meets_ahead(const Stores& stores, const std::vector<Advance>& advances, const BlockPlaces& places,
+                 const ManifoldLanes& manifold, int lane, int contact, Vec2 gravity_m_s2, float dt_s,
+                 ContactInput& input);
+
 /// Looks at the near pairs of a geometry from lane `first` up to `count`, on several threads. Findings are by
-/// block, from that of `first` on, in `near_findings`; `near_ahead` has what may meet, in the order of the
-/// lanes.
-void find_near(const Stores& stores, PairGeometry geometry, int first, int count, float dt_s,
-               StepScratch& scratch, TaskPool& tasks);
+/// block, from that of `first` on, in `near_findings`; `near_ahead` has what will meet, in the order of
+/// the lanes.
+void find_near(const Stores& stores, PairGeometry geometry, int first, int count, Vec2 gravity_m_s2,
+               float dt_s, StepScratch& scratch, TaskPool& tasks);
 
 }  // namespace cairn::physics

@@ -7,6 +7,7 @@
 
 #include <cairn/physics/world.h>
 
+#include "base/chunked_list.h"
 #include "base/motion.h"
 #include "base/task_pool.h"
 #include "broad/broad_phase.h"
@@ -134,31 +135,27 @@ struct WayScratch {
     std::vector<std::uint8_t> found;          // by block, bits: lanes across which something may have passed
 };
 
-/// What the narrow phase found in a block of contacts, as bits by lane.
-struct BlockFindings {
-    std::uint8_t gone = 0;   // the boxes have parted
-    std::uint8_t apart = 0;  // no points any more
-    std::uint8_t told = 0;   // wanted in plain form beside the lane
-    std::uint8_t loose = 0;  // solved in plain form instead
+/// A contact in a lane that wants more than its block can do for it.
+struct LaneNote {
+    int block;
+    int lane;
+    bool parts;      ///< no points any more
+    bool will_meet;  ///< again, within the step: as `input` says
+    bool is_loose;   ///< solved in plain form, which `input` is, instead of the lane's; else beside it
+    ContactInput input;
 };
 
-/// The same in a block of pairs that had no points.
+/// What was found in a block of pairs that had no points, as bits by lane.
 struct NearFindings {
-    std::uint8_t gone = 0;
-    std::uint8_t meets = 0;       // points
-    std::uint8_t could_meet = 0;  // within the step
+    std::uint8_t gone = 0;       // the boxes have parted
+    std::uint8_t meets = 0;      // points
+    std::uint8_t will_meet = 0;  // within the step
 };
 
-/// An axis, from a to b, along which two shapes are at least this far apart; 0 says nothing.
-struct AxisGap {
-    Vec2 axis;
-    float gap_m = 0;
-};
-
-/// A near pair that could meet within the step.
+/// A near pair that will meet within the step.
 struct NearAhead {
     int lane;
-    AxisGap seen;
+    ContactInput input;
 };
 
 /// What a step works on. Kept from step to step for its memory only.
@@ -184,14 +181,15 @@ struct StepScratch {
     StaticsScratch statics;
     std::vector<Advance> advances;  // by row of the motions
     std::vector<int> fast;          // bodies that could pass through others in this step
-    PerChunk<std::vector<int>> fast_found;
-    PerChunk<std::vector<int>> untold_boxes;  // of shapes: written, but not known to the broad phase yet
+    ChunkedList<int> fast_found;
+    ChunkedList<int> untold_boxes;  // of shapes: written, but not known to the broad phase yet
     WayScratch ways;
-    std::vector<BlockFindings> findings;  // of blocks in colours, in their order
+    std::vector<std::uint8_t> gone_lanes;  // of blocks in colours, in their order, as bits
+    ChunkedList<LaneNote> notes;
     std::vector<NearFindings> near_findings;
-    PerChunk<std::vector<NearAhead>> ahead_found;
+    ChunkedList<NearAhead> ahead_found;
     std::vector<NearAhead> near_ahead;  // in the order of their lanes
-    PerChunk<std::vector<ItemPair>> found_pairs;
+    ChunkedList<ItemPair> found_pairs;
     std::vector<ItemPair> pairs;
 };
 

@@ -1,0 +1,70 @@
+// A list that the chunks of a loop append to on several threads, and that is read in the order of the chunks.
+// Invariant: what stands in it, and in which order, does not depend on who ran which chunk: each thread has a
+// list of its own, and each chunk knows its part of one. So there are as many lists as threads, and not one
+// for each chunk that grows in its own time.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "base/task_pool.h"
+
+namespace cairn::physics {
+
+template <class T>
+class ChunkedList {
+  public:
+    /// Empties the list for a loop of the pool.
+    void start(int count, int grain, const TaskPool& tasks) {
+        if (lists_.size() < static_cast<std::size_t>(tasks.threads())) lists_.resize(tasks.threads());
+        for (List& list : lists_) list.items.clear();
+        parts_.assign(chunk_count(count, grain), Part{});
+    }
+
+    /// What a chunk appends to; nothing else does meanwhile.
+    class Appender {
+      public:
+        Appender(ChunkedList& list, const Chunk& chunk)
+            : items_(list.lists_[chunk.worker].items), part_(list.parts_[chunk.index]) {
+            part_.worker = chunk.worker;
+            part_.begin = items_.size();
+        }
+        ~Appender() { part_.end = items_.size(); }
+        Appender(const Appender&) = delete;
+        Appender& operator=(const Appender&) = delete;
+
+        [[nodiscard]] std::vector<T>& items() { return items_; }
+
+      private:
+        std::vector<T>& items_;
+        typename ChunkedList::Part& part_;
+    };
+
+    /// Calls visit(item) for all, in the order of the chunks.
+    template <class Visit>
+    void for_each(Visit&& visit) const {
+        for (const Part& part : parts_) {
+            for (std::size_t i = part.begin; i < part.end; ++i) visit(lists_[part.worker].items[i]);
+        }
+    }
+
+    void copy_to(std::vector<T>& all) const {
+        all.clear();
+        for_each([&](const T& item) { all.push_back(item); });
+    }
+
+  private:
+    struct Part {
+        int worker = 0;
+        std::size_t begin = 0;
+        std::size_t end = 0;
+    };
+    struct alignas(64) List {  // threads do not share cache lines
+        std::vector<T> items;
+    };
+
+    std::vector<List> lists_;  // by thread
+    std::vector<Part> parts_;  // by chunk
+};
+
+}  // namespace cairn::physics
