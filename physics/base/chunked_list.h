@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "base/ample.h"
 #include "base/task_pool.h"
 
 namespace cairn::physics {
@@ -18,7 +19,7 @@ class ChunkedList {
     void start(int count, int grain, const TaskPool& tasks) {
         if (lists_.size() < static_cast<std::size_t>(tasks.threads())) lists_.resize(tasks.threads());
         for (List& list : lists_) list.items.clear();
-        parts_.assign(chunk_count(count, grain), Part{});
+        assign_amply(parts_, static_cast<std::size_t>(chunk_count(count, grain)), Part{});
     }
 
     /// What a chunk appends to; nothing else does meanwhile.

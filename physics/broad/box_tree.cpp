@@ -1,6 +1,7 @@
 // Insertion, removal and upkeep of the tree.
 #include "broad/box_tree.h"
 
+#include "base/ample.h"
 #include "base/assert.h"
 
 namespace cairn::physics {
@@ -110,8 +111,8 @@ void BoxTree::sort_groups(int first, int last, OrderScratch& scratch) {
     const auto groups = std::span(levels_[0]).subspan(first, last - first);
     const auto items = std::span(items_).subspan(kGroupSize * first, kGroupSize * (last - first));
     const std::span<const std::uint64_t> order = scratch.order.sort(groups, items);
-    scratch.groups.assign(groups.size(), BoxGroup{});
-    scratch.items.assign(items.size(), kNone);
+    assign_amply(scratch.groups, groups.size(), BoxGroup{});
+    assign_amply(scratch.items, items.size(), kNone);
     for (std::size_t to = 0; to < order.size(); ++to) {
         const int from = MortonOrder::place(order[to]);
         const int item = items[from];

@@ -1,6 +1,7 @@
 // What moved since the last search, and the search.
 #include "broad/broad_phase.h"
 
+#include "base/ample.h"
 #include "base/assert.h"
 
 namespace cairn::physics {
@@ -79,7 +80,7 @@ void BroadPhase::collect_moved_groups() {
         if (!states_[item].moved) continue;
         const BoxTree& tree = this->tree(layer(item));
         auto& lanes = moved_index_[index(layer(item))];
-        if (lanes.empty()) lanes.resize(tree.level(0).size(), 0);
+        if (lanes.empty()) resize_amply(lanes, tree.level(0).size());
         lanes[tree.place(item) / kGroupSize] |= 1 << (tree.place(item) % kGroupSize);
     }
     for (const Layer layer : kLayers) {

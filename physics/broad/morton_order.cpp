@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/ample.h"
 #include "base/assert.h"
 #include "base/slot_map.h"
 
@@ -77,7 +78,7 @@ std::span<const std::uint64_t> MortonOrder::sort(std::span<const BoxGroup> group
 
 void MortonOrder::make_keys(std::span<const BoxGroup> groups, std::span<const int> items) {
     const Grid grid = make_grid(groups);
-    keys_.resize(items.size());
+    resize_amply(keys_, items.size());
     std::size_t taken = 0;
     for (std::size_t place = 0; place < items.size(); ++place) {
         if (items[place] == kNone) continue;

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "base/ample.h"
+
 namespace cairn::physics {
 
 void Islands::reset(int count) {
@@ -11,10 +13,11 @@ void Islands::reset(int count) {
 }
 
 void Islands::collect(std::span<const float> rest_times_s) {
-    first_.assign(count_, -1);
-    last_.assign(count_, -1);
-    next_.assign(count_, -1);
-    shortest_rest_.resize(count_);
+    const auto count = static_cast<std::size_t>(count_);
+    assign_amply(first_, count, -1);
+    assign_amply(last_, count, -1);
+    assign_amply(next_, count, -1);
+    resize_amply(shortest_rest_, count);
     for (int i = 0; i < count_; ++i) {
         const int root = sets_.find(i);
         if (first_[root] < 0) {

@@ -7,6 +7,7 @@
 
 #include <cairn/physics/tuning.h>
 
+#include "base/ample.h"
 #include "base/prefetch.h"
 #include "world/contact_events.h"
 #include "world/contact_lists.h"
@@ -229,7 +230,7 @@ class Update {
     void update_blocks() {
         const std::span<const int> blocks = stores_.contacts.lanes.blocks();
         const int count = static_cast<int>(blocks.size());
-        scratch_.gone_lanes.resize(blocks.size());
+        resize_amply(scratch_.gone_lanes, blocks.size());
         scratch_.notes.start(count, kBlocksPerChunk, world_.tasks);
         world_.tasks.parallel_for(count, kBlocksPerChunk, [&](const Chunk& chunk) {
             BlockPlaces places;

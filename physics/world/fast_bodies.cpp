@@ -6,6 +6,7 @@
 
 #include <cairn/physics/tuning.h>
 
+#include "base/ample.h"
 #include "world/finalize.h"
 
 namespace cairn::physics {
@@ -86,7 +87,7 @@ Vec2 moved(const Sweep& sweep, Vec2 arm, float time_s) {
 
 void cover_fast_ways(Stores& stores, Vec2 gravity_m_s2, float dt_s, StepScratch& scratch, TaskPool& tasks) {
     const BodyRows& awake = stores.bodies.rows(RowSet::Awake);
-    scratch.advances.resize(awake.size() + 1);
+    resize_amply(scratch.advances, static_cast<std::size_t>(awake.size()) + 1);
     scratch.advances[kWorldRow] = {};
     scratch.fast_found.start(awake.size(), kRowsPerChunk, tasks);
     scratch.untold_boxes.start(awake.size(), kRowsPerChunk, tasks);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "base/ample.h"
 #include "collide/place_lanes.h"
 #include "collide/ray_cast.h"
 #include "world/fast_bodies.h"
@@ -169,7 +170,7 @@ class AllBlocks {
 };
 
 void find_passed(const Stores& stores, const AllBlocks& blocks, WayScratch& scratch, TaskPool& tasks) {
-    scratch.found.resize(blocks.size());
+    resize_amply(scratch.found, static_cast<std::size_t>(blocks.size()));
     tasks.parallel_for(blocks.size(), kBlocksPerChunk, [&](const Chunk& chunk) {
         for (int i = chunk.begin; i < chunk.end; ++i) {
             unsigned found = 0;
@@ -213,7 +214,7 @@ void hold_fast_bodies(Stores& stores, StepScratch& scratch, TaskPool& tasks) {
     const AllBlocks blocks(stores.contacts.lanes);
     find_passed(stores, blocks, ways, tasks);
 
-    ways.free_shares.assign(ways.displacements.size(), 1.0f);
+    assign_amply(ways.free_shares, ways.displacements.size(), 1.0f);
     tasks.parallel_for(static_cast<int>(scratch.fast.size()), kBodiesPerChunk, [&](const Chunk& chunk) {
         for (int i = chunk.begin; i < chunk.end; ++i) {
             const int body = scratch.fast[i];

@@ -3,6 +3,7 @@
 
 #include <bit>
 
+#include "base/ample.h"
 #include "world/narrow_phase.h"
 
 namespace cairn::physics {
@@ -105,7 +106,7 @@ void find_near(const Stores& stores, PairGeometry geometry, int first, int count
                float dt_s, StepScratch& scratch, TaskPool& tasks) {
     const int first_block = first / kLanes;
     const int blocks = (count + kLanes - 1) / kLanes - first_block;
-    scratch.near_findings.resize(blocks);
+    resize_amply(scratch.near_findings, static_cast<std::size_t>(blocks));
     scratch.ahead_found.start(blocks, kBlocksPerChunk, tasks);
     tasks.parallel_for(blocks, kBlocksPerChunk, [&](const Chunk& chunk) {
         ChunkedList<NearAhead>::Appender ahead(scratch.ahead_found, chunk);

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 
+#include "base/ample.h"
 #include "base/prefetch.h"
 
 namespace cairn::physics {
@@ -53,18 +54,18 @@ class Estimate {
     Estimate(ContactLanes& lanes, StepScratch& scratch, Vec2 up)
         : lanes_(lanes), step_(scratch), motions_(scratch.motions), scratch_(scratch.statics), up_(up) {
         const auto rows = static_cast<std::size_t>(motions_.size());
-        scratch_.first.assign(rows, kNone);
-        scratch_.above.assign(rows, 0);
-        scratch_.load.assign(rows, 0);
-        scratch_.moment.assign(rows, 0);
+        assign_amply(scratch_.first, rows, kNone);
+        assign_amply(scratch_.above, rows, 0);
+        assign_amply(scratch_.load, rows, 0.0f);
+        assign_amply(scratch_.moment, rows, 0.0f);
         scratch_.ready.clear();
     }
 
     void find_supports(TaskPool& tasks) {
         const std::span<const int> blocks = lanes_.blocks();
         const std::size_t plain_blocks = (step_.scalar_contacts.size() + kLanes - 1) / kLanes;
-        scratch_.supports.resize(blocks.size() + plain_blocks);
-        scratch_.next.resize(kLanes * scratch_.supports.size());
+        resize_amply(scratch_.supports, blocks.size() + plain_blocks);
+        resize_amply(scratch_.next, kLanes * scratch_.supports.size());
         tasks.parallel_for(static_cast<int>(blocks.size()), kBlocksPerChunk, [&](const Chunk& chunk) {
             for (int i = chunk.begin; i < chunk.end; ++i) {
                 const std::size_t ahead = static_cast<std::size_t>(i) + kBlocksAhead;

@@ -126,8 +126,7 @@ TEST_CASE("a parallel loop visits each index once, on any number of threads") {
 TEST_CASE("the chunks of a loop follow from its count and grain alone") {
     for (const int threads : kThreadCounts) {
         TaskPool pool(threads);
-        PerChunk<Chunk> seen;
-        seen.fit(103, 10);
+        std::vector<Chunk> seen(chunk_count(103, 10));
         pool.parallel_for(103, 10, [&](const Chunk& chunk) { seen[chunk.index] = chunk; });
         REQUIRE(seen.size() == 11);
         for (int i = 0; i < 11; ++i) {
@@ -146,28 +145,16 @@ TEST_CASE("sums per chunk, added in the order of the chunks, are the same bits o
     std::vector<float> sums;
     for (const int threads : kThreadCounts) {
         TaskPool pool(threads);
-        PerChunk<float> partial;
-        partial.fit(10'000, 37);
+        std::vector<float> partial(chunk_count(10'000, 37));
         pool.parallel_for(10'000, 37, [&](const Chunk& chunk) {
             partial[chunk.index] =
                 std::accumulate(numbers.begin() + chunk.begin, numbers.begin() + chunk.end, 0.0f);
         });
         float sum = 0;
-        for (int i = 0; i < partial.size(); ++i) sum += partial[i];
+        for (const float part : partial) sum += part;
         sums.push_back(sum);
     }
     CHECK(sums == std::vector<float>(kThreadCounts.size(), sums[0]));
-}
-
-TEST_CASE("slots per chunk keep their memory from loop to loop") {
-    PerChunk<std::vector<int>> slots;
-    slots.fit(100, 10);
-    slots[3].assign(50, 1);
-    const int* const memory = slots[3].data();
-    slots.fit(20, 10);
-    CHECK(slots.size() == 2);
-    slots.fit(100, 10);
-    CHECK(slots[3].data() == memory);
 }
 
 TEST_CASE("all workers of a pool run at the same time") {
