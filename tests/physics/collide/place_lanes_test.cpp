@@ -1,0 +1,217 @@
+// Places in lanes against places read one by one; and what is called apart, or not passed, against motions
+// that are followed in many small steps.
+#include "collide/place_lanes.h"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <vector>
+
+#include <cairn/physics/simd.h>
+#include <cairn/physics/tuning.h>
+
+#include "physics/support/random.h"
+
+namespace cairn::physics {
+namespace {
+
+using test::Random;
+
+constexpr int kBodies = 40;
+constexpr float kDt_s = 1.0f / 60;
+
+// Bodies far from the origin, some of them not awake; lanes that name two of them each.
+struct Crowd {
+    explicit Crowd(std::uint64_t seed) : random(seed) {
+        for (int body = 0; body < kBodies; ++body) {
+            Place& place = places.emplace_back();
+            place.center = Position{1e6, -3e5} + random.vector(-3, 3);
+            place.rotation = Rotation::from_angle(random.real(-3, 3));
+            place.row = body % 5 == 0 ? 0 : body + 1;
+            place.flags = static_cast<std::uint32_t>(random.below(8));
+        }
+        for (int lane = 0; lane < kLanes; ++lane) {
+            body_a[lane] = random.below(kBodies);
+            body_b[lane] = random.below(kBodies);
+        }
+        lanes = static_cast<unsigned>(random.below(1 << kLanes));
+        // What is not wanted need not be a body.
+        for (int lane = 0; lane < kLanes; ++lane) {
+            if ((lanes >> lane & 1) == 0) body_a[lane] = body_b[lane] = -1;
+        }
+    }
+
+    Random random;
+    std::vector<Place> places;
+    alignas(32) Lanes<std::int32_t> body_a{};
+    alignas(32) Lanes<std::int32_t> body_b{};
+    unsigned lanes = 0;
+};
+
+template <class Check>
+void at_every_level(Check&& check) {
+    for (const SimdLevel level : available_simd_levels()) {
+        INFO(name(level));
+        force_simd_level(level).value();
+        check();
+    }
+    force_simd_level(available_simd_levels().back()).value();
+}
+
+// The point of a body at `arm` from its centre, `share` of the step later, as seen from where the centre was.
+Vec2 moved_point(const Displacement& d, Vec2 arm, float angle, float share) {
+    return share * d.moved + rotate(Rotation::from_angle(static_cast<double>(share * angle)), arm);
+}
+
+}  // namespace
+
+TEST_CASE("places in lanes are those of the bodies, and lanes that nobody wants are far apart") {
+    at_every_level([] {
+        for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+            const Crowd crowd(seed);
+            BlockPlaces found;
+            load_places(crowd.places.data(), crowd.body_a, crowd.body_b, crowd.lanes, found);
+            unsigned fast = 0;
+            unsigned turn_far = 0;
+            unsigned boxes_moved = 0;
+            for (int lane = 0; lane < kLanes; ++lane) {
+                if ((crowd.lanes >> lane & 1) == 0) {
+                    REQUIRE(found.poses.dx[lane] >= 1e9f);
+                    REQUIRE(found.row_a[lane] == 0);
+                    REQUIRE(found.row_b[lane] == 0);
+                    continue;
+                }
+                const Place& a = crowd.places[crowd.body_a[lane]];
+                const Place& b = crowd.places[crowd.body_b[lane]];
+                const Vec2 between = b.center - a.center;
+                REQUIRE(found.poses.dx[lane] == between.x);
+                REQUIRE(found.poses.dy[lane] == between.y);
+                REQUIRE(found.poses.cos_a[lane] == a.rotation.c);
+                REQUIRE(found.poses.sin_a[lane] == a.rotation.s);
+                REQUIRE(found.poses.cos_b[lane] == b.rotation.c);
+                REQUIRE(found.poses.sin_b[lane] == b.rotation.s);
+                REQUIRE(found.row_a[lane] == a.row);
+                REQUIRE(found.row_b[lane] == b.row);
+                const std::uint32_t flags = a.flags | b.flags;
+                fast |= (flags & place_flag::kFast) != 0 ? 1u << lane : 0;
+                turn_far |= (flags & place_flag::kTurnsFar) != 0 ? 1u << lane : 0;
+                boxes_moved |= (flags & place_flag::kBoxesMoved) != 0 ? 1u << lane : 0;
+            }
+            REQUIRE(found.fast == fast);
+            REQUIRE(found.turn_far == turn_far);
+            REQUIRE(found.boxes_moved == boxes_moved);
+        }
+    });
+}
+
+TEST_CASE("pairs are called apart when their discs are, for the whole step if one of them is fast") {
+    at_every_level([] {
+        int close = 0;
+        int apart = 0;
+        for (std::uint64_t seed = 1; seed <= 400; ++seed) {
+            Crowd crowd(seed);
+            std::vector<Advance> advances(kBodies + 1);
+            for (std::size_t row = 1; row < advances.size(); ++row)
+                advances[row].velocity_m_s = crowd.random.vector(-100, 100);
+            alignas(32) Lanes<float> reach_m{};
+            for (float& reach : reach_m) reach = crowd.random.real_f(0, 3);
+            const NearLanes found = look_near(crowd.places.data(), crowd.body_a, crowd.body_b, reach_m,
+                                              advances.data(), kDt_s, crowd.lanes);
+            REQUIRE((found.close & ~crowd.lanes) == 0);
+            for (int lane = 0; lane < kLanes; ++lane) {
+                if ((crowd.lanes >> lane & 1) == 0) continue;
+                const Place& a = crowd.places[crowd.body_a[lane]];
+                const Place& b = crowd.places[crowd.body_b[lane]];
+                const bool fast = ((a.flags | b.flags) & place_flag::kFast) != 0;
+                const Vec2 velocity = advances[b.row].velocity_m_s - advances[a.row].velocity_m_s;
+                float least = length(b.center - a.center);
+                for (int i = 1; fast && i <= 64; ++i) {
+                    const float time_s = kDt_s * static_cast<float>(i) / 64;
+                    least = std::min(least, length((b.center - a.center) + time_s * velocity));
+                }
+                const bool is_close = (found.close >> lane & 1) != 0;
+                const bool come_near = least - reach_m[lane] < tuning::kSpeculativeDistance_m - 1e-5f;
+                if (come_near) REQUIRE(is_close);
+                // Of what does not move, nothing else is close.
+                const bool far = least - reach_m[lane] > tuning::kSpeculativeDistance_m + 1e-5f;
+                if (far && !fast) REQUIRE_FALSE(is_close);
+                (is_close ? close : apart) += 1;
+            }
+        }
+        CHECK(close > 300);
+        CHECK(apart > 300);
+    });
+}
+
+TEST_CASE("two bodies in the same place are close") {
+    at_every_level([] {
+        const std::vector<Place> places(2, Place{.flags = place_flag::kFast});
+        const std::vector<Advance> advances(1);
+        alignas(32) const Lanes<std::int32_t> body_a{};
+        alignas(32) const Lanes<std::int32_t> body_b{1, 1, 1, 1, 1, 1, 1, 1};
+        alignas(32) const Lanes<float> reach_m{};
+        CHECK(look_near(places.data(), body_a, body_b, reach_m, advances.data(), kDt_s, 255).close == 255);
+    });
+}
+
+TEST_CASE("a shape's centre that gets into the other body's disc is among what may have passed") {
+    at_every_level([] {
+        int passed = 0;
+        int spared = 0;
+        for (std::uint64_t seed = 1; seed <= 400; ++seed) {
+            Crowd crowd(seed);
+            std::vector<Displacement> displacements(kBodies + 1);
+            std::vector<float> angles(kBodies + 1);
+            for (std::size_t row = 1; row < displacements.size(); ++row) {
+                Displacement& d = displacements[row];
+                d.moved = crowd.random.vector(-2, 2);
+                angles[row] = crowd.random.real_f(-1, 1);
+                d.chord = 2 * std::fabs(std::sin(0.5f * angles[row]));
+                d.extent_m = crowd.random.real_f(0.1, 1);
+                d.arm_m = crowd.random.real_f(0, 0.5);
+                d.least_way_m = crowd.random.real_f(0, 0.2);
+            }
+            const unsigned found = find_passed(crowd.places.data(), crowd.body_a, crowd.body_b,
+                                               displacements.data(), crowd.lanes);
+            REQUIRE((found & ~crowd.lanes) == 0);
+            const auto meets = [&](const Place& one, const Place& other, float direction) {
+                const Displacement& d = displacements[one.row];
+                const Displacement& e = displacements[other.row];
+                const Vec2 apart = (other.center - one.center) - (e.moved - d.moved);
+                const Vec2 arm =
+                    d.arm_m * rotate(Rotation::from_angle(static_cast<double>(direction)), Vec2{1, 0});
+                bool inside = false;
+                for (int i = 0; i <= 64; ++i) {
+                    const float share = static_cast<float>(i) / 64;
+                    const Vec2 at = moved_point(d, arm, angles[one.row], share);
+                    const Vec2 from_other = at - (apart + share * e.moved);
+                    inside |= length(from_other) < e.extent_m - 1e-4f;
+                }
+                return inside &&
+                       length(moved_point(d, arm, angles[one.row], 1) - arm) > d.least_way_m + 1e-4f;
+            };
+            for (int lane = 0; lane < kLanes; ++lane) {
+                if ((crowd.lanes >> lane & 1) == 0) continue;
+                const Place& a = crowd.places[crowd.body_a[lane]];
+                const Place& b = crowd.places[crowd.body_b[lane]];
+                const bool fast = ((a.flags | b.flags) & place_flag::kFast) != 0;
+                const bool is_found = (found >> lane & 1) != 0;
+                if (!fast) REQUIRE_FALSE(is_found);
+                (is_found ? passed : spared) += 1;
+                if (!fast || a.row == 0 || b.row == 0 || a.row == b.row) continue;
+                // As seen from the other, the way may be short although each moved far; such pairs are no
+                // ground for a check.
+                const Vec2 relative = displacements[b.row].moved - displacements[a.row].moved;
+                if (length(relative) < 0.5f) continue;
+                for (int i = 0; i < 8; ++i) {
+                    const float direction = 0.8f * static_cast<float>(i);
+                    if (meets(a, b, direction) || meets(b, a, direction)) REQUIRE(is_found);
+                }
+            }
+        }
+        CHECK(passed > 300);
+        CHECK(spared > 300);
+    });
+}
+
+}  // namespace cairn::physics
