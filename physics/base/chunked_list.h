@@ -14,6 +14,15 @@ namespace cairn::physics {
 
 template <class T>
 class ChunkedList {
+    struct Part {
+        int worker = 0;
+        std::size_t begin = 0;
+        std::size_t end = 0;
+    };
+    struct alignas(64) List {  // threads do not share cache lines
+        std::vector<T> items;
+    };
+
   public:
     /// Empties the list for a loop of the pool.
     void start(int count, int grain, const TaskPool& tasks) {
@@ -38,7 +47,7 @@ class ChunkedList {
 
       private:
         std::vector<T>& items_;
-        typename ChunkedList::Part& part_;
+        Part& part_;
     };
 
     /// Calls visit(item) for all, in the order of the chunks.
@@ -55,15 +64,6 @@ class ChunkedList {
     }
 
   private:
-    struct Part {
-        int worker = 0;
-        std::size_t begin = 0;
-        std::size_t end = 0;
-    };
-    struct alignas(64) List {  // threads do not share cache lines
-        std::vector<T> items;
-    };
-
     std::vector<List> lists_;  // by thread
     std::vector<Part> parts_;  // by chunk
 };
