@@ -32,6 +32,7 @@ enum class Mover : std::uint8_t {
     Flight,    // nothing acts on it but forces: one exact stride
     Substeps,  // contacts act on it
     Turning,   // the same, and scalar code needs its turn as a rotation
+    Direct,    // the structure of joints that it is part of
 };
 
 /// Axes along which a body does not move, as bits.

@@ -82,7 +82,7 @@ HWY_INLINE Vec between(const Place* places, const std::int32_t* a, const std::in
 
 void load_places(const Place* places, const Lanes<std::int32_t>& body_a, const Lanes<std::int32_t>& body_b,
                  unsigned lanes, BlockPlaces& out) {
-    out.fast = out.turn_far = out.boxes_moved = 0;
+    out.fast = out.turn_far = out.boxes_moved = out.direct = 0;
     for (int lane = 0; lane < kLanes; lane += kStep) {
         const M wanted = wanted_lanes(lanes, lane);
         alignas(32) std::int32_t a[kLanes];
@@ -106,10 +106,12 @@ void load_places(const Place* places, const Lanes<std::int32_t>& body_a, const L
         out.fast |= flagged(flags, place_flag::kFast) << lane;
         out.turn_far |= flagged(flags, place_flag::kTurnsFar) << lane;
         out.boxes_moved |= flagged(flags, place_flag::kBoxesMoved) << lane;
+        out.direct |= flagged(flags, place_flag::kDirect) << lane;
     }
     out.fast &= lanes;
     out.turn_far &= lanes;
     out.boxes_moved &= lanes;
+    out.direct &= lanes;
 }
 
 // Discs that hold the shapes, along the line between their centres.

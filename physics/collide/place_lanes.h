@@ -19,6 +19,7 @@ struct BlockPlaces {
     unsigned fast = 0;
     unsigned turn_far = 0;
     unsigned boxes_moved = 0;
+    unsigned direct = 0;
 };
 
 /// `lanes` has a bit for each lane that is wanted; the others need not name a body.

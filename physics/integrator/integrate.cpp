@@ -9,10 +9,11 @@ float decay(float damping_1_s, float time_s) {
     return static_cast<float>(deterministic::exp(static_cast<double>(-damping_1_s * time_s)));
 }
 
-VelocityRow accelerated(const VelocityRow& row, const Drive& drive, float k, float time_s) {
+// Damped over the time, and accelerated for `kick_s` of it.
+VelocityRow accelerated(const VelocityRow& row, const Drive& drive, float k, float time_s, float kick_s) {
     VelocityRow next = row;
-    next.v = decay(drive.linear_damping, time_s) * (row.v + time_s * drive.acceleration);
-    const float faster = k > 0 ? time_s * drive.angular_acceleration / k : 0;
+    next.v = decay(drive.linear_damping, time_s) * (row.v + kick_s * drive.acceleration);
+    const float faster = k > 0 ? kick_s * drive.angular_acceleration / k : 0;
     next.w = decay(drive.angular_damping, time_s) * (row.w + faster);
     return next;
 }
@@ -33,7 +34,9 @@ void integrate_velocities(Motions& motions, std::span<const Drive> drives, float
             guess.v = row.v - without.v;
             guess.w = row.w - without.w;
         }
-        row = accelerated(row, drives[i], motions.pose[i].k, h_s);
+        // Structures of joints take the other half when they have moved.
+        const float kick_s = motions.mover[i] == Mover::Direct ? 0.5f * h_s : h_s;
+        row = accelerated(row, drives[i], motions.pose[i].k, h_s, kick_s);
         without = row;
         row.v += guess.v;
         row.w += guess.w;
@@ -64,7 +67,7 @@ void integrate_positions(Motions& motions, float h_s) {
 
 void integrate_positions(Motions& motions, float h_s, int first, int last) {
     for (int i = first; i < last; ++i) {
-        if (motions.mover[i] == Mover::Flight) continue;
+        if (motions.mover[i] == Mover::Flight || motions.mover[i] == Mover::Direct) continue;
         motions.pose[i].d += h_s * motions.velocity[i].v;
         motions.pose[i].theta += h_s * motions.velocity[i].w;
         if (motions.mover[i] == Mover::Turning)
@@ -76,7 +79,7 @@ void fly_freely(Motions& motions, std::span<const Drive> drives, float dt_s) {
     for (int i = 0; i < motions.size(); ++i) {
         if (motions.mover[i] != Mover::Flight) continue;
         const VelocityRow before = motions.velocity[i];
-        motions.velocity[i] = accelerated(before, drives[i], motions.pose[i].k, dt_s);
+        motions.velocity[i] = accelerated(before, drives[i], motions.pose[i].k, dt_s, dt_s);
         motions.pose[i].d = 0.5f * dt_s * (before.v + motions.velocity[i].v);
         motions.pose[i].theta = 0.5f * dt_s * (before.w + motions.velocity[i].w);
     }

@@ -181,6 +181,10 @@ float leaving_speed(const ContactConstraint& c, const ContactPointConstraint& p,
 
 }  // namespace
 
+float separation_now(const ContactConstraint& c, const ContactPointConstraint& p, const Motions& motions) {
+    return current_separation(motions.get(c.a), motions.get(c.b), p, c.normal);
+}
+
 ContactRules make_contact_rules(float h_s, float max_push_out_speed_m_s, float restitution_speed_m_s) {
     const float frequency = std::min(tuning::kContactFrequency_hz, tuning::kMaxFrequencyShare / h_s);
     return {make_soft(frequency, tuning::kContactDampingRatio, h_s),

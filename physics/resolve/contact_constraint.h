@@ -110,6 +110,9 @@ inline float first_guess(float remembered, float static_impulse, float step_rati
 /// Makes the first guess of a step and applies it.
 void warm_start_contact(ContactConstraint& c, Motions& motions, float step_ratio, float friction_ratio);
 
+/// Of a point whose bodies have moved since the start of the step, m.
+float separation_now(const ContactConstraint& c, const ContactPointConstraint& p, const Motions& motions);
+
 void solve_contact(ContactConstraint& c, Motions& motions, const ContactRules& rules, float h_s, Pass pass);
 
 /// Gives the closing velocity of the impact back, times the restitution. Once, after the last substep.

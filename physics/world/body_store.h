@@ -41,6 +41,7 @@ struct BodyRecord {
     int last_shape = kNone;
     int first_sensor = kNone;
     int breakable = kNone;     // place among the breakable bodies
+    float joint_inertia = 0;   // kg m^2, which a direct solution gave it last (resolve/direct); 0: none did
     int next_sleeper = kNone;  // ring of the bodies that fell asleep together
     std::uint64_t user_data = 0;
 };

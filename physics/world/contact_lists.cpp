@@ -3,6 +3,7 @@
 
 #include <bit>
 
+#include "world/direct_groups.h"
 #include "world/special_contacts.h"
 
 namespace cairn::physics {
@@ -10,6 +11,14 @@ namespace {
 
 bool can_be_moved(const BodyRecord& body) {
     return body.inverse_mass > 0;
+}
+
+void note_if_uneven(Stores& stores, int contact) {
+    const ContactRecord& c = stores.contacts.slots[contact];
+    const float a = stores.bodies.slots[c.body_a].inverse_mass;
+    const float b = stores.bodies.slots[c.body_b].inverse_mass;
+    if (a > 0 && b > 0 && (a > kUnevenMasses * b || b > kUnevenMasses * a))
+        stores.contacts.uneven.add(stores.contacts.slots, contact);
 }
 
 PairGeometry geometry_of(const Stores& stores, const ContactRecord& c) {
@@ -107,6 +116,7 @@ void list_contact(Stores& stores, int contact) {
     ContactRecord& c = stores.contacts.slots[contact];
     if (c.bucket != kNone) return;
     if (!stores.bodies.is_awake(c.body_a) && !stores.bodies.is_awake(c.body_b)) return;
+    note_if_uneven(stores, contact);
     if (is_loose(c)) return add_loose(stores.contacts, contact);
     c.bucket = near_bucket(geometry_of(stores, c));
     c.lane = stores.contacts.lanes.add(c.bucket, make_lane(stores, contact));
@@ -117,6 +127,7 @@ void unlist_contact(Stores& stores, int contact) {
     if (c.bucket == kNone) return;
     c.memory = memory_of(stores.contacts, contact);
     take_out(stores, contact);
+    stores.contacts.uneven.remove(stores.contacts.slots, contact);
 }
 
 void forget_points(Stores& stores, int contact) {
@@ -130,6 +141,7 @@ void color_contact(Stores& stores, int contact) {
     ContactStore& contacts = stores.contacts;
     ContactRecord& c = contacts.slots[contact];
     c.has_points = true;
+    note_if_uneven(stores, contact);
     const std::size_t bodies = static_cast<std::size_t>(stores.bodies.slots.end_index());
     if (contacts.colors.size() < bodies) contacts.colors.resize(bodies, 0);
     c.bucket = choose_bucket(stores, c);

@@ -11,6 +11,7 @@
 
 #include "base/slot_map.h"
 #include "resolve/contact_lanes.h"
+#include "world/active_list.h"
 #include "world/edge_list.h"
 
 namespace cairn::physics {
@@ -24,8 +25,9 @@ struct ContactRecord {
     int body_a = kNone;
     int body_b = kNone;
     Edges edges;
-    int bucket = kNone;    // kNone: not listed
-    int lane = 0;          // in the bucket, or among the loose contacts
+    int bucket = kNone;  // kNone: not listed
+    int lane = 0;        // in the bucket, or among the loose contacts
+    int uneven_index = kNone;
     ContactMemory memory;  // kept in the lane instead while the contact is in a colour
     float friction = 0;
     float restitution = 0;
@@ -42,6 +44,7 @@ struct ContactStore {
     SlotMap<ContactRecord, Handle<struct ContactTag>> slots;
     ContactLanes lanes;
     std::vector<int> loose;
+    ActiveList<&ContactRecord::uneven_index> uneven;  // of those that are listed: world/direct_groups.h
     std::vector<std::uint32_t> colors;  // by body slot: bits of those in which the body is moved
 };
 

@@ -88,6 +88,7 @@ void make_constraint(const Stores& stores, int joint, const StepTime& time, Join
     c = {};
     c.kind = kind_of(record);
     c.joint = joint;
+    c.direct = record.direct;
     c.anchors = make_anchors(stores.bodies, record, frames);
     c.rows = {c.anchors.a, c.anchors.b};
     for (std::size_t i = 0; i < c.impulse.size(); ++i) c.impulse[i] = time.impulse_ratio * record.impulse[i];

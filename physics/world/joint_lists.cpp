@@ -19,12 +19,12 @@ bool can_be_moved(const BodyRecord& body) {
     return body.inverse_mass > 0;
 }
 
-// Springs without damping start from a guess of their own, and gears look at the constraints of their joints:
-// both are for the scalar solver, as are axes that do not move.
+// Springs without damping start from a guess of their own, and gears and structures look at the constraints
+// of their joints: these are for the scalar solver, as are axes that do not move.
 bool fits_lane(const Stores& stores, int joint) {
     const JointRecord& record = stores.joints.slots[joint];
     const auto* def = std::get_if<RevoluteJointDef>(&record.def);
-    if (def == nullptr || (def->enable_spring && def->damping_ratio == 0)) return false;
+    if (record.direct || def == nullptr || (def->enable_spring && def->damping_ratio == 0)) return false;
     const BodyRecord& a = stores.bodies.slots[record.body_a];
     const BodyRecord& b = stores.bodies.slots[record.body_b];
     if (!can_be_moved(b) || locked_axes(a) != 0 || locked_axes(b) != 0) return false;
@@ -131,17 +131,21 @@ void leave_lane(Stores& stores, int joint) {
 void list_joint(Stores& stores, int joint) {
     const JointRecord& record = stores.joints.slots[joint];
     if (record.active_index != kNone) return;
+    ++stores.joints.version;
     stores.joints.active.add(stores.joints.slots, joint);
     stores.joints.swept.add(stores.joints.slots, joint);
 }
 
 void unlist_joint(Stores& stores, int joint) {
+    if (stores.joints.slots[joint].active_index == kNone) return;
+    ++stores.joints.version;
     leave_lane(stores, joint);
     stores.joints.active.remove(stores.joints.slots, joint);
     stores.joints.swept.remove(stores.joints.slots, joint);
 }
 
 void unseat_joint(Stores& stores, int joint) {
+    ++stores.joints.version;
     if (stores.joints.slots[joint].seat.lane == kNone) return;
     leave_lane(stores, joint);
     stores.joints.swept.add(stores.joints.slots, joint);

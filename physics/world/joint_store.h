@@ -25,6 +25,7 @@ struct JointRecord {
     int active_index = kNone;
     int swept_index = kNone;
     JointSeat seat;
+    bool direct = false;  // solved with its whole structure at once (world/direct_groups.h), and not swept
     bool collide_connected = false;
     std::uint64_t user_data = 0;
     // Of frame b relative to frame a with its whole turns, rad; as it was at the end of the last step in
@@ -48,6 +49,7 @@ struct JointStore {
     ActiveList<&JointRecord::swept_index> swept;  // of those, the ones without lanes
     JointLanes lanes;
     std::vector<std::uint32_t> colors;  // by body, bits: colours of lanes in which it stands
+    std::uint64_t version = 0;          // of what is active, how it is defined and what it joins
 };
 
 }  // namespace cairn::physics

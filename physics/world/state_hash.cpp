@@ -18,6 +18,7 @@ void add_body(StateHash& hash, const BodyStore& bodies, int body) {
     hash.add(rows.spin[record.row], rows.rest_time[record.row]);
     hash.add(rows.force[record.row]);
     hash.add(rows.torque[record.row], record.mass.mass_kg);
+    if (record.joint_inertia > 0) hash.add(record.joint_inertia, 0);
 }
 
 void add_contact(StateHash& hash, const ContactStore& contacts, int contact) {

@@ -8,6 +8,8 @@
 #include "world/breakables.h"
 #include "world/contact_events.h"
 #include "world/contacts.h"
+#include "world/direct_groups.h"
+#include "world/direct_solve.h"
 #include "world/fast_bodies.h"
 #include "world/fast_guard.h"
 #include "world/finalize.h"
@@ -39,6 +41,7 @@ void step_world(WorldState& world, float dt_s) {
     settle_reshaped(stores);
     cover_fast_ways(stores, def.gravity_m_s2, dt_s, scratch, tasks);
     find_new_pairs(stores, scratch, tasks);
+    choose_direct_groups(stores, def.joint_solver, world.direct);
     prepare_motions(stores.bodies, def.gravity_m_s2, dt_s, scratch);
     clock.enter(Stage::Contacts);
     update_contacts(world, time, rules);
@@ -48,15 +51,18 @@ void step_world(WorldState& world, float dt_s) {
     choose_movers(stores, scratch);
     prepare_joints(stores, time, scratch, tasks);
     estimate_statics(stores.contacts.lanes, def.gravity_m_s2, time, scratch, tasks);
+    start_direct_solve(stores, rules, time, scratch, world.direct, tasks);
 
     clock.enter(Stage::Solve);
     const Acting acting = what_acts(stores, scratch);
     for (int substep = 0; substep < time.substeps; ++substep) {
         note_spring_speeds(stores.joints.lanes, scratch, tasks);
         integrate_velocities(scratch, time.h_s, acting, substep == 0, tasks);
+        solve_direct(world.direct, scratch, rules, time.h_s, tasks);
         if (substep == 0) warm_start_contacts(stores.contacts.lanes, scratch, time, tasks);
         solve(stores, scratch, rules, time.h_s, acting, Pass::Biased, tasks);
         integrate_positions(scratch, time.h_s, tasks);
+        move_direct(world.direct, scratch, rules, time.h_s, tasks);
         solve(stores, scratch, rules, time.h_s, acting, Pass::Relax, tasks);
     }
     clock.enter(Stage::Store);
@@ -68,6 +74,7 @@ void step_world(WorldState& world, float dt_s) {
     find_overloads(stores, scratch, world.events);
     store_contact_impulses(stores.contacts, scratch);
     store_joint_impulses(stores.joints, time, scratch);
+    store_direct(world.direct, stores);
     clock.enter(Stage::Finalize);
     finalize_bodies(stores, scratch, time.dt_s, def.enable_sleep, world.events.quarantined, tasks);
     clock.enter(Stage::Continuous);

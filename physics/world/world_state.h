@@ -14,6 +14,7 @@
 #include "collide/place_lanes.h"
 #include "islands/islands.h"
 #include "resolve/contact_constraint.h"
+#include "resolve/direct/direct_component.h"
 #include "resolve/joints/joint_constraint.h"
 #include "resolve/support_lanes.h"
 #include "world/body_mass.h"
@@ -193,6 +194,31 @@ struct StepScratch {
     std::vector<ItemPair> pairs;
 };
 
+/// Joints, and the bodies that move of them and of what they touch.
+struct DirectStructure {
+    std::vector<int> joints;
+    std::vector<int> bodies;
+};
+
+/// What is solved directly (world/direct_groups.h).
+struct DirectGroups {
+    std::vector<DirectStructure> structures;  // of joints alone
+    std::uint64_t version = 0;                // of the joints for which they were found
+    std::vector<int> structure_of;            // by body
+    int count = 0;                            // groups of this step, the first of the following
+    std::vector<DirectStructure> groups;
+    std::vector<DirectComponent> components;
+    std::vector<std::vector<int>> contacts;  // places in the plain form
+    std::vector<int> of_body;                // group, by body
+    // While groups are chosen and assembled:
+    std::vector<int> reached;   // bodies from one seed
+    std::vector<int> found;     // structures from one seed
+    std::vector<int> too_many;  // bodies that hang together with more than a group may take up
+    std::vector<int> places;
+    std::vector<float> inertia;    // by row of the motions
+    std::vector<int> body_of_row;  // working list of DirectComponent::assemble
+};
+
 struct WorldState {
     WorldState(const WorldDef& definition, std::uint16_t tag)
         : def(definition), stores(tag), tasks(definition.threads, definition.tasks) {
@@ -203,6 +229,7 @@ struct WorldState {
     Stores stores;
     Events events;
     StepScratch scratch;
+    DirectGroups direct;
     std::uint64_t step_count = 0;
     bool stepping = false;  // the host may be asked within a step
     Profile profile;        // of the last step

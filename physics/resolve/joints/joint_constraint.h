@@ -44,6 +44,7 @@ struct JointLaw {
     LawKind kind = LawKind::Hold;
     std::uint8_t direction = 0;  // the first
     std::uint8_t count = 1;
+    bool rigid = false;  // of what is held: no softer than the default
     bool round = false;  // high limits the length of an impulse of two directions
     float target = 0;
     std::array<float, 2> speed{};  // m/s or rad/s
@@ -100,6 +101,7 @@ struct JointConstraint {
     std::array<JointLaw, 6> laws;
     int law_count = 0;
     bool has_spring = false;
+    bool direct = false;              // solved with its whole structure at once, and not by sweeping
     JointImpulses impulse{};          // of one substep
     Vec2 total_impulse;               // on body b over the step, N s
     float total_angular_impulse = 0;  // about its anchor, N m s

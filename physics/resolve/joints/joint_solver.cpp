@@ -227,7 +227,7 @@ void make_springs(std::span<JointConstraint> joints, const Motions& motions, flo
 
 void note_spring_speeds(std::span<JointConstraint> joints, const Motions& motions) {
     for (JointConstraint& c : joints) {
-        if (!c.has_spring) continue;
+        if (!c.has_spring || c.direct) continue;
         Directions directions;
         place(c, joints, motions, directions);
         const Bodies bodies(c, motions);
@@ -242,6 +242,7 @@ void note_spring_speeds(std::span<JointConstraint> joints, const Motions& motion
 
 void warm_start_joints(std::span<JointConstraint> joints, Motions& motions) {
     for (JointConstraint& c : joints) {
+        if (c.direct) continue;
         Directions directions;
         place(c, joints, motions, directions);
         Bodies bodies(c, motions);
@@ -264,6 +265,7 @@ void warm_start_joints(std::span<JointConstraint> joints, Motions& motions) {
 
 void solve_joints(std::span<JointConstraint> joints, Motions& motions, float h_s, Pass pass) {
     for (JointConstraint& c : joints) {
+        if (c.direct) continue;
         Directions directions;
         place(c, joints, motions, directions);
         Bodies bodies(c, motions);

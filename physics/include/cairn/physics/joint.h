@@ -32,6 +32,15 @@ enum class JointKind : std::uint8_t {
     Filter,
 };
 
+/// How joints are solved, and contacts of bodies of very different mass.
+enum class JointSolver : std::uint8_t {
+    /// All joints of a structure at once, with its contacts, where sweeping would leave errors: long chains,
+    /// heavy bodies on light ones, whether joined or only touching.
+    Automatic,
+    Sweeping,  ///< one after another: the cheapest; errors grow with mass ratios and lengths
+    Direct,    ///< all structures at once, whatever it costs
+};
+
 /// How stiffly a joint holds what it holds rigid. Softer than the default where a structure shall give.
 struct JointStiffness {
     float frequency_hz = 60;  ///< > 0; what the substeps cannot resolve is softened to what they can

@@ -27,6 +27,7 @@ namespace cairn::physics {
 struct WorldDef {
     Vec2 gravity_m_s2{0, -10};
     int substeps = 4;  ///< per step, 1..64
+    JointSolver joint_solver = JointSolver::Automatic;
     bool enable_sleep = true;
     float hit_speed_m_s = 1;           ///< least approach speed that makes a ContactHit, >= 0
     float restitution_speed_m_s = 1;   ///< slower approaches do not bounce, >= 0

@@ -1,0 +1,138 @@
+// A structure of joints and contacts that is solved as one system, exactly, where sweeping would take
+// hundreds of rounds: long chains, heavy bodies on light ones.
+//
+// In each substep, with M the masses, J the Jacobian, E a trace of give that makes redundant joints solvable:
+//   open      v += h/2 of gravity and forces
+//   solve     [M J^T; J -E] [dv; -p] = [0; -(C/h + J v)], v += dv
+//   (other contacts, each by itself)
+//   move      x += h v, then two projections of x on C = 0 of the joints with the same factors
+//   close     v += h/2 of gravity and forces; the system anew where the bodies are now, with J v = 0
+// The half kicks before and after make a pendulum keep its energy to 1e-8 a minute.
+//
+// Geometric stiffness: a taut joint turns a body back with k = sum |r| |F|, and explicit steps explode where
+// h^2 k > 4 I. So the system sees the inertia I~ = I + max(0, h^2 k - 2 I), with F of the last solution, and
+// again with F of this one when that was too little. Where I~ grew, the spin is scaled so that angular
+// momentum stays. Sources: Baraff 1996; Tournier, Nesme, Gilles and Faure, "Stable Constrained Dynamics"
+// (2015); Andrews, Teichmann and Kovecses, "Geometric Stiffness for Real-time Constrained Multibody Dynamics"
+// (2017).
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "base/motion.h"
+#include "resolve/contact_constraint.h"
+#include "resolve/direct/direct_system.h"
+#include "resolve/joints/joint_constraint.h"
+
+namespace cairn::physics {
+
+/// What all structures of a step work on.
+struct DirectScene {
+    std::span<JointConstraint> joints;
+    std::span<ContactConstraint> contacts;
+    Motions& motions;
+    std::span<const Drive> drives;
+    ContactRules rules;
+    float h_s = 0;
+};
+
+class DirectComponent {
+  public:
+    /// Of joints and contacts given by their places in the scene. `body_of_row` is a working list as long as
+    /// the motions, of -1, and is so again afterwards.
+    void assemble(std::span<const int> joints, std::span<const int> contacts, const DirectScene& scene,
+                  std::vector<int>& body_of_row);
+
+    [[nodiscard]] int bodies() const { return static_cast<int>(system_.bodies.size()); }
+    /// Of the motions.
+    [[nodiscard]] int row(int body) const { return rows_[static_cast<std::size_t>(body)]; }
+    /// I~ of the last substep, kg m^2.
+    [[nodiscard]] double inertia(int body) const {
+        return system_.bodies[static_cast<std::size_t>(body)].inertia;
+    }
+
+    /// Once per step, before anything acts. I~ of the last step is given by row of the motions; 0: as it is.
+    void start(const DirectScene& scene, std::span<const float> inertia_before);
+    void solve(const DirectScene& scene);
+    void move(const DirectScene& scene);
+    void close(const DirectScene& scene);
+
+  private:
+    using Member = DirectSystem::Member;
+    // One law of a joint along one direction.
+    struct JointRow {
+        int law = 0;   // of the constraint
+        int part = 0;  // of a law with several directions
+        double sign = 1;
+        double error = 0;         // C
+        double speed_before = 0;  // of springs
+        // What one unit of impulse is to the other body, for the reaction: at its anchor.
+        Vec2 force;
+        float torque = 0;
+    };
+    struct JointMember {
+        int place = 0;                                           // in the scene
+        std::array<int, kMaxJointBodies> links{-1, -1, -1, -1};  // -1: cannot be moved
+    };
+    struct ContactMember {
+        int place = 0;
+        std::array<int, 2> links{-1, -1};
+    };
+    // For geometric stiffness.
+    struct Lever {
+        double arm = 0;  // |r|, m
+        // Linear impulses: of the last biased solution, and of the last closing one.
+        double pulled = 0, closed = 0;
+    };
+    enum class Phase : std::uint8_t { Solve, Close };
+    // Give of joints, as a part of J 1/M J^T; contacts may be left to a sweep.
+    struct Attempt {
+        double joints = 0;
+        bool sweeps_contacts = false;
+    };
+    static const std::array<Attempt, 3> kAttempts;
+
+    int find_body(int row, std::vector<int>& body_of_row);
+    int link_to(int row, const Motions& motions, std::vector<int>& body_of_row);
+    [[nodiscard]] int joint_rows() const { return static_cast<int>(joint_rows_.size()); }
+    [[nodiscard]] const Member& member_of_contact(std::size_t contact) const {
+        return system_.members[joints_.size() + contact];
+    }
+
+    void place_joints(const DirectScene& scene);
+    void place_contacts(const DirectScene& scene);
+    void read(const Motions& motions);
+    void write(Motions& motions) const;
+    void describe(const DirectScene& scene, Phase phase);
+    void describe(const JointLaw& law, JointRow& row, DirectEquation& e, double h, Phase phase) const;
+    void describe_contact(const DirectScene& scene, std::size_t contact, Phase phase);
+    void satisfy(const DirectScene& scene, Phase phase);
+    void sweep_contacts(const DirectScene& scene, Phase phase);
+    [[nodiscard]] bool is_contradictory() const;
+    [[nodiscard]] double inertia_for(std::size_t body, double h) const;
+    bool enlarge_inertia(double h);
+    template <class Set>
+    void measure_pulls(const Set& set);
+    void sum_levers();
+    void note_spring_speeds();
+    [[nodiscard]] double greatest_error(const DirectScene& scene) const;
+    bool project(const DirectScene& scene);
+    void give_impulses(const DirectScene& scene);
+
+    DirectSystem system_;    // members: joints, then contacts
+    std::vector<int> rows_;  // of bodies
+    std::vector<double> inertia_before_;
+    std::vector<double> levers_;  // of bodies, sum |r| |p|, kg m^2/s
+    std::vector<JointMember> joints_;
+    std::vector<ContactMember> contacts_;
+    std::vector<JointRow> joint_rows_;  // the first equations of the system
+    std::vector<Lever> links_;          // the first links
+    std::vector<double> velocity_before_;
+    std::vector<double> impulse_at_start_;  // of the phase
+    std::vector<double> x_;
+    Attempt attempt_;
+};
+
+}  // namespace cairn::physics

@@ -1,0 +1,267 @@
+// Principal pivoting over a sparse factorization.
+#include "resolve/direct/direct_system.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace cairn::physics {
+namespace {
+
+constexpr int kMaxPivots = 300;
+// So often all may change over without fewer being wrong.
+constexpr int kChances = 3;
+constexpr int kMaxFrictionRounds = 4;
+// Of a bound of friction: smaller changes are not worth another solution.
+constexpr double kSameBound = 1e-2;
+// Speeds this near what is wanted are met, m/s or rad/s; and impulses this near a bound, times 1 kg.
+constexpr double kSame = 1e-9;
+
+std::size_t at(int i) {
+    return static_cast<std::size_t>(i);
+}
+
+}  // namespace
+
+void DirectSystem::clear() {
+    bodies.clear();
+    members.clear();
+    links.clear();
+    equations.clear();
+}
+
+void DirectSystem::begin_member() {
+    Member m;
+    m.first_link = m.last_link = static_cast<int>(links.size());
+    m.first_equation = m.last_equation = static_cast<int>(equations.size());
+    members.push_back(m);
+}
+
+void DirectSystem::add_link(int body) {
+    links.push_back({body, 0});
+    members.back().last_link = static_cast<int>(links.size());
+}
+
+int DirectSystem::add_equation() {
+    equations.push_back({});
+    members.back().last_equation = static_cast<int>(equations.size());
+    return static_cast<int>(equations.size()) - 1;
+}
+
+void DirectSystem::arrange() {
+    std::vector<BlockLdl::Node>& nodes = nodes_;
+    std::vector<BlockLdl::Edge>& edges = edges_;
+    nodes.assign(bodies.size(), {3, false});
+    edges.clear();
+    int numbers = 0;
+    for (Member& m : members) {
+        const int node = static_cast<int>(nodes.size());
+        nodes.push_back({m.equations(), true});
+        m.first_j = numbers;
+        numbers += 3 * (m.last_link - m.first_link) * m.equations();
+        for (int l = m.first_link; l < m.last_link; ++l) {
+            links[at(l)].edge = static_cast<int>(edges.size());
+            edges.push_back({links[at(l)].body, node});
+        }
+    }
+    factors_.analyze(nodes, edges);
+    j_.assign(at(numbers), 0);
+    velocity.assign(3 * bodies.size(), 0);
+    x_.assign(at(factors_.size()), 0);
+}
+
+void DirectSystem::weigh() {
+    for (const Member& m : members) {
+        for (int e = m.first_equation; e < m.last_equation; ++e) equations[at(e)].inverse_mass = 0;
+        const double* j = j_.data() + m.first_j;
+        for (int l = m.first_link; l < m.last_link; ++l) {
+            const DirectBody& body = bodies[at(links[at(l)].body)];
+            const double by_mass = 1 / body.mass;
+            const double by_inertia = 1 / body.own_inertia;
+            for (int e = m.first_equation; e < m.last_equation; ++e, j += 3) {
+                equations[at(e)].inverse_mass +=
+                    (j[0] * j[0] + j[1] * j[1]) * by_mass + j[2] * j[2] * by_inertia;
+            }
+        }
+    }
+}
+
+double DirectSystem::speed(int member, int equation) const {
+    const Member& m = members[at(member)];
+    double sum = equations[at(equation)].drift;
+    const double* j = j_.data() + m.first_j + 3 * (equation - m.first_equation);
+    for (int l = m.first_link; l < m.last_link; ++l, j += 3 * m.equations()) {
+        const double* v = velocity.data() + 3 * links[at(l)].body;
+        sum += j[0] * v[0] + j[1] * v[1] + j[2] * v[2];
+    }
+    return sum;
+}
+
+void DirectSystem::push(int member, int equation, double impulse) {
+    const Member& m = members[at(member)];
+    const double* j = j_.data() + m.first_j + 3 * (equation - m.first_equation);
+    for (int l = m.first_link; l < m.last_link; ++l, j += 3 * m.equations()) {
+        const DirectBody& body = bodies[at(links[at(l)].body)];
+        double* v = velocity.data() + 3 * links[at(l)].body;
+        v[0] += j[0] * impulse / body.mass;
+        v[1] += j[1] * impulse / body.mass;
+        v[2] += j[2] * impulse / body.inertia;
+    }
+}
+
+void DirectSystem::fill() {
+    factors_.clear();
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+        double* diagonal = factors_.diagonal(static_cast<int>(b));
+        diagonal[0] = diagonal[4] = bodies[b].mass;
+        diagonal[8] = bodies[b].inertia;
+    }
+    int node = static_cast<int>(bodies.size());
+    for (const Member& m : members) {
+        const int n = m.equations();
+        double* diagonal = factors_.diagonal(node++);
+        for (int row = 0; row < n; ++row) {
+            const DirectEquation& e = equations[at(m.first_equation + row)];
+            diagonal[row * n + row] = e.state == State::Acts ? -e.give : -1;
+        }
+        const double* j = j_.data() + m.first_j;
+        for (int l = m.first_link; l < m.last_link; ++l) {
+            const BlockLdl::EdgeBlock edge = factors_.edge(links[at(l)].edge);
+            for (int row = 0; row < n; ++row, j += 3) {
+                if (equations[at(m.first_equation + row)].state != State::Acts) continue;
+                for (int column = 0; column < 3; ++column) edge.set(row, column, j[column]);
+            }
+        }
+    }
+    factors_.factor();
+}
+
+// Velocities and impulses that fulfil the equations as they are now.
+void DirectSystem::balance() {
+    velocity = velocity_before_;
+    for (int m = 0; m < static_cast<int>(members.size()); ++m) {
+        for (int i = members[at(m)].first_equation; i < members[at(m)].last_equation; ++i) {
+            DirectEquation& e = equations[at(i)];
+            if (e.state == State::Acts) continue;
+            if (e.state == State::Idle) e.impulse = 0;
+            if (e.state == State::AtLow) e.impulse = e.low - e.before;
+            if (e.state == State::AtHigh) e.impulse = e.high - e.before;
+            if (e.impulse != 0) push(m, i, e.impulse);
+        }
+    }
+    fill();
+    std::fill(x_.begin(), x_.end(), 0.0);
+    for (int m = 0; m < static_cast<int>(members.size()); ++m) {
+        double* x = x_.data() + place_of_member(m);
+        for (int i = members[at(m)].first_equation; i < members[at(m)].last_equation; ++i, ++x) {
+            if (equations[at(i)].state == State::Acts) *x = equations[at(i)].wanted - speed(m, i);
+        }
+    }
+    factors_.solve(x_);
+    for (int b = 0; b < static_cast<int>(bodies.size()); ++b) {
+        const double* x = x_.data() + place_of_body(b);
+        for (int i = 0; i < 3; ++i) velocity[at(3 * b + i)] += x[i];
+    }
+    for (int m = 0; m < static_cast<int>(members.size()); ++m) {
+        const double* x = x_.data() + place_of_member(m);
+        for (int i = members[at(m)].first_equation; i < members[at(m)].last_equation; ++i, ++x) {
+            if (equations[at(i)].state == State::Acts) equations[at(i)].impulse = -*x;
+        }
+    }
+}
+
+bool DirectSystem::is_wrong(const DirectEquation& e, int member, int equation) const {
+    if (e.bound == Bound::None || e.state == State::Idle || e.state == State::Given) return false;
+    const double whole = e.before + e.impulse;
+    if (e.bound == Bound::Round) {
+        const double partner = equations[at(equation + 1)].before + equations[at(equation + 1)].impulse;
+        return whole * whole + partner * partner > e.high * e.high;
+    }
+    if (e.state == State::Acts) {
+        const double same = kSame * std::fabs(whole);
+        return whole < e.low - same || whole > e.high + same;
+    }
+    if (!(e.low < e.high)) return false;
+    const double over = speed(member, equation) + e.give * e.impulse - e.wanted;
+    return e.state == State::AtLow ? over < -kSame : over > kSame;
+}
+
+void DirectSystem::change_over(int equation) {
+    DirectEquation& e = equations[at(equation)];
+    if (e.bound == Bound::Round) {  // shortened once and for all
+        DirectEquation& other = equations[at(equation + 1)];
+        const double x = e.before + e.impulse;
+        const double y = other.before + other.impulse;
+        const double scale = e.high / std::sqrt(x * x + y * y);
+        e.impulse = scale * x - e.before;
+        other.impulse = scale * y - other.before;
+        e.state = other.state = State::Given;
+    } else if (e.state == State::Acts) {
+        e.state = e.before + e.impulse < e.low ? State::AtLow : State::AtHigh;
+    } else {
+        e.state = State::Acts;
+    }
+}
+
+// With bounds as they are.
+bool DirectSystem::pivot() {
+    std::size_t fewest = std::numeric_limits<std::size_t>::max();
+    int chances = kChances;
+    for (int pivots = 0; pivots < kMaxPivots; ++pivots) {
+        balance();
+        wrong_.clear();
+        for (int m = 0; m < static_cast<int>(members.size()); ++m) {
+            for (int i = members[at(m)].first_equation; i < members[at(m)].last_equation; ++i) {
+                if (is_wrong(equations[at(i)], m, i)) wrong_.push_back(i);
+            }
+        }
+        if (wrong_.empty()) return true;
+        if (wrong_.size() < fewest) {
+            fewest = wrong_.size();
+            chances = kChances;
+        } else {
+            --chances;
+        }
+        if (chances < 0) {
+            change_over(wrong_.back());
+        } else {
+            for (const int i : wrong_) change_over(i);
+        }
+    }
+    return false;
+}
+
+// Bounds by what presses now; whether they are others than before.
+bool DirectSystem::renew_friction() {
+    bool changed = false;
+    for (DirectEquation& e : equations) {
+        if (e.bound != Bound::Friction || e.state == State::Idle) continue;
+        double pressed = 0;
+        for (int i = e.first_push; i < e.last_push; ++i) {
+            pressed += std::max(equations[at(i)].before + equations[at(i)].impulse, 0.0);
+        }
+        const double bound = e.coefficient * pressed;
+        const bool matters = e.state != State::Acts || std::fabs(e.before + e.impulse) > bound;
+        changed = changed || (matters && std::fabs(bound - e.high) > kSameBound * bound);
+        if (e.state == State::Acts || e.high > 0) {
+            e.low = -bound;
+            e.high = bound;
+        } else if (bound > 0) {  // it did not press before: nobody knows to which side
+            e.state = State::Acts;
+            e.low = -bound;
+            e.high = bound;
+        }
+    }
+    return changed;
+}
+
+bool DirectSystem::satisfy(std::span<const double> velocity_before) {
+    velocity_before_.assign(velocity_before.begin(), velocity_before.end());
+    for (int round = 0; round < kMaxFrictionRounds; ++round) {
+        if (!pivot()) return false;
+        if (!renew_friction()) break;
+    }
+    return true;
+}
+
+}  // namespace cairn::physics

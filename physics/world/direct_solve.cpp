@@ -1,0 +1,134 @@
+// Phases of the groups within a step.
+#include "world/direct_solve.h"
+
+#include <algorithm>
+
+#include <cairn/physics/tuning.h>
+
+#include "integrator/integrate.h"
+#include "world/prepare.h"
+
+namespace cairn::physics {
+namespace {
+
+DirectScene scene_of(StepScratch& scratch, const ContactRules& rules, float h_s) {
+    return {scratch.joints, scratch.contacts, scratch.motions, scratch.drives, rules, h_s};
+}
+
+// The group to which a contact belongs as a whole, or kNone.
+int group_of(const ContactRecord& c, const DirectGroups& groups, const Stores& stores) {
+    const int a = groups.of_body[static_cast<std::size_t>(c.body_a)];
+    const int b = groups.of_body[static_cast<std::size_t>(c.body_b)];
+    if (a == b) return a;
+    const auto is_held = [&](int body) { return stores.bodies.slots[body].inverse_mass == 0; };
+    if (a == kNone && is_held(c.body_a)) return b;
+    if (b == kNone && is_held(c.body_b)) return a;
+    return kNone;
+}
+
+// Contacts that a group may take over: with more of them per body nearly everything touches everything, and
+// the factors fill.
+constexpr std::size_t kContactsPerBody = 3;
+constexpr std::size_t kSpareContacts = 4;
+
+// m. A joint and a contact that hold a body where the other does not want it give way to each other, which
+// only a sweep lets them.
+constexpr float kDeepest_m = 4 * tuning::kLinearSlop_m;
+
+bool is_deep(const ContactConstraint& c) {
+    return std::min(c.points[0].separation, c.count > 1 ? c.points[1].separation : 0) < -kDeepest_m;
+}
+
+// Takes contacts between members of groups out of the sweep.
+void distribute_contacts(const Stores& stores, StepScratch& scratch, DirectGroups& groups) {
+    for (std::vector<int>& list : groups.contacts) list.clear();
+    std::erase_if(scratch.scalar_contacts, [&](int i) {
+        const ContactRecord& c = stores.contacts.slots[scratch.contacts[static_cast<std::size_t>(i)].contact];
+        int group = group_of(c, groups, stores);
+        if (group != kNone && !groups.groups[static_cast<std::size_t>(group)].joints.empty() &&
+            is_deep(scratch.contacts[static_cast<std::size_t>(i)])) {
+            group = kNone;
+        }
+        if (group != kNone) groups.contacts[static_cast<std::size_t>(group)].push_back(i);
+        return group != kNone;
+    });
+    for (std::size_t g = 0; g < static_cast<std::size_t>(groups.count); ++g) {
+        std::vector<int>& contacts = groups.contacts[g];
+        if (contacts.size() <= kContactsPerBody * groups.groups[g].bodies.size() + kSpareContacts) continue;
+        scratch.scalar_contacts.insert(scratch.scalar_contacts.end(), contacts.begin(), contacts.end());
+        contacts.clear();
+    }
+}
+
+// What structures do to bodies is not taken for an impulse of contacts.
+template <class Work>
+void for_each_component(DirectGroups& groups, Motions& motions, TaskPool& tasks, const Work& work) {
+    tasks.parallel_for(groups.count, 1, [&](const Chunk& chunk) {
+        for (int i = chunk.begin; i < chunk.end; ++i) {
+            DirectComponent& component = groups.components[static_cast<std::size_t>(i)];
+            for (int body = 0; body < component.bodies(); ++body)
+                begin_joints(motions, component.row(body), component.row(body) + 1);
+            work(component);
+            for (int body = 0; body < component.bodies(); ++body)
+                end_joints(motions, component.row(body), component.row(body) + 1);
+        }
+    });
+}
+
+}  // namespace
+
+void start_direct_solve(Stores& stores, const ContactRules& rules, const StepTime& time, StepScratch& scratch,
+                        DirectGroups& groups, TaskPool& tasks) {
+    if (groups.count == 0) return;
+    distribute_contacts(stores, scratch, groups);
+    const DirectScene scene = scene_of(scratch, rules, time.h_s);
+    const BodyRows& awake = stores.bodies.rows(RowSet::Awake);
+    const auto rows = static_cast<std::size_t>(scratch.motions.size());
+    groups.inertia.assign(rows, 0);
+    groups.body_of_row.assign(rows, -1);
+    for (std::size_t g = 0; g < static_cast<std::size_t>(groups.count); ++g) {
+        groups.places.clear();
+        for (const int joint : groups.groups[g].joints) {
+            const int place = stores.joints.slots[joint].swept_index;
+            if (scratch.joints[static_cast<std::size_t>(place)].law_count > 0) groups.places.push_back(place);
+        }
+        DirectComponent& component = groups.components[g];
+        component.assemble(groups.places, groups.contacts[g], scene, groups.body_of_row);
+        for (int body = 0; body < component.bodies(); ++body) {
+            const int row = component.row(body);
+            scratch.motions.mover[row] = Mover::Direct;
+            groups.inertia[static_cast<std::size_t>(row)] =
+                stores.bodies.slots[awake.body[row - 1]].joint_inertia;
+        }
+    }
+    for_each_component(groups, scratch.motions, tasks,
+                       [&](DirectComponent& component) { component.start(scene, groups.inertia); });
+}
+
+void solve_direct(DirectGroups& groups, StepScratch& scratch, const ContactRules& rules, float h_s,
+                  TaskPool& tasks) {
+    const DirectScene scene = scene_of(scratch, rules, h_s);
+    for_each_component(groups, scratch.motions, tasks, [&](DirectComponent& c) { c.solve(scene); });
+}
+
+void move_direct(DirectGroups& groups, StepScratch& scratch, const ContactRules& rules, float h_s,
+                 TaskPool& tasks) {
+    const DirectScene scene = scene_of(scratch, rules, h_s);
+    for_each_component(groups, scratch.motions, tasks, [&](DirectComponent& c) {
+        c.move(scene);
+        c.close(scene);
+    });
+}
+
+void store_direct(const DirectGroups& groups, Stores& stores) {
+    const BodyRows& awake = stores.bodies.rows(RowSet::Awake);
+    for (std::size_t g = 0; g < static_cast<std::size_t>(groups.count); ++g) {
+        const DirectComponent& component = groups.components[g];
+        for (int i = 0; i < component.bodies(); ++i) {
+            stores.bodies.slots[awake.body[component.row(i) - 1]].joint_inertia =
+                static_cast<float>(component.inertia(i));
+        }
+    }
+}
+
+}  // namespace cairn::physics

@@ -1,0 +1,21 @@
+// The part of groups that are solved directly in a step.
+#pragma once
+
+#include "world/world_state.h"
+
+namespace cairn::physics {
+
+struct StepTime;
+
+/// Stage, when all constraints are described: takes the bodies and contacts of groups over.
+void start_direct_solve(Stores& stores, const ContactRules& rules, const StepTime& time, StepScratch& scratch,
+                        DirectGroups& groups, TaskPool& tasks);
+/// Within a substep; see resolve/direct/direct_component.h.
+void solve_direct(DirectGroups& groups, StepScratch& scratch, const ContactRules& rules, float h_s,
+                  TaskPool& tasks);
+void move_direct(DirectGroups& groups, StepScratch& scratch, const ContactRules& rules, float h_s,
+                 TaskPool& tasks);
+/// Stage: what bodies remember.
+void store_direct(const DirectGroups& groups, Stores& stores);
+
+}  // namespace cairn::physics

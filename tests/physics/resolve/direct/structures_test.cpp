@@ -1,0 +1,229 @@
+// Structures of joints that sweeping solvers cannot hold: what they measure and what they keep.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <vector>
+
+#include "physics/support/making.h"
+
+namespace cairn::physics {
+namespace {
+
+using namespace test;
+
+double d(float x) {
+    return static_cast<double>(x);
+}
+
+// Links of 1 kg and half a metre, straight down from the origin or level from it, and a ball at the end.
+struct Hanging {
+    World world;
+    BodyId hook;
+    std::vector<BodyId> bodies;
+    std::vector<JointId> joints;
+    int links;
+
+    Hanging(int count, double ratio, bool level, JointSolver solver = JointSolver::Automatic)
+        : world({.joint_solver = solver, .enable_sleep = false}), links(count) {
+        hook = world.create_body({.type = BodyType::Static}).value();
+        BodyId last = hook;
+        Vec2 anchor{};
+        for (int i = 0; i <= count; ++i) {
+            const double along = i < count ? 0.5 * i + 0.25 : 0.5 * count;
+            const BodyDef def{.position_m = level ? Position{along, 0} : Position{0, -along},
+                              .angle_rad = level ? 1.5707963267948966 : 0};
+            const ShapeDef link{.density_kg_m2 = 20, .filter = {.group = -1}};
+            const ShapeDef ball{.density_kg_m2 = static_cast<float>(ratio / 0.7853981634),
+                                .filter = {.group = -1}};
+            const BodyId body = i < count ? add(world, def, Box{0.05f, 0.25f}, link)
+                                          : add(world, def, Circle{{}, 0.5f}, ball);
+            const Vec2 top = i < count ? Vec2{0, 0.25f} : Vec2{};
+            joints.push_back(
+                world
+                    .create_joint(RevoluteJointDef{
+                        .body_a = last, .body_b = body, .local_anchor_a_m = anchor, .local_anchor_b_m = top})
+                    .value());
+            bodies.push_back(body);
+            last = body;
+            anchor = {0, -0.25f};
+        }
+    }
+    [[nodiscard]] double greatest_gap() const {
+        double gap = 0;
+        for (const JointId id : joints) gap = std::max(gap, d(world.joint(id)->current_length()));
+        return gap;
+    }
+    [[nodiscard]] double energy() const {
+        double sum = 0;
+        for (const BodyId id : bodies) {
+            const Body body = *world.body(id);
+            sum += kinetic_energy(body) + d(body.mass()) * 10 * body.world_center().y;
+        }
+        return sum;
+    }
+    // Of all bodies straight down.
+    [[nodiscard]] double lowest() const {
+        double sum = 0;
+        for (int i = 0; i <= links; ++i) {
+            const double along = i < links ? 0.5 * i + 0.25 : 0.5 * links;
+            sum -= d(world.body(bodies[static_cast<std::size_t>(i)])->mass()) * 10 * along;
+        }
+        return sum;
+    }
+};
+
+}  // namespace
+
+TEST_CASE(
+    "a chain of a hundred links holds 1e4 times the mass of one to half a millimetre, and keeps its energy") {
+    for (const double ratio : {1e2, 1e3, 1e4}) {
+        Hanging chain(100, ratio, false);
+        chain.world.body(chain.bodies.back())->set_linear_velocity({5, 0}).value();
+        const double start = chain.energy() - chain.lowest();
+        double gap = 0;
+        double most = 0;
+        for (int i = 0; i < 300; ++i) {
+            chain.world.step(kStep_s).value();
+            gap = std::max(gap, chain.greatest_gap());
+            most = std::max(most, chain.energy() - chain.lowest());
+        }
+        INFO(ratio << " : 1");
+        CHECK(gap < 5e-4);
+        CHECK(most < 1.01 * start);
+        CHECK(chain.energy() - chain.lowest() > 0.98 * start);
+    }
+}
+
+TEST_CASE("a chain of twenty links holds 1e6 times the mass of one, and lets it hang still") {
+    Hanging chain(20, 1e6, false);
+    for (int i = 0; i < 300; ++i) {
+        chain.world.step(kStep_s).value();
+        REQUIRE(chain.greatest_gap() < 1e-4);
+        REQUIRE(length(chain.world.body(chain.bodies.back())->linear_velocity()) < 1e-3f);
+    }
+    CHECK(d(chain.world.joint(chain.joints[0])->reaction_force().y) ==
+          Approx(10.0 * (1e6 + 20)).epsilon(1e-3));
+}
+
+TEST_CASE("a heavy ball on a chain falls from level as a pendulum does") {
+    Hanging chain(50, 5e4, true);
+    // The links weigh a thousandth of the ball.
+    const double start = chain.energy();
+    double lowest = 0;
+    for (int i = 0; i < 240; ++i) {
+        chain.world.step(kStep_s).value();
+        lowest = std::min(lowest, chain.world.body(chain.bodies.back())->position().y);
+        REQUIRE(chain.greatest_gap() < 1e-4);
+    }
+    CHECK(lowest == Approx(-25).epsilon(1e-3));
+    CHECK(chain.energy() - chain.lowest() == Approx(start - chain.lowest()).epsilon(0.01));
+}
+
+TEST_CASE("a cantilever of forty welds stays level and carries the moment of its weight") {
+    World world({.enable_sleep = false});
+    BodyId last = world.create_body({.type = BodyType::Static}).value();
+    JointId root{};
+    Vec2 anchor{};
+    double mass = 0;
+    for (int i = 0; i < 40; ++i) {
+        const BodyId beam = add(world, {.position_m = {0.25 + 0.5 * i, 0}}, Box{0.25f, 0.05f});
+        const JointId weld = world
+                                 .create_joint(WeldJointDef{.body_a = last,
+                                                            .body_b = beam,
+                                                            .local_anchor_a_m = anchor,
+                                                            .local_anchor_b_m = {-0.25f, 0}})
+                                 .value();
+        if (i == 0) root = weld;
+        mass += d(world.body(beam)->mass());
+        last = beam;
+        anchor = {0.25f, 0};
+    }
+    run_for(world, 2);
+    CHECK(std::fabs(world.body(last)->position().y) < 1e-4);
+    CHECK(d(world.joint(root)->reaction_force().y) == Approx(10 * mass).epsilon(1e-3));
+    CHECK(d(world.joint(root)->reaction_torque()) == Approx(10 * mass * 10).epsilon(1e-3));
+}
+
+TEST_CASE("ten welds that say the same share the load, and a torn loop finds a middle") {
+    World world({.joint_solver = JointSolver::Direct, .enable_sleep = false});
+    const BodyId wall = world.create_body({.type = BodyType::Static}).value();
+    const BodyId box = add(world, {}, Box{0.5f, 0.5f});
+    Vec2 sum{};
+    std::vector<JointId> welds;
+    for (int i = 0; i < 10; ++i)
+        welds.push_back(world.create_joint(WeldJointDef{.body_a = wall, .body_b = box}).value());
+    run_for(world, 2);
+    for (const JointId id : welds) sum += world.joint(id)->reaction_force();
+    CHECK(d(sum.y) == Approx(10 * d(world.body(box)->mass())).epsilon(1e-3));
+    CHECK(std::fabs(world.body(box)->position().y) < 1e-5);
+
+    // One more wants it two metres to the right.
+    world.create_joint(WeldJointDef{.body_a = wall, .body_b = box, .local_anchor_a_m = {2, 0}}).value();
+    for (int i = 0; i < 300; ++i) {
+        world.step(kStep_s).value();
+        REQUIRE(std::fabs(world.body(box)->position().x) < 2.1);
+        REQUIRE(length(world.body(box)->linear_velocity()) < 100);
+    }
+}
+
+TEST_CASE("limits and motors within a structure hold as they do alone") {
+    // A boom of three arms: the first is driven against its limit with a load at the end, the others are
+    // held.
+    World world({.joint_solver = JointSolver::Direct, .enable_sleep = false});
+    BodyId last = world.create_body({.type = BodyType::Static}).value();
+    Vec2 anchor{};
+    std::vector<JointId> joints;
+    for (int i = 0; i < 3; ++i) {
+        const BodyId arm = add(world, {.position_m = {0.5 + i, 0}}, Box{0.5f, 0.1f});
+        joints.push_back(world
+                             .create_joint(RevoluteJointDef{.body_a = last,
+                                                            .body_b = arm,
+                                                            .local_anchor_a_m = anchor,
+                                                            .local_anchor_b_m = {-0.5f, 0},
+                                                            .enable_limit = true,
+                                                            .lower_rad = -0.2f,
+                                                            .upper_rad = i == 0 ? 0.5f : 0.2f,
+                                                            .enable_motor = i == 0,
+                                                            .motor_speed_rad_s = 1,
+                                                            .max_motor_torque_nm = 100})
+                             .value());
+        last = arm;
+        anchor = {0.5f, 0};
+    }
+    for (int i = 0; i < 240; ++i) {
+        world.step(kStep_s).value();
+        for (const JointId id : joints) {
+            REQUIRE(world.joint(id)->joint_angle() < 0.51f);
+            REQUIRE(world.joint(id)->joint_angle() > -0.21f);
+            REQUIRE(world.joint(id)->current_length() < 1e-4f);
+        }
+    }
+    CHECK(d(world.joint(joints[0])->joint_angle()) == Approx(0.5).margin(1e-3));
+    CHECK(d(world.joint(joints[1])->joint_angle()) == Approx(-0.2).margin(1e-3));
+}
+
+TEST_CASE("a direct solution is the same at any number of threads") {
+    const auto run = [](int threads) {
+        World world({.threads = threads});
+        for (int k = 0; k < 6; ++k) {
+            BodyId last = world.create_body({.type = BodyType::Static, .position_m = {4.0 * k, 0}}).value();
+            for (int i = 0; i < 12; ++i) {
+                const BodyId link = add(world, {.position_m = {4.0 * k, -0.25 - 0.5 * i}}, Box{0.05f, 0.25f});
+                world
+                    .create_joint(RevoluteJointDef{.body_a = last,
+                                                   .body_b = link,
+                                                   .local_anchor_a_m = {0, i == 0 ? 0.0f : -0.25f},
+                                                   .local_anchor_b_m = {0, 0.25f}})
+                    .value();
+                last = link;
+            }
+            world.body(last)->set_linear_velocity({3.0f + static_cast<float>(k), 0}).value();
+        }
+        step_times(world, 120);
+        return world.state_hash();
+    };
+    CHECK(run(1) == run(2));
+    CHECK(run(1) == run(5));
+}
+
+}  // namespace cairn::physics
