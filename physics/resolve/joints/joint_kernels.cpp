@@ -209,10 +209,15 @@ class Drive {
         push(hn::Sub(wanted, old));
     }
 
-    HWY_INLINE void motor() {
+    // It stops at limits: one that pushed on would hold them open, by as much as they are soft.
+    HWY_INLINE void motor(const SoftLanes& soft, V inverse_h) {
         const V limit = load(block_.motor_limit, lane_);
         const V old = load(block_.motor_impulse, lane_);
-        const V wanted = hn::Add(old, hn::Mul(mass_, hn::Sub(load(block_.motor_speed, lane_), speed())));
+        const V angle = load(block_.angle, lane_);
+        const V most = closing_speed(soft, inverse_h, hn::Sub(load(block_.upper, lane_), angle));
+        const V least = hn::Neg(closing_speed(soft, inverse_h, hn::Sub(angle, load(block_.lower, lane_))));
+        const V target = hn::Max(least, hn::Min(load(block_.motor_speed, lane_), most));
+        const V wanted = hn::Add(old, hn::Mul(mass_, hn::Sub(target, speed())));
         const V impulse = hn::Max(hn::Neg(limit), hn::Min(wanted, limit));
         store(impulse, block_.motor_impulse, lane_);
         push(hn::Sub(impulse, old));
@@ -236,6 +241,10 @@ class Drive {
     HWY_INLINE void push(V change) { pair_.turn(k_a_, k_b_, change); }
 
   private:
+    HWY_INLINE static V closing_speed(const SoftLanes& soft, V inverse_h, V gap) {
+        return hn::Mul(gap, hn::IfThenElse(hn::Gt(gap, hn::Zero(D())), inverse_h, soft.bias_rate));
+    }
+
     // A gap may close, but no further. The result is by how much the impulse changed.
     HWY_INLINE V limit(const SoftLanes& soft, V inverse_h, V gap, V closing, Lanes<float>& impulse) {
         const V zero = hn::Zero(D());
@@ -294,7 +303,7 @@ struct Solve {
         const SoftLanes soft = softness_of(block, lane);
         Drive<kKind> drive(block, lane, pair);
         drive.spring();
-        drive.motor();
+        drive.motor(soft, set(time.inverse_h_1_s));
         drive.lower_limit(soft, set(time.inverse_h_1_s));
         drive.upper_limit(soft, set(time.inverse_h_1_s));
         solve_point(block.pin, lane, pair, soft);
@@ -316,7 +325,7 @@ struct Relax {
         store(hn::Add(load(block.start_angle, lane), turned.angle), block.angle, lane);
         const SoftLanes rigid{hn::Zero(D()), set(1), hn::Zero(D())};
         Drive<kKind> drive(block, lane, pair);
-        drive.motor();
+        drive.motor(rigid, set(time.inverse_h_1_s));
         drive.lower_limit(rigid, set(time.inverse_h_1_s));
         drive.upper_limit(rigid, set(time.inverse_h_1_s));
         store(hn::Add(load(block.total_angular, lane), drive.impulse()), block.total_angular, lane);

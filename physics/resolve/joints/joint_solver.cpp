@@ -143,9 +143,25 @@ void solve_limit(const Task& task, Bodies& bodies, float h_s, Pass pass) {
     apply(task, bodies, wanted);
 }
 
-void solve_motor(const Task& task, Bodies& bodies) {
+// At limits it stops: one that pushed on would hold them open, by as much as they are soft.
+float motor_speed(const Task& task, int part, float h_s, Pass pass) {
+    float speed = task.law.speed[part];
+    for (int l = 0; l < task.c.law_count; ++l) {
+        const JointLaw& limit = task.c.laws[l];
+        const bool is_limit = limit.kind == LawKind::Lower || limit.kind == LawKind::Upper;
+        if (!is_limit || limit.direction != task.law.direction + part) continue;
+        const float way = limit.target - task.directions[part].q;  // to the limit
+        const bool apart = limit.kind == LawKind::Upper ? way > 0 : way < 0;
+        const float rate = apart ? 1 / h_s : pass == Pass::Biased ? limit.softness.bias_rate : 0;
+        speed = limit.kind == LawKind::Upper ? std::min(speed, rate * way) : std::max(speed, rate * way);
+    }
+    return speed;
+}
+
+void solve_motor(const Task& task, Bodies& bodies, float h_s, Pass pass) {
     Values rhs{};
-    for (int i = 0; i < task.law.count; ++i) rhs[i] = task.law.speed[i] - bodies.speed(task.directions[i]);
+    for (int i = 0; i < task.law.count; ++i)
+        rhs[i] = motor_speed(task, i, h_s, pass) - bodies.speed(task.directions[i]);
     Values wanted = solve(inverse_mass_of(task, bodies), rhs, bodies.least_mobility());
     for (int i = 0; i < task.law.count; ++i) wanted[i] += task.impulse(i);
     clamp(task.law, wanted);
@@ -279,7 +295,7 @@ void solve_joints(std::span<JointConstraint> joints, Motions& motions, float h_s
                     if (pass == Pass::Biased) solve_spring(task, bodies);
                     break;
                 case LawKind::Motor:
-                    solve_motor(task, bodies);
+                    solve_motor(task, bodies, h_s, pass);
                     break;
                 case LawKind::Lower:
                 case LawKind::Upper:

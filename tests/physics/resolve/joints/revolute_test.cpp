@@ -211,6 +211,44 @@ TEST_CASE("limits stop a joint at both ends and hold a load there") {
     CHECK(d(world.joint(joint)->reaction_torque()) == Approx(-4 * std::cos(0.3)).epsilon(5e-3));
 }
 
+TEST_CASE("a motor of any strength stops at a limit, in a lane and as a scalar") {
+    const float torque_nm = GENERATE(1e2f, 1e4f, 1e6f);
+    const bool as_slide = GENERATE(false, true);
+    World world({.gravity_m_s2 = {}, .enable_sleep = false});
+    const BodyId wall = world.create_body({.type = BodyType::Static}).value();
+    const BodyId arm = add(world, {}, Box{0.5f, 0.1f});
+    const JointId id = as_slide ? world
+                                      .create_joint(PrismaticJointDef{.body_a = wall,
+                                                                      .body_b = arm,
+                                                                      .enable_limit = true,
+                                                                      .lower_m = -1,
+                                                                      .upper_m = 0.5f,
+                                                                      .enable_motor = true,
+                                                                      .motor_speed_m_s = 3,
+                                                                      .max_motor_force_n = torque_nm})
+                                      .value()
+                                : world
+                                      .create_joint(RevoluteJointDef{.body_a = wall,
+                                                                     .body_b = arm,
+                                                                     .enable_limit = true,
+                                                                     .lower_rad = -1,
+                                                                     .upper_rad = 0.5f,
+                                                                     .enable_motor = true,
+                                                                     .motor_speed_rad_s = 3,
+                                                                     .max_motor_torque_nm = torque_nm})
+                                      .value();
+    CAPTURE(torque_nm, as_slide);
+    const auto gone = [&] {
+        return static_cast<double>(as_slide ? world.joint(id)->translation()
+                                            : world.joint(id)->joint_angle());
+    };
+    for (int i = 0; i < 120; ++i) {
+        world.step(kStep_s).value();
+        REQUIRE(gone() < 0.5 + 1e-3);
+    }
+    CHECK(gone() == Approx(0.5).margin(1e-3));
+}
+
 TEST_CASE("limits that are equal hold the angle, and changed limits take effect") {
     World world({.enable_sleep = false});
     const BodyId pivot = world.create_body({.type = BodyType::Static}).value();
