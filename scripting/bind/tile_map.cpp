@@ -3,13 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include <cairn/engine/tile_map.h>
-
 #include "bind/context.h"
 #include "bind/fields.h"
 #include "bind/graphics_objects.h"
 #include "bind/modules.h"
-#include "bind/timers.h"
+#include "bind/tile_map_object.h"
 #include "data/nearest.h"
 #include "lua/state.h"
 
@@ -21,38 +19,6 @@ using engine::MapObject;
 using engine::Rect;
 using engine::Tile;
 using engine::Vec2;
-
-struct TileMapObject : ObjectHeader {
-    static constexpr ObjectTag kTag = ObjectTag::TileMap;
-    engine::TileMap map;
-    std::vector<engine::TextureId> textures;  ///< of the map's sets
-    float scale;                              ///< units per pixel of the map
-    bool is_y_up;
-    bool is_nearest;
-
-    [[nodiscard]] float cell_width() const { return static_cast<float>(map.tile_size.width) * scale; }
-    [[nodiscard]] float cell_height() const { return static_cast<float>(map.tile_size.height) * scale; }
-    [[nodiscard]] float height() const { return static_cast<float>(map.rows) * cell_height(); }
-    /// From pixels of the map to units.
-    [[nodiscard]] Vec2 to_units(Vec2 pixels) const {
-        const float y = pixels.y * scale;
-        return {pixels.x * scale, is_y_up ? height() - y : y};
-    }
-};
-
-}  // namespace
-
-template <>
-struct Argument<TileMapObject*> {
-    static constexpr std::string_view kType = "TileMap";
-    static TileMapObject* get(lua_State* L, int index) {
-        auto* map = object_at<TileMapObject>(L, index);
-        if (map == nullptr) argument_error(L, index, "a TileMap");
-        return map;
-    }
-};
-
-namespace {
 
 constexpr Field kScale =
     above(number_field("scale", 1, "1", "units per pixel of the map: metres, under a camera"), 0, 1e6);
@@ -316,131 +282,6 @@ Pushed objects(lua_State* L, TileMapObject* self, std::optional<std::string_view
 }
 
 // ---- Drawing
-
-/// Triangles of the tiles of one layer, sent whenever the picture changes.
-class TileMesh {
-  public:
-    TileMesh(engine::Renderer& renderer, const TileMapObject& map, engine::Color color, double time_s)
-        : renderer_(renderer), map_(map), color_(color), time_s_(time_s) {
-        // Where a pixel of the map is not one of the screen, the filter would mix a tile with its neighbour
-        // in the set.
-        const float pixel = renderer.transform().mean_scale() * renderer.pixel_scale() * map.scale;
-        margin_ = map.is_nearest || std::fabs(pixel - 1) < 0.001f ? 0 : 0.5f;
-    }
-    ~TileMesh() { send(); }
-    TileMesh(const TileMesh&) = delete;
-    TileMesh& operator=(const TileMesh&) = delete;
-
-    /// A tile whose bottom left lies at a place of the map, in pixels.
-    void add(const Tile& tile, Vec2 bottom_left) {
-        const std::uint32_t id = map_.map.shown(tile.id, time_s_);
-        const engine::TileSet& set = *map_.map.set_of(id);
-        const auto index = static_cast<std::size_t>(&set - map_.map.sets.data());
-        if (index != set_) {
-            send();
-            set_ = index;
-            texture_size_ = renderer_.texture_size(map_.textures[index]);
-        }
-        const Rect source = set.source(id);
-        Vec2 uv[] = {{source.x + margin_, source.y + margin_},
-                     {source.x + source.width - margin_, source.y + margin_},
-                     {source.x + source.width - margin_, source.y + source.height - margin_},
-                     {source.x + margin_, source.y + source.height - margin_}};
-        if (tile.flip_diagonal) std::swap(uv[1], uv[3]);
-        if (tile.flip_x) {
-            std::swap(uv[0], uv[1]);
-            std::swap(uv[2], uv[3]);
-        }
-        if (tile.flip_y) {
-            std::swap(uv[0], uv[3]);
-            std::swap(uv[1], uv[2]);
-        }
-        const Vec2 low = {bottom_left.x, bottom_left.y - source.height};
-        const Vec2 high = {bottom_left.x + source.width, bottom_left.y};
-        const Vec2 corners[] = {low, {high.x, low.y}, high, {low.x, high.y}};
-        const auto first = static_cast<std::uint32_t>(vertices_.size());
-        for (int i = 0; i < 4; ++i)
-            vertices_.push_back({map_.to_units(corners[i]),
-                                 color_,
-                                 {uv[i].x / static_cast<float>(std::max(texture_size_.width, 1)),
-                                  uv[i].y / static_cast<float>(std::max(texture_size_.height, 1))}});
-        indices_.insert(indices_.end(), {first, first + 1, first + 2, first, first + 2, first + 3});
-    }
-
-  private:
-    void send() {
-        if (!indices_.empty()) renderer_.draw_mesh(vertices_, indices_, map_.textures[set_]);
-        vertices_.clear();
-        indices_.clear();
-    }
-
-    engine::Renderer& renderer_;
-    const TileMapObject& map_;
-    engine::Color color_;
-    double time_s_;
-    float margin_ = 0;
-    std::size_t set_ = static_cast<std::size_t>(-1);
-    engine::Size texture_size_;
-    std::vector<engine::MeshVertex> vertices_;
-    std::vector<std::uint32_t> indices_;
-};
-
-/// The cells that the picture may show, with room for tiles that are larger than cells.
-struct CellRange {
-    int first_column, last_column, first_row, last_row;
-};
-CellRange visible_cells(const engine::Renderer& renderer, const TileMapObject& map, Vec2 offset) {
-    const engine::Size target = renderer.target_size();
-    const engine::Affine2 back = renderer.transform().inverse();
-    Vec2 low = {1e30f, 1e30f};
-    Vec2 high = {-1e30f, -1e30f};
-    for (const Vec2 corner : {Vec2{0, 0}, Vec2{1, 0}, Vec2{0, 1}, Vec2{1, 1}}) {
-        Vec2 p = back.apply(
-            {corner.x * static_cast<float>(target.width), corner.y * static_cast<float>(target.height)});
-        if (map.is_y_up) p.y = map.height() - p.y;
-        p = p * (1 / map.scale) - offset;
-        low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-        high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-    }
-    engine::Size largest = map.map.tile_size;
-    for (const engine::TileSet& set : map.map.sets)
-        largest = {std::max(largest.width, set.tile_size.width),
-                   std::max(largest.height, set.tile_size.height)};
-    const auto cell = [](float place, int size, int count) {
-        return static_cast<int>(
-            std::clamp(std::floor(place / static_cast<float>(size)), -1.0f, static_cast<float>(count)));
-    };
-    const engine::Size tile = map.map.tile_size;
-    return {std::max(cell(low.x - static_cast<float>(largest.width), tile.width, map.map.columns), 0),
-            std::min(cell(high.x, tile.width, map.map.columns), map.map.columns - 1),
-            std::max(cell(low.y, tile.height, map.map.rows), 0),
-            std::min(cell(high.y + static_cast<float>(largest.height), tile.height, map.map.rows),
-                     map.map.rows - 1)};
-}
-
-void draw_layer(const Context& context, const TileMapObject& map, const MapLayer& layer) {
-    engine::Renderer& renderer = context.services.renderer;
-    engine::Color color = context.draw.color;
-    color.a *= layer.opacity;
-    TileMesh mesh(renderer, map, color, static_cast<double>(context.frame) / kUpdatesPerSecond);
-    if (layer.kind == MapLayer::Kind::Objects) {
-        for (const MapObject& object : layer.objects)
-            if (object.shape == engine::MapShape::Tile && object.is_visible)
-                mesh.add(object.tile, object.position + layer.offset);
-        return;
-    }
-    const CellRange range = visible_cells(renderer, map, layer.offset);
-    for (int row = range.first_row; row <= range.last_row; ++row)
-        for (int column = range.first_column; column <= range.last_column; ++column) {
-            const Tile& tile =
-                layer.tiles[static_cast<std::size_t>(row) * static_cast<std::size_t>(map.map.columns) +
-                            column];
-            if (tile.id == 0) continue;
-            mesh.add(tile, Vec2{static_cast<float>(column * map.map.tile_size.width),
-                                static_cast<float>((row + 1) * map.map.tile_size.height)} +
-                               layer.offset);
-        }
-}
 
 void draw(lua_State* L, TileMapObject* self, std::optional<std::string_view> name) {
     const Context& context = drawing_context(L);
