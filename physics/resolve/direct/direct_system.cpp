@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "resolve/direct/numbers.h"
+
 namespace cairn::physics {
 namespace {
 
@@ -16,10 +18,6 @@ constexpr int kMaxFrictionRounds = 4;
 constexpr double kSameBound = 1e-2;
 // Speeds this near what is wanted are met, m/s or rad/s; and impulses this near a bound, times 1 kg.
 constexpr double kSame = 1e-9;
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 }  // namespace
 

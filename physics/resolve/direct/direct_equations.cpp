@@ -1,0 +1,199 @@
+// What the equations of a structure ask for in a phase of the substep, and what is done when that cannot be
+// had.
+#include <algorithm>
+#include <cmath>
+
+#include <cairn/physics/tuning.h>
+
+#include "resolve/direct/direct_component.h"
+#include "resolve/direct/numbers.h"
+
+namespace cairn::physics {
+namespace {
+
+// Of J 1/M J^T: what makes joints that say the same thing twice solvable. Their gaps stay at round-off.
+constexpr double kGive = 1e-10;
+// The same for joints that contradict each other, as in a loop that was torn open: they meet in between.
+constexpr double kGiveOfContradictions = 1e-4;
+// And for contacts, which say the same thing twice where a body stands on two of them and is held by a joint:
+// as much, but no more than lets them sink with this speed under their load, m/s.
+constexpr double kContactGive = 1e-3;
+constexpr double kSinking_m_s = 1e-4;
+// m. Contacts this deep or this far apart are let alone: errors of two that bear one body would be
+// contradictions.
+constexpr float kStill_m = 0.02f * tuning::kLinearSlop_m;
+// Impulses of this many times all there is to move betray a contradiction.
+constexpr double kMostLeverage = 100;
+// m/s. Joints that were torn apart come together no faster.
+constexpr double kMaxClosingSpeed_m_s = 40;
+
+using State = DirectEquation::State;
+
+double give_of_contact(const ContactPointConstraint& p, const DirectEquation& e) {
+    const double load = std::max({e.impulse, e.before, d(p.static_impulse)});
+    return std::min(kContactGive * e.inverse_mass, kSinking_m_s / load);
+}
+
+}  // namespace
+
+const std::array<DirectComponent::Attempt, 3> DirectComponent::kAttempts{{
+    {kGive, false},
+    {kGive, true},
+    {kGiveOfContradictions, true},
+}};
+
+void DirectComponent::describe(const JointLaw& law, JointRow& row, DirectEquation& e, double h,
+                               Phase phase) const {
+    const bool closing = phase == Phase::Close;
+    const State state_before = e.state;
+    e.state = State::Acts;
+    switch (law.kind) {
+        case LawKind::Hold:
+            e.wanted = closing ? 0 : -std::clamp(row.error / h, -kMaxClosingSpeed_m_s, kMaxClosingSpeed_m_s);
+            if (law.rigid) break;
+            e.give = e.inverse_mass * d(law.softness.impulse_scale / law.softness.mass_scale);
+            e.wanted = -d(law.softness.bias_rate) * row.error;
+            if (closing) e.state = State::Idle;
+            break;
+        case LawKind::Spring:
+            e.give = e.inverse_mass / d(law.spring.d1);
+            e.wanted = -(d(law.spring.d0) * row.speed_before + d(law.spring.stiffness_per_s) * row.error) /
+                       d(law.spring.d1);
+            if (closing) e.state = State::Idle;
+            break;
+        case LawKind::Motor:
+            e.wanted = d(law.speed[at(row.part)]);
+            // It does no more than it can.
+            if (closing && (state_before == State::AtLow || state_before == State::AtHigh))
+                e.state = State::Idle;
+            break;
+        case LawKind::Lower:
+        case LawKind::Upper:
+            e.wanted = std::min(-(closing ? std::max(row.error, 0.0) : row.error) / h, kMaxClosingSpeed_m_s);
+            if (row.error > 0 && !(e.impulse > 0)) e.state = State::AtLow;
+            break;
+    }
+}
+
+void DirectComponent::describe_contact(const DirectScene& scene, std::size_t contact, Phase phase) {
+    ContactConstraint& c = scene.contacts[at(contacts_[contact].place)];
+    const bool closing = phase == Phase::Close;
+    int i = member_of_contact(contact).first_equation;
+    double pressed = 0;
+    double give = kUnlimited;
+    for (int point = 0; point < c.count; ++point, ++i) {
+        ContactPointConstraint& p = c.points[at(point)];
+        DirectEquation& e = system_.equations[at(i)];
+        const float s = separation_now(c, p, scene.motions);
+        p.end_separation = s;
+        const bool loaded = e.impulse > 0;
+        e.give = give_of_contact(p, e);
+        give = std::min(give, e.give);
+        if (loaded && s < (closing ? tuning::kLinearSlop_m : kStill_m)) {
+            e.wanted = 0;
+        } else if (s > 0) {
+            e.wanted = -d(s) / d(scene.h_s);
+        } else {
+            e.wanted = 0;
+        }
+        if (!closing && s < -kStill_m) {
+            e.wanted =
+                d(std::min(-c.softness.bias_rate * (s + kStill_m), scene.rules.max_push_out_speed_m_s));
+        }
+        e.state = s > 0 && !loaded ? State::AtLow : State::Acts;
+        pressed += e.impulse;
+    }
+    for (int first = i; i < member_of_contact(contact).last_equation; ++i) {
+        DirectEquation& e = system_.equations[at(i)];
+        e.wanted = i == first ? d(c.surface_speed_m_s) : 0;
+        e.give = give;
+        e.high = e.coefficient * pressed;
+        e.low = -e.high;
+        const double last = phase == Phase::Solve ? e.impulse : e.before;
+        e.state = State::Acts;
+        if (last <= 0.999 * e.low) e.state = State::AtLow;
+        if (last >= 0.999 * e.high) e.state = State::AtHigh;
+        if (e.coefficient == 0) e.state = State::Idle;
+    }
+}
+
+void DirectComponent::describe(const DirectScene& scene, Phase phase) {
+    system_.weigh();
+    for (DirectEquation& e : system_.equations) {
+        if (phase == Phase::Solve) e.before = 0;
+        e.give = attempt_.joints * e.inverse_mass;
+    }
+    const double h = d(scene.h_s);
+    for (std::size_t j = 0; j < joints_.size(); ++j) {
+        const JointConstraint& c = scene.joints[at(joints_[j].place)];
+        const Member& m = system_.members[j];
+        for (int e = m.first_equation; e < m.last_equation; ++e) {
+            describe(c.laws[at(joint_rows_[at(e)].law)], joint_rows_[at(e)], system_.equations[at(e)], h,
+                     phase);
+        }
+    }
+    for (std::size_t k = 0; k < contacts_.size(); ++k) describe_contact(scene, k, phase);
+    if (attempt_.sweeps_contacts) {
+        for (std::size_t i = joint_rows_.size(); i < system_.equations.size(); ++i) {
+            system_.equations[i].state = State::Idle;
+            system_.equations[i].inverse_mass = 0;  // and stays so
+        }
+    }
+    for (DirectEquation& e : system_.equations) {
+        if (!(e.inverse_mass > 0)) e.state = State::Idle;
+    }
+}
+
+// No impulse can be much more than what stops all bodies at once, but where joints want two things.
+bool DirectComponent::is_contradictory() const {
+    double mass = 0;
+    double fastest = 0;
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+        mass += system_.bodies[i].mass;
+        fastest =
+            std::max(fastest, std::fabs(velocity_before_[3 * i]) + std::fabs(velocity_before_[3 * i + 1]));
+    }
+    const double most = kMostLeverage * mass * (fastest + kMaxClosingSpeed_m_s);
+    // Torques have another unit; arms are of the order of metres.
+    return std::any_of(system_.equations.begin(), system_.equations.end(),
+                       [&](const DirectEquation& e) { return !(std::fabs(e.impulse) <= most); });
+}
+
+// Finds velocities and impulses, with limits and caps as they turn out.
+void DirectComponent::satisfy(const DirectScene& scene, Phase phase) {
+    for (const Attempt& attempt : kAttempts) {
+        attempt_ = attempt;
+        for (std::size_t i = 0; i < impulse_at_start_.size(); ++i)
+            system_.equations[i].impulse = impulse_at_start_[i];
+        describe(scene, phase);
+        const bool keeps_bounds = system_.satisfy(velocity_before_);
+        if (keeps_bounds && !is_contradictory()) return;
+    }
+    // Not a number, or beyond all bounds: the joints rest in this substep.
+    system_.velocity = velocity_before_;
+    for (DirectEquation& e : system_.equations) e.impulse = 0;
+}
+
+// When no solution was found with them.
+void DirectComponent::sweep_contacts(const DirectScene& scene, Phase phase) {
+    if (!attempt_.sweeps_contacts) return;
+    for (std::size_t k = 0; k < contacts_.size(); ++k) {
+        ContactConstraint& c = scene.contacts[at(contacts_[k].place)];
+        const auto equation = [&](int i) -> DirectEquation& {
+            return system_.equations[at(member_of_contact(k).first_equation + i)];
+        };
+        const std::array<float, 2> totals{c.points[0].total_normal_impulse, c.points[1].total_normal_impulse};
+        for (int i = 0; i < c.count; ++i)
+            c.points[at(i)].normal_impulse = static_cast<float>(equation(i).before);
+        c.friction_impulse = static_cast<float>(equation(c.count).before);
+        solve_contact(c, scene.motions, scene.rules, scene.h_s,
+                      phase == Phase::Solve ? Pass::Biased : Pass::Relax);
+        for (int i = 0; i < c.count; ++i) {
+            equation(i).impulse = d(c.points[at(i)].normal_impulse) - equation(i).before;
+            c.points[at(i)].total_normal_impulse = totals[at(i)];
+        }
+        equation(c.count).impulse = d(c.friction_impulse) - equation(c.count).before;
+    }
+}
+
+}  // namespace cairn::physics
