@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 #include <limits>
-#include <regex>
+#include <string>
 
 namespace cairn::lab {
 namespace {
@@ -28,9 +28,12 @@ Plot two_lines() {
 // Centres of the filled circles of a colour.
 std::vector<std::pair<double, double>> dots(const std::string& svg, const std::string& color) {
     std::vector<std::pair<double, double>> found;
-    const std::regex dot("<circle cx=\"([0-9.]+)\" cy=\"([0-9.]+)\" r=\"3\" fill=\"" + color + "\"");
-    for (std::sregex_iterator match(svg.begin(), svg.end(), dot), end; match != end; ++match) {
-        found.push_back({std::stod((*match)[1]), std::stod((*match)[2])});
+    const std::string circle = "<circle cx=\"";
+    for (std::size_t i = svg.find(circle); i != std::string::npos; i = svg.find(circle, i + 1)) {
+        const std::string tag = svg.substr(i, svg.find("/>", i) - i);
+        if (tag.find("r=\"3\" fill=\"" + color + "\"") == std::string::npos) continue;
+        const auto number = [&](const char* name) { return std::stod(tag.substr(tag.find(name) + 4)); };
+        found.push_back({number("cx=\""), number("cy=\"")});
     }
     return found;
 }
