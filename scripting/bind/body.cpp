@@ -1,5 +1,6 @@
 // The methods of Body.
 #include "bind/context.h"
+#include "bind/fracture.h"
 #include "bind/modules.h"
 #include "bind/physics_fields.h"
 #include "bind/physics_objects.h"
@@ -259,6 +260,24 @@ constexpr Function kFunctions[] = {
     function_pushing<&shapes>("shapes", "", "shapes", kReturnsTable, "A new list, in order of creation."),
     function_pushing<&joints>("joints", "", "joints", kReturnsTable, "A new list."),
     function_pushing<&world>("world", "", "world", kReturnsWorld, ""),
+    function_pushing<&cut>("cut", "x1 [m], y1 [m], x2 [m], y2 [m]", "pieces", kReturnsTable,
+                           "Cuts the body along a segment, from side to side: a list of the new bodies, at "
+                           "least two, or an empty "
+                           "one when it still hangs together; then nothing has changed. Pieces move on as "
+                           "the material was moving, "
+                           "and have copies of the body's data; the body itself is gone."),
+    function_pushing<&fracture>(
+        "fracture", "fields", "pieces", kReturnsTable,
+        "Breaks the body about an impact: a list of the new bodies, or an empty one when it is too small for "
+        "two; then nothing has changed. What is not given is as `set_breakable` said, if it did.",
+        &kFractureFields),
+    function<&set_breakable>(
+        "set_breakable", "fields", "",
+        "From now on the body breaks when a contact presses harder on it in a step than it withstands; "
+        "`world:breaks()` tells of it.",
+        &kBreakableFields),
+    function<&clear_breakable>("clear_breakable", "", "", "The body withstands everything again."),
+    function<&is_breakable>("is_breakable", "", "breakable", ""),
     function<&destroy>("destroy", "", "",
                        "Removes the body with its shapes and joints. What rested on it wakes."),
     function<&is_valid>("is_valid", "", "valid", "Whether the body was not destroyed."),

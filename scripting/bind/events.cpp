@@ -1,6 +1,6 @@
-// The iterators of world:events and world:joint_breaks. They make no garbage: cursors are kept by their world
-// and handed back when a loop ends, which Lua reports through the to-be-closed value of the generic `for`,
-// also after `break` and errors.
+// The iterators of world:events, world:joint_breaks and world:breaks. They make no garbage: cursors are kept
+// by their world and handed back when a loop ends, which Lua reports through the to-be-closed value of the
+// generic `for`, also after `break` and errors.
 #include <algorithm>
 #include <array>
 #include <string>
@@ -92,6 +92,33 @@ int next_break(lua_State* L) {
     return 8;
 }
 
+/// The iterator function of bodies that break: (cursor, previous body) -> body, other, impulse, x, y, nx, ny,
+/// speed, pieces.
+int next_body_break(lua_State* L) {
+    auto* cursor = object_at<EventCursor>(L, 1);
+    if (cursor == nullptr || !cursor->in_use) return 0;
+    const auto& world = cursor->world->world;
+    if (!world || world->step_count() != cursor->step) return 0;
+    const std::size_t i = cursor->next++;
+    if (i >= world->body_breaks().size()) return 0;
+    const physics::BodyBreak event = world->body_breaks()[i];
+    lua_getiuservalue(L, 1, 1);
+    const int world_index = lua_gettop(L);
+    push_body(L, world_index, event.body);
+    push_body(L, world_index, event.other);
+    push_numbers(L, {static_cast<double>(event.impulse_ns), event.point_m.x, event.point_m.y,
+                     static_cast<double>(event.normal.x), static_cast<double>(event.normal.y),
+                     static_cast<double>(event.approach_speed_m_s)});
+    lua_createtable(L, static_cast<int>(event.pieces.size()), 0);
+    lua_Integer count = 0;
+    for (const physics::BodyId piece : event.pieces) {
+        push_body(L, world_index, piece);
+        lua_rawseti(L, -2, ++count);
+    }
+    lua_remove(L, world_index);
+    return 9;
+}
+
 int close_cursor(lua_State* L) {
     object_at<EventCursor>(L, 1)->in_use = false;
     return 0;
@@ -163,6 +190,10 @@ int push_events(lua_State* L, WorldRef world, std::optional<std::string_view> ki
 
 int push_joint_breaks(lua_State* L, WorldRef world) {
     return push_loop(L, world, next_break, EventKind::Begin, EventKind::End);
+}
+
+int push_body_breaks(lua_State* L, WorldRef world) {
+    return push_loop(L, world, next_body_break, EventKind::Begin, EventKind::End);
 }
 
 }  // namespace cairn::scripting

@@ -4,6 +4,7 @@
 #include <cairn/engine/log.h>
 
 #include "bind/context.h"
+#include "bind/fracture.h"
 #include "bind/joint_fields.h"
 #include "bind/modules.h"
 #include "bind/physics_fields.h"
@@ -74,6 +75,7 @@ physics::Result<void> step(lua_State* L, WorldRef self, double dt_s) {
     if (!stepped) return stepped;
     warn_of_quarantined(self);
     keep_broken_joints(L, self);
+    adopt_pieces(L, self);
     return stepped;
 }
 
@@ -135,6 +137,10 @@ Pushed ground(lua_State* L, WorldRef self) {
 
 Pushed joint_breaks(lua_State* L, WorldRef self) {
     return {push_joint_breaks(L, self)};
+}
+
+Pushed breaks(lua_State* L, WorldRef self) {
+    return {push_body_breaks(L, self)};
 }
 
 Pushed events(lua_State* L, WorldRef self, std::optional<std::string_view> kind) {
@@ -212,6 +218,8 @@ constexpr std::array<std::string_view, 1> kReturnsIterator = {
     "fun(): string, Body, Body, number, number, number, number, number, number"};
 constexpr std::array<std::string_view, 1> kReturnsBreakIterator = {
     "fun(): Joint, Body, Body, number, number, number, number, number"};
+constexpr std::array<std::string_view, 1> kReturnsBodyBreakIterator = {
+    "fun(): Body, Body, number, number, number, number, number, number, table"};
 constexpr std::array<std::string_view, 2> kReturnsBodyAndShape = {"Body?", "Shape?"};
 constexpr std::array<std::string_view, 6> kReturnsRayHit = {"Body?",  "number", "number",
                                                             "number", "number", "number"};
@@ -280,6 +288,21 @@ constexpr Function kWorldFunctions[] = {
         "fx, fy, torque in world:joint_breaks() do`. The joint is gone, and its value is still the one that "
         "`add_..._joint` returned; `a` and `b` are its bodies, `x, y` the anchor on b (m), `fx, fy` (N) and "
         "`torque` (N m) what it did to b, as the mean over the step."),
+    function_pushing<&breaks>(
+        "breaks", "", "iterator", kReturnsBodyBreakIterator,
+        "Iterates over the breakable bodies on which something pressed harder in the last step than they "
+        "withstand: `for body, other, impulse, x, y, nx, ny, speed, pieces in world:breaks() do`. `other` is "
+        "what "
+        "pressed, `impulse` (N s) how hard, `x, y` where, `nx, ny` the unit normal into the body, `speed` "
+        "(m/s) "
+        "how fast they met, `pieces` a list of the bodies into which the step broke it; it is empty when it "
+        "was "
+        "not automatic or too small to break."),
+    function_pushing<&cuts_along>(
+        "cuts_along", "x1 [m], y1 [m], x2 [m], y2 [m], mask = -1", "hits", kReturnsTable,
+        "What lies across a cut, in the order of the way: tables with `body`, `x1, y1` and `x2, y2` where "
+        "the way "
+        "enters and leaves it, and `pieces`, how many bodies `body:cut` would make of it. Changes nothing."),
     function_pushing<&events>(
         "events", "kind = nil", "iterator", kReturnsIterator,
         "Iterates over the events of the last step: `for kind, a, b, impulse, x, y, nx, ny, speed in "

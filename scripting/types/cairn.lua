@@ -425,6 +425,19 @@ function World:ground() end
 ---@return fun(): Joint, Body, Body, number, number, number, number, number iterator
 function World:joint_breaks() end
 
+---Iterates over the breakable bodies on which something pressed harder in the last step than they withstand: `for body, other, impulse, x, y, nx, ny, speed, pieces in world:breaks() do`. `other` is what pressed, `impulse` (N s) how hard, `x, y` where, `nx, ny` the unit normal into the body, `speed` (m/s) how fast they met, `pieces` a list of the bodies into which the step broke it; it is empty when it was not automatic or too small to break.
+---@return fun(): Body, Body, number, number, number, number, number, number, table iterator
+function World:breaks() end
+
+---What lies across a cut, in the order of the way: tables with `body`, `x1, y1` and `x2, y2` where the way enters and leaves it, and `pieces`, how many bodies `body:cut` would make of it. Changes nothing.
+---@param x1 number [m]
+---@param y1 number [m]
+---@param x2 number [m]
+---@param y2 number [m]
+---@param mask integer?
+---@return table hits
+function World:cuts_along(x1, y1, x2, y2, mask) end
+
 ---Iterates over the events of the last step: `for kind, a, b, impulse, x, y, nx, ny, speed in world:events("hit") do`. `kind` is "begin", "end" or "hit"; without an argument all come, begins first, then hits, then ends. `a` and `b` are the bodies, `x, y` the place, `nx, ny` the unit normal from a to b, `impulse` (N s) what the contact exchanged in the step and `speed` (m/s) how fast they met; what an event does not have is 0. A body destroyed since the step is still given: `is_valid()` tells, and its `data` can be read. Anything may be done in the loop; stepping the world ends it.
 ---@param kind string?
 ---@return fun(): string, Body, Body, number, number, number, number, number, number iterator
@@ -743,6 +756,55 @@ function Body:joints() end
 
 ---@return World world
 function Body:world() end
+
+---Cuts the body along a segment, from side to side: a list of the new bodies, at least two, or an empty one when it still hangs together; then nothing has changed. Pieces move on as the material was moving, and have copies of the body's data; the body itself is gone.
+---@param x1 number [m]
+---@param y1 number [m]
+---@param x2 number [m]
+---@param y2 number [m]
+---@return table pieces
+function Body:cut(x1, y1, x2, y2) end
+
+---@class Body.fracture.Fields
+---@field x? number m, of the impact; absent: the centre of mass
+---@field y? number m
+---@field pattern? string "uniform", pieces of about one size, or "radial", shards about the impact
+---@field pieces? integer about how many, 2 to 256
+---@field seed? integer the same seed, body and impact give the same pieces
+---@field min_width? number m, of a piece; >= 0.01
+---@field radius? number m; what is farther from the impact stays whole
+---@field grain_x? number pieces are longer along the grain, 1 to 16 times
+---@field grain_y? number
+---@field release? boolean pieces of a static or kinematic body become dynamic
+
+---Breaks the body about an impact: a list of the new bodies, or an empty one when it is too small for two; then nothing has changed. What is not given is as `set_breakable` said, if it did.
+---@param fields Body.fracture.Fields
+---@return table pieces
+function Body:fracture(fields) end
+
+---@class Body.set_breakable.Fields
+---@field strength? number N s, the impulse of a contact in a step that it withstands
+---@field generations? integer how often; pieces break one time less often, 1 to 16
+---@field automatic? boolean the step breaks it; otherwise the script does, when it reads world:breaks()
+---@field gives_back? boolean what broke it keeps the momentum that it did not withstand
+---@field pattern? string "uniform", pieces of about one size, or "radial", shards about the impact
+---@field pieces? integer about how many, 2 to 256
+---@field seed? integer the same seed, body and impact give the same pieces
+---@field min_width? number m, of a piece; >= 0.01
+---@field radius? number m; what is farther from the impact stays whole
+---@field grain_x? number pieces are longer along the grain, 1 to 16 times
+---@field grain_y? number
+---@field release? boolean pieces of a static or kinematic body become dynamic
+
+---From now on the body breaks when a contact presses harder on it in a step than it withstands; `world:breaks()` tells of it.
+---@param fields Body.set_breakable.Fields
+function Body:set_breakable(fields) end
+
+---The body withstands everything again.
+function Body:clear_breakable() end
+
+---@return boolean breakable
+function Body:is_breakable() end
 
 ---Removes the body with its shapes and joints. What rested on it wakes.
 function Body:destroy() end
