@@ -145,17 +145,6 @@ constexpr JointParameter switching(const Field& field) {
     return result;
 }
 
-template <class T, std::size_t... kSizes>
-constexpr auto joined(const std::array<T, kSizes>&... parts) {
-    std::array<T, (kSizes + ...)> all{};
-    std::size_t next = 0;
-    const auto add = [&](const auto& part) {
-        for (const T& element : part) all[next++] = element;
-    };
-    (add(parts), ...);
-    return all;
-}
-
 template <class Def>
 constexpr std::array kStrong = {
     parameter<&Def::strength, &physics::JointStrength::break_force_n>(kBreakForce),

@@ -1,6 +1,9 @@
 // Members of definitions as template arguments: `member<&Def::stiffness,
-// &JointStiffness::frequency_hz>(def)`.
+// &JointStiffness::frequency_hz>(def)`; and lists of what is described by them.
 #pragma once
+
+#include <array>
+#include <cstddef>
 
 namespace cairn::scripting {
 
@@ -15,6 +18,18 @@ constexpr auto& member(Object& object) {
     } else {
         return member<Rest...>(object.*First);
     }
+}
+
+/// Arrays one after the other: parameters that several definitions share.
+template <class T, std::size_t... kSizes>
+constexpr auto joined(const std::array<T, kSizes>&... parts) {
+    std::array<T, (kSizes + ...)> all{};
+    std::size_t next = 0;
+    const auto add = [&](const auto& part) {
+        for (const T& element : part) all[next++] = element;
+    };
+    (add(parts), ...);
+    return all;
 }
 
 }  // namespace cairn::scripting

@@ -117,17 +117,6 @@ constexpr std::array kMatter = {
     parameter<Shape, &ShapeDef::material, &Material::restitution>(kRestitution),
 };
 
-template <class T, std::size_t... kSizes>
-constexpr auto joined(const std::array<T, kSizes>&... parts) {
-    std::array<T, (kSizes + ...)> all{};
-    std::size_t next = 0;
-    const auto add = [&](const auto& part) {
-        for (const T& element : part) all[next++] = element;
-    };
-    (add(parts), ...);
-    return all;
-}
-
 /// Of the shapes of prefabs that have one description for all.
 template <class Def>
 Def read_common(const FieldReader& reader, const auto& parameters) {
