@@ -8,5 +8,7 @@ namespace cairn::physics {
 
 Counts count_objects(const Stores& stores);
 float max_penetration_m(const Stores& stores);
+/// Settles masses, and changes nothing else.
+WorldReport make_report(WorldState& world);
 
 }  // namespace cairn::physics

@@ -272,6 +272,9 @@ int World::awake_body_count() const {
 float World::max_penetration_m() const {
     return physics::max_penetration_m(state_->stores);
 }
+WorldReport World::report() const {
+    return make_report(*state_);
+}
 void World::set_profiling(bool enabled) {
     state_->profiling = enabled;
 }

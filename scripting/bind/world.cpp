@@ -9,6 +9,7 @@
 #include "bind/modules.h"
 #include "bind/physics_fields.h"
 #include "bind/physics_objects.h"
+#include "bind/report.h"
 #include "lua/state.h"
 
 namespace cairn::scripting {
@@ -342,6 +343,17 @@ constexpr Function kWorldFunctions[] = {
         "state_hash", "", "hash",
         "16 hexadecimal digits over all that decides the future of the bodies: equal hashes, equal "
         "worlds."),
+    function_pushing<&report>(
+        "report", "", "report", kReturnsTable,
+        "How the world is doing now: `max_penetration` and `max_joint_error` (m), `max_joint_angle_error` "
+        "(rad), how fast such errors grow, `residual` (m/s) and `angular_residual` (rad/s), "
+        "`kinetic_energy`, `potential_energy` and `elastic_energy` (J), `momentum_x`, `momentum_y` (kg m/s) "
+        "and `angular_momentum` about the origin (kg m^2/s); counts: `bodies`, `awake_bodies`, `shapes`, "
+        "`joints`, `awake_joints`, `contacts`, `touching`, `awake_touching`, `islands`; and `stages`, the "
+        "milliseconds of the stages of the last step that was measured, which are to be shown and differ "
+        "from run to run. Costs about as much as the contacts of a step, and nothing when it is not called."),
+    function<&set_profiling>("set_profiling", "enabled", "",
+                             "Whether steps measure their stages for `world:report()`; off at first."),
     function<&destroy>("destroy", "", "", "Frees the world; its bodies become invalid."),
     function<&is_valid>("is_valid", "", "valid", "Whether the world was not destroyed."),
 };

@@ -503,6 +503,14 @@ function World:step_count() end
 ---@return string hash
 function World:state_hash() end
 
+---How the world is doing now: `max_penetration` and `max_joint_error` (m), `max_joint_angle_error` (rad), how fast such errors grow, `residual` (m/s) and `angular_residual` (rad/s), `kinetic_energy`, `potential_energy` and `elastic_energy` (J), `momentum_x`, `momentum_y` (kg m/s) and `angular_momentum` about the origin (kg m^2/s); counts: `bodies`, `awake_bodies`, `shapes`, `joints`, `awake_joints`, `contacts`, `touching`, `awake_touching`, `islands`; and `stages`, the milliseconds of the stages of the last step that was measured, which are to be shown and differ from run to run. Costs about as much as the contacts of a step, and nothing when it is not called.
+---@return table report
+function World:report() end
+
+---Whether steps measure their stages for `world:report()`; off at first.
+---@param enabled boolean
+function World:set_profiling(enabled) end
+
 ---Frees the world; its bodies become invalid.
 function World:destroy() end
 
