@@ -12,14 +12,15 @@ namespace {
 
 // In the order of the reference.
 constexpr std::array kModules = {
-    &kCoreModule,     &kPhysicsModule, &kWorldMethods,    &kBodyMethods,      &kShapeMethods,
-    &kJointMethods,   &kPrefabModule,  &kPrefabMethods,   &kCameraModule,     &kCameraMethods,
-    &kGraphicsModule, &kImageMethods,  &kFontMethods,     &kCanvasMethods,    &kQuadMethods,
-    &kAtlasMethods,   &kBatchMethods,  &kParticlesModule, &kParticlesMethods, &kTileMapModule,
-    &kTileMapMethods, &kUiModule,      &kUiMethods,       &kTextModule,       &kTextMethods,
-    &kAudioModule,    &kInputModule,   &kWindowModule,    &kFilesModule,      &kRandomModule,
-    &kRandomMethods,  &kTimerModule,   &kTimerMethods,    &kTweenModule,      &kTweenMethods,
-    &kSceneModule,    &kLevelModule,   &kTestModule,
+    &kCoreModule,    &kPhysicsModule,  &kWorldMethods, &kBodyMethods,     &kShapeMethods,
+    &kChainMethods,  &kJointMethods,   &kPrefabModule, &kPrefabMethods,   &kCameraModule,
+    &kCameraMethods, &kGraphicsModule, &kImageMethods, &kFontMethods,     &kCanvasMethods,
+    &kQuadMethods,   &kAtlasMethods,   &kBatchMethods, &kParticlesModule, &kParticlesMethods,
+    &kTileMapModule, &kTileMapMethods, &kUiModule,     &kUiMethods,       &kTextModule,
+    &kTextMethods,   &kAudioModule,    &kInputModule,  &kWindowModule,    &kFilesModule,
+    &kRandomModule,  &kRandomMethods,  &kTimerModule,  &kTimerMethods,    &kTweenModule,
+    &kTweenMethods,  &kSceneModule,    &kDataModule,   &kLevelModule,     &kLevelMethods,
+    &kTestModule,
 };
 
 struct TypeOfObject {
@@ -31,6 +32,7 @@ constexpr TypeOfObject kTypes[] = {
     {ObjectTag::World, &kWorldMethods, finalize_world},
     {ObjectTag::Body, &kBodyMethods, nullptr},
     {ObjectTag::Shape, &kShapeMethods, nullptr},
+    {ObjectTag::Chain, &kChainMethods, nullptr},
     {ObjectTag::Joint, &kJointMethods, nullptr},
     {ObjectTag::Camera, &kCameraMethods, nullptr},
     {ObjectTag::Image, &kImageMethods, nullptr},
@@ -40,6 +42,7 @@ constexpr TypeOfObject kTypes[] = {
     {ObjectTag::TileMap, &kTileMapMethods, finalize_tile_map},
     {ObjectTag::Ui, &kUiMethods, finalize_ui},
     {ObjectTag::Text, &kTextMethods, finalize_text},
+    {ObjectTag::Level, &kLevelMethods, finalize_level},
     {ObjectTag::Tween, &kTweenMethods, nullptr},
     {ObjectTag::Timer, &kTimerMethods, nullptr},
     {ObjectTag::Prefab, &kPrefabMethods, finalize_prefab},

@@ -1,4 +1,5 @@
 // The methods of Body.
+#include "bind/chain.h"
 #include "bind/context.h"
 #include "bind/fracture.h"
 #include "bind/modules.h"
@@ -141,6 +142,20 @@ void set_allow_sleep(BodyRef self, bool allow) {
     self.body.set_allow_sleep(allow);
 }
 
+std::tuple<bool, bool, bool> locks(BodyRef self) {
+    const physics::AxisLocks locks = self.body.locks();
+    return {locks.x, locks.y, locks.rotation};
+}
+void set_locks(BodyRef self, bool x, bool y, bool rotation) {
+    self.body.set_locks({x, y, rotation});
+}
+float sleep_speed(BodyRef self) {
+    return self.body.sleep_speed();
+}
+Change set_sleep_speed(BodyRef self, float speed) {
+    return self.body.set_sleep_speed(speed);
+}
+
 template <GeometryKind kKind>
 Pushed add_shape(lua_State* L, BodyRef self, TableArgument description) {
     const FieldReader reader(L, description.index, fields_of_body_add(kKind));
@@ -196,6 +211,7 @@ bool is_valid(Maybe<BodyObject> self) {
 }
 
 constexpr std::array<std::string_view, 1> kReturnsShape = {"Shape"};
+constexpr std::array<std::string_view, 1> kReturnsChain = {"Chain"};
 constexpr std::array<std::string_view, 1> kReturnsTable = {"table"};
 constexpr std::array<std::string_view, 1> kReturnsWorld = {"World"};
 
@@ -245,6 +261,12 @@ constexpr Function kFunctions[] = {
                          "Putting a body to sleep puts to sleep all that it touches."),
     function<&allows_sleep>("allows_sleep", "", "allows", ""),
     function<&set_allow_sleep>("set_allow_sleep", "allow", "", ""),
+    function<&locks>("locks", "", "x, y, rotation", "Which of its motions are locked."),
+    function<&set_locks>("set_locks", "x, y, rotation", "",
+                         "Its centre of mass stays at its x or y, or it does not turn, whatever acts on it."),
+    function<&sleep_speed>("sleep_speed", "", "speed [m/s]", ""),
+    function<&set_sleep_speed>("set_sleep_speed", "speed [m/s]", "",
+                               "Slower than this it may sleep; at 0 never."),
     function_pushing<&add_shape<GeometryKind::Box>>("add_box", "fields", "shape", kReturnsShape,
                                                     "Adds a rectangle, placed in the body's frame.",
                                                     &fields_of_body_add(GeometryKind::Box)),
@@ -257,6 +279,13 @@ constexpr Function kFunctions[] = {
     function_pushing<&add_shape<GeometryKind::Polygon>>("add_polygon", "fields", "shape", kReturnsShape,
                                                         "Adds a convex polygon.",
                                                         &fields_of_body_add(GeometryKind::Polygon)),
+    function_pushing<&add_shape<GeometryKind::Segment>>(
+        "add_segment", "fields", "shape", kReturnsShape,
+        "Adds a line without thickness or mass, solid from both sides.",
+        &fields_of_body_add(GeometryKind::Segment)),
+    function_pushing<&add_chain>("add_chain", "fields", "chain", kReturnsChain,
+                                 "Adds an outline of many segments, solid from one side, without mass.",
+                                 &kBodyAddChainFields),
     function_pushing<&shapes>("shapes", "", "shapes", kReturnsTable, "A new list, in order of creation."),
     function_pushing<&joints>("joints", "", "joints", kReturnsTable, "A new list."),
     function_pushing<&world>("world", "", "world", kReturnsWorld, ""),

@@ -169,7 +169,7 @@ void draw_body(lua_State* L, Context& context, const BodyObject& object, physics
     const float rim = pixels_per_unit > 0 ? kRimPixels / pixels_per_unit : 0;
     for (const physics::ShapeId id : body.shapes()) {
         const auto shape = object.world->world->shape(id);
-        if (!shape) continue;
+        if (!shape || shape->is_sensor()) continue;
         if (!texture.is_null() && !is_line(shape->outline())) {
             draw_textured(renderer, shape->outline(), texture, has_color ? color : Color{});
         } else {

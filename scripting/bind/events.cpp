@@ -119,6 +119,31 @@ int next_body_break(lua_State* L) {
     return 9;
 }
 
+template <class Event>
+int push_sensor_event(lua_State* L, const char* kind, WorldObject& world, const Event& event) {
+    lua_getiuservalue(L, 1, 1);
+    const int world_index = lua_gettop(L);
+    lua_pushstring(L, kind);
+    push_body(L, world_index, event.sensor_body);
+    push_body(L, world_index, event.visitor_body);
+    push_shape(L, world_index, world, event.sensor);
+    push_shape(L, world_index, world, event.visitor);
+    return 5;
+}
+
+/// The iterator function of sensors: (cursor, previous kind) -> kind, sensor, visitor, their shapes.
+int next_sensor_event(lua_State* L) {
+    auto* cursor = object_at<EventCursor>(L, 1);
+    if (cursor == nullptr || !cursor->in_use) return 0;
+    const auto& world = cursor->world->world;
+    if (!world || world->step_count() != cursor->step) return 0;
+    const std::size_t i = cursor->next++;
+    const std::size_t begins = world->sensor_begins().size();
+    if (i < begins) return push_sensor_event(L, "begin", *cursor->world, world->sensor_begins()[i]);
+    if (i - begins >= world->sensor_ends().size()) return 0;
+    return push_sensor_event(L, "end", *cursor->world, world->sensor_ends()[i - begins]);
+}
+
 int close_cursor(lua_State* L) {
     object_at<EventCursor>(L, 1)->in_use = false;
     return 0;
@@ -190,6 +215,10 @@ int push_events(lua_State* L, WorldRef world, std::optional<std::string_view> ki
 
 int push_joint_breaks(lua_State* L, WorldRef world) {
     return push_loop(L, world, next_break, EventKind::Begin, EventKind::End);
+}
+
+int push_sensor_events(lua_State* L, WorldRef world) {
+    return push_loop(L, world, next_sensor_event, EventKind::Begin, EventKind::End);
 }
 
 int push_body_breaks(lua_State* L, WorldRef world) {

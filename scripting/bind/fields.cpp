@@ -1,6 +1,7 @@
 // Reading described tables.
 #include "bind/fields.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <string>
@@ -24,6 +25,7 @@ bool has_type(lua_State* L, FieldType type) {
         case FieldType::String:
             return lua_type(L, -1) == LUA_TSTRING;
         case FieldType::Table:
+        case FieldType::Points:
             return lua_istable(L, -1);
         case FieldType::Function:
             return lua_isfunction(L, -1);
@@ -41,7 +43,8 @@ std::string short_number(double value) {
     return text;
 }
 
-/// "must be above 0 and at most 2000000".
+}  // namespace
+
 std::string range_rule(const Field& field) {
     constexpr double kLargest = std::numeric_limits<double>::max();
     std::string rule;
@@ -53,7 +56,19 @@ std::string range_rule(const Field& field) {
     return rule.empty() ? "must be a number, not nan" : "must be " + rule;
 }
 
-}  // namespace
+bool is_in_range(const Field& field, double value) {
+    return (field.excludes_low ? value > field.low : value >= field.low) && value <= field.high;
+}
+
+std::vector<std::string> words_of(std::string_view choices) {
+    std::vector<std::string> words;
+    while (!choices.empty()) {
+        const std::size_t end = std::min(choices.find(' '), choices.size());
+        words.emplace_back(choices.substr(0, end));
+        choices.remove_prefix(std::min(end + 1, choices.size()));
+    }
+    return words;
+}
 
 const char* field_type_with_article(FieldType type) {
     switch (type) {
@@ -67,6 +82,8 @@ const char* field_type_with_article(FieldType type) {
             return "a string";
         case FieldType::Table:
             return "a table";
+        case FieldType::Points:
+            return "a list of points, { {x, y}, ... }";
         case FieldType::Function:
             return "a function";
         case FieldType::Body:
@@ -89,6 +106,8 @@ const char* field_type_name(FieldType type) {
             return "string";
         case FieldType::Table:
             return "table";
+        case FieldType::Points:
+            return "number[][]";
         case FieldType::Function:
             return "function";
         case FieldType::Body:
@@ -186,9 +205,7 @@ bool FieldReader::has(const Field& field) const {
 double FieldReader::take_number(const Field& field) const {
     const double value = lua_tonumber(L_, -1);
     lua_pop(L_, 1);
-    const bool is_inside =
-        (field.excludes_low ? value > field.low : value >= field.low) && value <= field.high;
-    if (!is_inside) fail(field, range_rule(field));
+    if (!is_in_range(field, value)) fail(field, range_rule(field));
     return value;
 }
 
@@ -221,6 +238,18 @@ std::string_view FieldReader::text(const Field& field) const {
     const char* text = lua_tolstring(L_, -1, &length);
     lua_pop(L_, 1);
     return {text, length};
+}
+
+std::size_t FieldReader::choice(const Field& field) const {
+    const std::string_view word = text(field);
+    const std::vector<std::string> words = words_of(field.choices);
+    const auto found = std::find(words.begin(), words.end(), word);
+    if (found == words.end()) {
+        std::string what = field.name;
+        std::replace(what.begin(), what.end(), '_', ' ');
+        fail(field, "no such " + what + suggestion(word, words));
+    }
+    return static_cast<std::size_t>(found - words.begin());
 }
 
 }  // namespace cairn::scripting

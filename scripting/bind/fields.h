@@ -7,12 +7,23 @@
 #include <lua.hpp>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
 namespace cairn::scripting {
 
-enum class FieldType { Number, Integer, Boolean, String, Table, Function, Body, Joint };
+enum class FieldType {
+    Number,
+    Integer,
+    Boolean,
+    String,
+    Table,
+    Points,  ///< { {x, y}, ... }
+    Function,
+    Body,
+    Joint
+};
 
 struct Field {
     const char* name;
@@ -25,6 +36,8 @@ struct Field {
     double low = std::numeric_limits<double>::lowest();
     double high = std::numeric_limits<double>::max();
     bool excludes_low = false;
+    /// Of a string: the words that it may be, with blanks between them; empty: any.
+    std::string_view choices = {};
 };
 
 /// Fields that belong together; those of `includes` belong to it too.
@@ -69,6 +82,20 @@ constexpr Field above(Field field, double low, double high = std::numeric_limits
     return within(field, low, high);
 }
 
+/// A string that is one of some words; the default is one of them.
+constexpr Field choice_field(const char* name, const char* default_text, std::string_view choices,
+                             const char* doc) {
+    Field field{name, FieldType::String, default_text, doc};
+    field.choices = choices;
+    return field;
+}
+/// The words of `choices`.
+std::vector<std::string> words_of(std::string_view choices);
+/// "must be above 0 and at most 2000000".
+std::string range_rule(const Field& field);
+/// Whether a number lies in the field's range.
+bool is_in_range(const Field& field, double value);
+
 /// "a number", "a body", ...: for messages.
 const char* field_type_with_article(FieldType type);
 /// "number", "Body", ...: for annotations.
@@ -88,6 +115,8 @@ class FieldReader {
     [[nodiscard]] std::optional<double> optional_number(const Field& field) const;
     /// Valid as long as the table holds it.
     [[nodiscard]] std::string_view text(const Field& field) const;
+    /// Which of the field's choices it is, from 0.
+    [[nodiscard]] std::size_t choice(const Field& field) const;
     [[nodiscard]] bool has(const Field& field) const;
 
     /// Pushes the value after checking its type; false, with nothing pushed, when the field is absent.

@@ -1,234 +1,619 @@
-// cairn.level: data files checked by schemas that are Lua tables.
-#include <algorithm>
-#include <cmath>
+// cairn.level and the methods of Level. A level is built through the same functions that scripts call, so
+// that it can do what they can, and so that their checks are its checks. Invariant: when building fails,
+// nothing of the level is left in the world.
+#include "bind/level.h"
+
+#include <map>
 
 #include "bind/context.h"
 #include "bind/data_values.h"
 #include "bind/fields.h"
+#include "bind/graphics_objects.h"
+#include "bind/joint_fields.h"
 #include "bind/modules.h"
+#include "bind/physics_objects.h"
 #include "data/nearest.h"
-#include "data/schema.h"
-#include "data/table_parser.h"
-#include "lua/sandbox.h"
 #include "lua/state.h"
 
 namespace cairn::scripting {
 namespace {
 
-/// Reads a schema from the table at an index. Its own faults are errors too, named by their path in the
-/// schema.
-class SchemaReader {
-  public:
-    explicit SchemaReader(lua_State* L) : L_(L) {}
-
-    Schema read(int index, const std::string& path, int depth = 1) {
-        if (depth > kMaxTableDepth) call_error(L_, path + " is nested too deep");
-        luaL_checkstack(L_, 10, "nested schema");
-        if (!lua_istable(L_, index))
-            call_error(L_, path + " is " + describe_value(L_, index) + "; expected a table");
-        check_names(index, path);
-        Schema schema;
-        schema.type = read_type(index, path);
-        schema.required = read_boolean(index, path, "required");
-        schema.min = read_number(index, path, "min", schema.min);
-        schema.max = read_number(index, path, "max", schema.max);
-        schema.above = read_number(index, path, "above", schema.above);
-        schema.min_length = read_length(index, path, "min_length", schema.min_length);
-        schema.max_length = read_length(index, path, "max_length", schema.max_length);
-        if (push(index, "what")) schema.what = text(path + ".what");
-        lua_pop(L_, 1);
-        if (push(index, "default")) schema.default_value = value_or_raise(L_, to_value(L_, -1));
-        lua_pop(L_, 1);
-        if (push(index, "one_of")) schema.one_of = read_choices(path + ".one_of");
-        lua_pop(L_, 1);
-        if (push(index, "items"))
-            schema.items = std::make_unique<Schema>(read(lua_gettop(L_), path + ".items", depth + 1));
-        lua_pop(L_, 1);
-        if (push(index, "fields")) read_fields(schema, path + ".fields", depth);
-        lua_pop(L_, 1);
-        if (push(index, "check")) read_check(schema, path + ".check");
-        lua_pop(L_, 1);
-        return schema;
-    }
-
-  private:
-    bool push(int table, const char* name) { return lua_getfield(L_, table, name) != LUA_TNIL; }
-
-    void check_names(int index, const std::string& path) {
-        static const std::vector<std::string> names = {
-            "above", "check",      "default", "fields",   "items", "max", "max_length",
-            "min",   "min_length", "one_of",  "required", "type",  "what"};
-        lua_pushnil(L_);
-        while (lua_next(L_, index) != 0) {
-            lua_pop(L_, 1);
-            const std::string name = lua_type(L_, -1) == LUA_TSTRING ? lua_tostring(L_, -1) : "";
-            if (std::find(names.begin(), names.end(), name) != names.end()) continue;
-            call_error(L_,
-                       path + " has the unknown field " + describe_value(L_, -1) + suggestion(name, names));
-        }
-    }
-
-    std::string text(const std::string& path) {
-        if (lua_type(L_, -1) != LUA_TSTRING)
-            call_error(L_, path + " is " + describe_value(L_, -1) + "; expected a string");
-        return lua_tostring(L_, -1);
-    }
-
-    SchemaType read_type(int index, const std::string& path) {
-        if (!push(index, "type")) call_error(L_, path + " has no type" + suggestion("", schema_type_names()));
-        const std::string name = text(path + ".type");
-        const auto type = schema_type_from_name(name);
-        if (!type) {
-            call_error(
-                L_, path + ".type = \"" + name + "\": no such type" + suggestion(name, schema_type_names()));
-        }
-        lua_pop(L_, 1);
-        return *type;
-    }
-
-    bool read_boolean(int index, const std::string& path, const char* name) {
-        if (push(index, name) && !lua_isboolean(L_, -1)) {
-            call_error(L_, path + '.' + name + " is " + describe_value(L_, -1) + "; expected true or false");
-        }
-        const bool value = lua_toboolean(L_, -1) != 0;
-        lua_pop(L_, 1);
-        return value;
-    }
-
-    double read_number(int index, const std::string& path, const char* name, double fallback) {
-        const bool is_given = push(index, name);
-        if (is_given && lua_type(L_, -1) != LUA_TNUMBER) {
-            call_error(L_, path + '.' + name + " is " + describe_value(L_, -1) + "; expected a number");
-        }
-        const double value = is_given ? lua_tonumber(L_, -1) : fallback;
-        lua_pop(L_, 1);
-        return value;
-    }
-
-    std::size_t read_length(int index, const std::string& path, const char* name, std::size_t fallback) {
-        const double value = read_number(index, path, name, -1);
-        return value < 0 ? fallback : static_cast<std::size_t>(std::min(value, 1e9));
-    }
-
-    /// A list of values, or a table whose keys are the values. On top of the stack.
-    std::vector<std::string> read_choices(const std::string& path) {
-        if (!lua_istable(L_, -1))
-            call_error(L_, path + " is " + describe_value(L_, -1) + "; expected a table");
-        const bool is_list = lua_rawlen(L_, -1) > 0;
-        std::vector<std::string> choices;
-        lua_pushnil(L_);
-        while (lua_next(L_, -2) != 0) {
-            lua_pushvalue(L_, is_list ? -1 : -2);
-            push_text(L_, -1);
-            choices.emplace_back(lua_tostring(L_, -1));
-            lua_pop(L_, 3);
-        }
-        std::sort(choices.begin(), choices.end());
-        return choices;
-    }
-
-    void read_fields(Schema& schema, const std::string& path, int depth) {
-        if (!lua_istable(L_, -1))
-            call_error(L_, path + " is " + describe_value(L_, -1) + "; expected a table");
-        schema.has_fields = true;
-        const int table = lua_gettop(L_);
-        lua_pushnil(L_);
-        while (lua_next(L_, table) != 0) {
-            if (lua_type(L_, -2) != LUA_TSTRING) {
-                call_error(L_,
-                           path + " has the key " + describe_value(L_, -2) + "; names of fields are strings");
-            }
-            const std::string name = lua_tostring(L_, -2);
-            schema.fields.push_back({name, read(lua_gettop(L_), path + '.' + name, depth + 1)});
-            lua_pop(L_, 1);
-        }
-        std::sort(schema.fields.begin(), schema.fields.end(),
-                  [](const SchemaField& a, const SchemaField& b) { return a.name < b.name; });
-    }
-
-    /// The function stays on the stack while the check runs, because the schema does.
-    void read_check(Schema& schema, const std::string& path) {
-        if (!lua_isfunction(L_, -1))
-            call_error(L_, path + " is " + describe_value(L_, -1) + "; expected a function");
-        const auto reference = std::shared_ptr<int>(new int(0), [L = L_](int* r) {
-            luaL_unref(L, LUA_REGISTRYINDEX, *r);
-            delete r;
-        });
-        lua_pushvalue(L_, -1);
-        *reference = luaL_ref(L_, LUA_REGISTRYINDEX);
-        schema.check = [L = L_, reference](const Value& value) -> std::optional<std::string> {
-            lua_rawgeti(L, LUA_REGISTRYINDEX, *reference);
-            push_value(L, value);
-            lua_call(L, 1, 1);
-            std::optional<std::string> wrong;
-            if (lua_type(L, -1) == LUA_TSTRING) wrong = lua_tostring(L, -1);
-            lua_pop(L, 1);
-            return wrong;
-        };
-    }
-
-    lua_State* L_;
+struct DecorationImage {
+    engine::TextureId texture;
+    engine::ImageDraw draw;
+    bool is_front;
 };
 
-/// Raises the first fault; the others are counted.
-Pushed check_and_push(lua_State* L, Value value, const Schema& schema, const std::string& name) {
-    const std::vector<std::string> faults = check_data(value, schema, name);
-    if (!faults.empty()) {
-        std::string message = faults.front();
-        if (faults.size() > 1) {
-            message += " (and " + std::to_string(faults.size() - 1) + " more fault" +
-                       (faults.size() > 2 ? "s)" : ")");
-        }
-        // The place is that in the data file, which helps more than that of the call.
-        lua_pushlstring(L, message.data(), message.size());
-        lua_error(L);
+/// User value 1 is the world in which the level is built, or nil; user value 2 the list of what was made:
+/// part number -> Body, Joint or Prefab.
+struct LevelObject : ObjectHeader {
+    static constexpr ObjectTag kTag = ObjectTag::Level;
+    Level level;
+    TiledImport import;
+    std::vector<DecorationImage> images;
+    bool has_images = false;
+};
+constexpr int kWorldValue = 1;
+constexpr int kObjectsValue = 2;
+
+constexpr Field kScale =
+    at_least(optional_field("scale", FieldType::Number,
+                            "m per pixel, of maps of Tiled; absent: one tile is one metre wide"),
+             0);
+constexpr const Field* kLoadOwn[] = {&kScale};
+constexpr FieldSet kLoadFields{kLoadOwn};
+
+// ---- Making parts
+
+/// What a protected call needs; its stack holds this, the world, and the list of what was made.
+struct Making {
+    const Level& level;
+    std::size_t part;
+};
+
+void push_made(lua_State* L, const Making& making, int objects, const std::string& reference) {
+    const PartName name = split_part_name(reference);
+    const auto part = making.level.find(name.name);
+    if (!part || lua_rawgeti(L, objects, static_cast<lua_Integer>(*part + 1)) == LUA_TNIL)
+        raise(L, '"' + name.name + "\" was not made");
+    if (name.index == 0) return;
+    push_function(L, kPrefabMethods, "bodies");
+    lua_insert(L, -2);
+    lua_call(L, 1, 1);
+    const auto count = static_cast<int>(lua_rawlen(L, -1));
+    if (lua_rawgeti(L, -1, name.index) == LUA_TNIL) {
+        raise(L, '"' + reference + "\": there is no such body; \"" + name.name + "\" has " +
+                     std::to_string(count));
     }
-    fill_defaults(value, schema);
-    push_value(L, value);
+    lua_remove(L, -2);
+}
+
+/// Pushes the table that the part's function takes.
+void push_fields(lua_State* L, const Making& making, int world, int objects) {
+    const LevelPart& part = making.level.parts[making.part];
+    push_value(L, part.fields);
+    for (const PartReference& reference : part.references) {
+        push_made(L, making, objects, reference.name);
+        lua_setfield(L, -2, reference.field.c_str());
+    }
+    if (part.kind == PartKind::Trigger) {
+        lua_pushliteral(L, "static");
+        lua_setfield(L, -2, "type");
+        lua_pushboolean(L, 1);
+        lua_setfield(L, -2, "sensor");
+    }
+    if (part.kind == PartKind::Joint && lua_getfield(L, -1, "body_b") != LUA_TNIL &&
+        lua_getfield(L, -2, "body_a") == LUA_TNIL) {
+        lua_pop(L, 2);
+        push_function(L, kWorldMethods, "ground");
+        lua_pushvalue(L, world);
+        lua_call(L, 1, 1);
+        lua_setfield(L, -2, "body_a");
+    }
+}
+
+/// (making, world, objects) -> Body, Joint or Prefab.
+int make_part(lua_State* L) {
+    const Making& making = *static_cast<const Making*>(lua_touserdata(L, 1));
+    const LevelPart& part = making.level.parts[making.part];
+    constexpr int kWorld = 2;
+    constexpr int kObjects = 3;
+    if (part.kind == PartKind::Prefab) {
+        push_function(L, kPrefabModule, part.variant);
+    } else {
+        const std::string suffix = part.kind == PartKind::Joint ? "_joint" : "";
+        push_function(L, kWorldMethods, part.variant.empty() ? "new_body" : "add_" + part.variant + suffix);
+    }
+    lua_pushvalue(L, kWorld);
+    push_fields(L, making, kWorld, kObjects);
+    lua_settop(L, 6);  // the function, the world and the fields stand at 4, 5 and 6
+    lua_call(L, 2, 1);
+    for (const ShapePart& shape : part.shapes) {
+        push_function(L, kBodyMethods, "add_" + shape.variant);
+        lua_pushvalue(L, 4);
+        push_value(L, shape.fields);
+        lua_call(L, 2, 0);
+    }
+    return 1;
+}
+
+/// Without the name of the function, which the author of a level did not call.
+std::string without_function_name(std::string message) {
+    // "World:add_box: ..." or "cairn.prefab.rope: ...".
+    const std::size_t end = message.find(": ");
+    const bool names_function = end != std::string::npos && message.find_first_of(" \"") == end + 1;
+    return names_function ? message.substr(end + 2) : message;
+}
+
+/// Makes a part and keeps it in the list. Gives what went wrong, or an empty text.
+std::string make(lua_State* L, const Making& making, int world, int objects) {
+    luaL_checkstack(L, LUA_MINSTACK, "parts of a level");
+    lua_pushcfunction(L, make_part);
+    lua_pushlightuserdata(L, const_cast<Making*>(&making));
+    lua_pushvalue(L, world);
+    lua_pushvalue(L, objects);
+    if (lua_pcall(L, 3, 1, 0) == LUA_OK) {
+        lua_rawseti(L, objects, static_cast<lua_Integer>(making.part + 1));
+        return "";
+    }
+    const char* text = lua_tostring(L, -1);
+    std::string message = text == nullptr ? "cannot be made" : without_function_name(text);
+    lua_pop(L, 1);
+    return message;
+}
+
+const Module& methods_of(PartKind kind) {
+    switch (kind) {
+        case PartKind::Body:
+        case PartKind::Trigger:
+            return kBodyMethods;
+        case PartKind::Prefab:
+            return kPrefabMethods;
+        case PartKind::Joint:
+            break;
+    }
+    return kJointMethods;
+}
+
+/// Destroys what lives of a part. The world must live.
+void unmake(lua_State* L, const Level& level, std::size_t part, int objects) {
+    objects = lua_absindex(L, objects);
+    if (lua_rawgeti(L, objects, static_cast<lua_Integer>(part + 1)) != LUA_TNIL) {
+        const PartKind kind = level.parts[part].kind;
+        bool is_alive = true;
+        if (kind != PartKind::Prefab) {
+            push_function(L, methods_of(kind), "is_valid");
+            lua_pushvalue(L, -2);
+            lua_call(L, 1, 1);
+            is_alive = lua_toboolean(L, -1) != 0;
+            lua_pop(L, 1);
+        }
+        if (is_alive) {
+            push_function(L, methods_of(kind), "destroy");
+            lua_pushvalue(L, -2);
+            lua_call(L, 1, 0);
+        }
+        lua_pushnil(L);
+        lua_rawseti(L, objects, static_cast<lua_Integer>(part + 1));
+    }
+    lua_pop(L, 1);
+}
+
+/// Makes a world for trying out; pushed.
+void push_scratch_world(lua_State* L) {
+    push_function(L, kPhysicsModule, "new_world");
+    lua_newtable(L);
+    lua_call(L, 1, 1);
+}
+
+/// What shows only when a level is built.
+std::vector<std::string> faults_of_building(lua_State* L, const Level& level) {
+    const int top = lua_gettop(L);
+    push_scratch_world(L);
+    lua_newtable(L);
+    std::vector<std::string> faults;
+    for (std::size_t part = 0; part < level.parts.size(); ++part) {
+        const std::string message = make(L, {level, part}, top + 1, top + 2);
+        if (!message.empty()) faults.push_back(level.parts[part].place + ": " + message);
+    }
+    push_function(L, kWorldMethods, "destroy");
+    lua_pushvalue(L, top + 1);
+    lua_call(L, 1, 0);
+    lua_settop(L, top);
+    return faults;
+}
+
+LevelReading read_and_try(lua_State* L, const std::string& path, const TiledImport& import) {
+    LevelReading reading = read_level(context_of(L).services.files, path, import);
+    if (reading.faults.empty()) reading.faults = faults_of_building(L, reading.level);
+    return reading;
+}
+
+TiledImport read_import(lua_State* L, const std::optional<TableArgument>& fields) {
+    if (!fields) return {};
+    return {.scale = FieldReader(L, fields->index, kLoadFields).optional_number(kScale).value_or(0)};
+}
+
+/// All faults are one error; each begins with its place in the file, which helps more than that of the call.
+[[noreturn]] void raise_faults(lua_State* L, const std::vector<std::string>& faults) {
+    std::string message;
+    for (const std::string& fault : faults) message += (message.empty() ? "" : "\n") + fault;
+    lua_pushlstring(L, message.data(), message.size());
+    lua_error(L);
+    std::abort();  // lua_error never returns; its declaration does not say so
+}
+
+Pushed load(lua_State* L, std::string_view path, std::optional<TableArgument> fields) {
+    const TiledImport import = read_import(L, fields);
+    if (!context_of(L).services.files.exists(path))
+        call_error(L, "path is \"" + std::string(path) + "\": there is no such file");
+    LevelReading reading = read_and_try(L, std::string(path), import);
+    if (!reading.faults.empty()) raise_faults(L, reading.faults);
+    new_object<LevelObject>(L, 2, std::move(reading.level), import);
     return {1};
 }
 
-Pushed load(lua_State* L, std::string_view path, TableArgument schema_table) {
-    const Schema schema = SchemaReader(L).read(schema_table.index, "schema");
-    const std::string text = value_or_raise(L, context_of(L).services.files.read_text(path));
-    auto value = parse_table_text(text, path);
-    if (!value) {
-        lua_pushstring(L, value.error().message.c_str());
-        lua_error(L);
+Pushed check(lua_State* L, std::string_view path, std::optional<TableArgument> fields) {
+    const std::vector<std::string> faults = faults_of_level(L, std::string(path), read_import(L, fields));
+    lua_createtable(L, static_cast<int>(faults.size()), 0);
+    for (std::size_t i = 0; i < faults.size(); ++i) {
+        lua_pushlstring(L, faults[i].data(), faults[i].size());
+        lua_rawseti(L, -2, static_cast<lua_Integer>(i + 1));
     }
-    return check_and_push(L, *std::move(value), schema, std::string(path));
+    return {1};
 }
 
-Pushed check(lua_State* L, TableArgument data, TableArgument schema_table) {
-    const Schema schema = SchemaReader(L).read(schema_table.index, "schema");
-    return check_and_push(L, value_or_raise(L, to_value(L, data.index)), schema, "data");
+}  // namespace
+
+template <>
+struct Argument<LevelObject*> {
+    static constexpr std::string_view kType = "Level";
+    static LevelObject* get(lua_State* L, int index) {
+        auto* level = object_at<LevelObject>(L, index);
+        if (level == nullptr) argument_error(L, index, "a Level");
+        return level;
+    }
+};
+
+namespace {
+
+// ---- Building
+
+/// Whether the world in which the level was built lives; it and the list of what was made are pushed then.
+bool push_build(lua_State* L, int level) {
+    lua_getiuservalue(L, level, kWorldValue);
+    const auto* world = object_at<WorldObject>(L, -1);
+    if (world == nullptr || !world->world) {
+        lua_pop(L, 1);
+        return false;
+    }
+    lua_getiuservalue(L, level, kObjectsValue);
+    return true;
 }
 
+// Joints first: what they hold would wake and move meanwhile, were this done between steps.
+void unmake_all(lua_State* L, const Level& level, int objects) {
+    for (std::size_t part = level.parts.size(); part-- > 0;) unmake(L, level, part, objects);
+}
+
+void clear(lua_State* L, LevelObject* self) {
+    if (!push_build(L, 1)) return;
+    unmake_all(L, self->level, -1);
+    lua_pushnil(L);
+    lua_setiuservalue(L, 1, kWorldValue);
+}
+
+void set_gravity(WorldRef world, const Level& level) {
+    physics::Vec2 gravity = world.world.gravity();
+    if (level.gravity_x) gravity.x = static_cast<float>(*level.gravity_x);
+    if (level.gravity_y) gravity.y = static_cast<float>(*level.gravity_y);
+    // A level whose gravity is not finite was refused when it was read.
+    if (level.gravity_x || level.gravity_y) static_cast<void>(world.world.set_gravity(gravity));
+}
+
+/// Makes the parts that the list lacks. After a failure all that it made is gone again, and the error raised.
+void make_missing(lua_State* L, const Level& level, int world, int objects,
+                  const std::vector<bool>& is_wanted) {
+    for (std::size_t part = 0; part < level.parts.size(); ++part) {
+        if (!is_wanted[part]) continue;
+        const std::string message = make(L, {level, part}, world, objects);
+        if (message.empty()) continue;
+        unmake_all(L, level, objects);
+        call_error(L, level.parts[part].place + ": " + message);
+    }
+}
+
+void build(lua_State* L, LevelObject* self, WorldRef world) {
+    clear(L, self);
+    lua_settop(L, 2);
+    lua_createtable(L, static_cast<int>(self->level.parts.size()), 0);
+    make_missing(L, self->level, world.index, 3, std::vector<bool>(self->level.parts.size(), true));
+    set_gravity(world, self->level);
+    lua_setiuservalue(L, 1, kObjectsValue);
+    lua_pushvalue(L, world.index);
+    lua_setiuservalue(L, 1, kWorldValue);
+}
+
+bool is_built(lua_State* L, LevelObject*) {
+    return push_build(L, 1);
+}
+
+// ---- Reloading
+
+constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+
+/// For each part of the new level the part of the old one that says the same, or kNone: by name, and those
+/// without one in the order in which equal ones stand.
+std::vector<std::size_t> match_parts(const Level& before, const Level& now) {
+    std::map<std::string, std::vector<std::size_t>> nameless;
+    for (std::size_t i = before.parts.size(); i-- > 0;) {
+        if (before.parts[i].name.empty()) nameless[signature_of(before.parts[i])].push_back(i);
+    }
+    std::vector<std::size_t> matches(now.parts.size(), kNone);
+    for (std::size_t i = 0; i < now.parts.size(); ++i) {
+        const LevelPart& part = now.parts[i];
+        if (part.name.empty()) {
+            const auto found = nameless.find(signature_of(part));
+            if (found == nameless.end() || found->second.empty()) continue;
+            matches[i] = found->second.back();
+            found->second.pop_back();
+        } else if (const auto found = before.find(part.kind, part.name);
+                   found && signature_of(before.parts[*found]) == signature_of(part)) {
+            matches[i] = *found;
+        }
+    }
+    return matches;
+}
+
+/// A joint that is made anew takes its frames from where its bodies stand, so these go back to where the
+/// level has them; and what else holds to them follows.
+void spread_changes(const Level& now, std::vector<std::size_t>& matches) {
+    for (bool has_changed = true; has_changed;) {
+        has_changed = false;
+        for (std::size_t i = 0; i < now.parts.size(); ++i) {
+            for (const PartReference& reference : now.parts[i].references) {
+                const auto other = now.find(split_part_name(reference.name).name);
+                if (!other || (matches[i] == kNone) == (matches[*other] == kNone)) continue;
+                matches[i] = matches[*other] = kNone;
+                has_changed = true;
+            }
+        }
+    }
+}
+
+std::tuple<std::int64_t, std::int64_t> reload(lua_State* L, LevelObject* self) {
+    LevelReading reading = read_and_try(L, self->level.path, self->import);
+    if (!reading.faults.empty()) raise_faults(L, reading.faults);
+    self->has_images = false;
+    const auto count = static_cast<std::int64_t>(reading.level.parts.size());
+    lua_settop(L, 1);
+    if (!push_build(L, 1)) {
+        self->level = std::move(reading.level);
+        return {0, count};
+    }
+    constexpr int kWorld = 2;
+    constexpr int kOld = 3;
+    constexpr int kNew = 4;
+    std::vector<std::size_t> matches = match_parts(self->level, reading.level);
+    spread_changes(reading.level, matches);
+    lua_createtable(L, static_cast<int>(matches.size()), 0);
+    std::vector<bool> is_new(matches.size());
+    std::int64_t kept = 0;
+    for (std::size_t i = 0; i < matches.size(); ++i) {
+        is_new[i] = matches[i] == kNone;
+        if (is_new[i]) continue;
+        ++kept;
+        // Moved from one list to the other, so that what is left in the old one is what goes.
+        lua_rawgeti(L, kOld, static_cast<lua_Integer>(matches[i] + 1));
+        lua_rawseti(L, kNew, static_cast<lua_Integer>(i + 1));
+        lua_pushnil(L);
+        lua_rawseti(L, kOld, static_cast<lua_Integer>(matches[i] + 1));
+    }
+    unmake_all(L, self->level, kOld);
+    self->level = std::move(reading.level);
+    lua_pushvalue(L, kNew);
+    lua_setiuservalue(L, 1, kObjectsValue);
+    make_missing(L, self->level, kWorld, kNew, is_new);
+    const WorldRef world = Argument<WorldRef>::get(L, kWorld);
+    set_gravity(world, self->level);
+    return {kept, count - kept};
+}
+
+// ---- What it holds
+
+/// Pushes what was made of the part of that name.
+Pushed push_named(lua_State* L, LevelObject* self, PartKind kind, std::string_view name) {
+    const auto part = self->level.find(kind, name);
+    if (!part) {
+        call_error(L, "name is \"" + std::string(name) + "\": the level has no such " + section_of(kind).one +
+                          suggestion(name, self->level.names(kind)));
+    }
+    if (!push_build(L, 1)) call_error(L, "the level is not built; level:build(world) does");
+    lua_rawgeti(L, -1, static_cast<lua_Integer>(*part + 1));
+    return {1};
+}
+
+template <PartKind kKind>
+Pushed named(lua_State* L, LevelObject* self, std::string_view name) {
+    return push_named(L, self, kKind, name);
+}
+
+Pushed bodies(lua_State* L, LevelObject* self) {
+    if (!push_build(L, 1)) call_error(L, "the level is not built; level:build(world) does");
+    const int objects = lua_gettop(L);
+    lua_newtable(L);
+    lua_Integer count = 0;
+    for (std::size_t i = 0; i < self->level.parts.size(); ++i) {
+        if (self->level.parts[i].kind != PartKind::Body) continue;
+        lua_rawgeti(L, objects, static_cast<lua_Integer>(i + 1));
+        if (living_body_at(L, -1)) {
+            lua_rawseti(L, -2, ++count);
+        } else {
+            lua_pop(L, 1);
+        }
+    }
+    return {1};
+}
+
+std::string_view name(LevelObject* self) {
+    return self->level.name;
+}
+std::string_view path(LevelObject* self) {
+    return self->level.path;
+}
+
+double number_in(const Value& table, std::string_view field, double fallback = 0) {
+    const Value* value = table.find(field);
+    return value == nullptr || !value->is_number() ? fallback : value->number();
+}
+
+std::tuple<double, double, double> spawn(lua_State* L, LevelObject* self, std::string_view wanted) {
+    std::vector<std::string> names;
+    if (const Value* list = self->level.section("spawns")) {
+        for (const Entry& entry : list->entries()) {
+            const Value& place = entry.value;
+            names.push_back(place.find("name")->text());
+            if (names.back() == wanted)
+                return {number_in(place, "x"), number_in(place, "y"), number_in(place, "angle")};
+        }
+    }
+    call_error(L, "name is \"" + std::string(wanted) + "\": the level has no such spawn" +
+                      suggestion(wanted, names));
+}
+
+Pushed push_section(lua_State* L, LevelObject* self, std::initializer_list<const char*> fields,
+                    const char* section) {
+    const Value* table = self->level.section(section);
+    if (table == nullptr) return lua_pushnil(L), Pushed{1};
+    for (const char* field : fields) lua_pushnumber(L, number_in(*table, field));
+    return {static_cast<int>(fields.size())};
+}
+Pushed camera(lua_State* L, LevelObject* self) {
+    return push_section(L, self, {"x", "y", "height"}, "camera");
+}
+Pushed bounds(lua_State* L, LevelObject* self) {
+    return push_section(L, self, {"left", "bottom", "right", "top"}, "bounds");
+}
+
+Pushed data(lua_State* L, LevelObject* self) {
+    const Value* table = self->level.section("data");
+    if (table == nullptr) {
+        lua_newtable(L);
+    } else {
+        push_value(L, *table);
+    }
+    return {1};
+}
+Pushed table(lua_State* L, LevelObject* self) {
+    push_value(L, self->level.table);
+    return {1};
+}
+Pushed files(lua_State* L, LevelObject* self) {
+    lua_newtable(L);
+    lua_Integer count = 0;
+    for (const std::string& file : self->level.files) {
+        lua_pushlstring(L, file.data(), file.size());
+        lua_rawseti(L, -2, ++count);
+    }
+    return {1};
+}
+
+// ---- Drawing
+
+void load_images(lua_State* L, LevelObject& self) {
+    self.images.clear();
+    self.has_images = true;
+    const Value* list = self.level.section("decorations");
+    if (list == nullptr) return;
+    engine::Renderer& renderer = context_of(L).services.renderer;
+    for (const Entry& entry : list->entries()) {
+        const Value& item = entry.value;
+        const engine::TextureId texture =
+            value_or_raise(L, renderer.load_texture(item.find("image")->text()));
+        const engine::Size size = renderer.texture_size(texture);
+        const auto width = static_cast<float>(size.width);
+        const auto height = static_cast<float>(size.height);
+        const double scale = number_in(item, "width") / size.width;
+        const double scale_y = number_in(item, "height", scale * size.height) / size.height;
+        const Value* layer = item.find("layer");
+        self.images.push_back({texture,
+                               {.position = {static_cast<float>(number_in(item, "x")),
+                                             static_cast<float>(number_in(item, "y"))},
+                                .rotation_rad = static_cast<float>(number_in(item, "angle")),
+                                .scale = {static_cast<float>(scale), static_cast<float>(scale_y)},
+                                .origin = {width / 2, height / 2},
+                                .tint = {1, 1, 1, static_cast<float>(number_in(item, "opacity", 1))}},
+                               layer != nullptr && layer->text() == "front"});
+    }
+}
+
+void draw(lua_State* L, LevelObject* self, std::optional<std::string_view> layer) {
+    if (layer && *layer != "back" && *layer != "front")
+        call_error(L, "layer is \"" + std::string(*layer) + "\"; expected \"back\" or \"front\"");
+    engine::Renderer& renderer = drawing_context(L).services.renderer;
+    if (!self->has_images) load_images(L, *self);
+    const float upright = is_y_up(renderer) ? -1.0f : 1.0f;
+    for (const DecorationImage& image : self->images) {
+        if (image.is_front != (layer == "front")) continue;
+        engine::ImageDraw sprite = image.draw;
+        sprite.scale.y *= upright;
+        renderer.draw_image(image.texture, sprite);
+    }
+}
+
+constexpr std::array<std::string_view, 1> kReturnsLevel = {"Level"};
 constexpr std::array<std::string_view, 1> kReturnsTable = {"table"};
+constexpr std::array<std::string_view, 1> kReturnsNames = {"string[]"};
+constexpr std::array<std::string_view, 1> kReturnsBody = {"Body"};
+constexpr std::array<std::string_view, 1> kReturnsJoint = {"Joint"};
+constexpr std::array<std::string_view, 1> kReturnsPrefab = {"Prefab"};
+constexpr std::array<std::string_view, 3> kReturnsCamera = {"number?", "number", "number"};
+constexpr std::array<std::string_view, 4> kReturnsBounds = {"number?", "number", "number", "number"};
 
-constexpr Function kFunctions[] = {
+constexpr Function kModuleFunctions[] = {
     function_pushing<&load>(
-        "load", "path, schema", "level", kReturnsTable,
-        "Reads Lua table text as data, never running it, checks it by the schema and fills in defaults. A "
-        "fault is an error such as `levels/level-01.lua:14: pieces[3].material = \"wod\": no such "
-        "material; did you mean \"wood\"? (ice, stone, wood)`."),
-    function_pushing<&check>("check", "data, schema", "checked", kReturnsTable,
-                             "Checks a table of any origin and returns a copy with the defaults filled in."),
+        "load", "path, fields = {}", "level", kReturnsLevel,
+        "Reads a level, or a map of Tiled, as data: nothing in it is run. Faults are an error with a line "
+        "for "
+        "each, such as `levels/one.lua:14:9: bodies[3].radius = -1: must be above 0 and at most 1000000`.",
+        &kLoadFields),
+    function_pushing<&check>("check", "path, fields = {}", "faults", kReturnsNames,
+                             "A list of all that is wrong with a level; empty when it is good.",
+                             &kLoadFields),
+};
+constexpr Function kMethods[] = {
+    function<&build>("build", "world", "",
+                     "Makes its bodies, triggers, prefabs and joints, in the order of the file. What it made "
+                     "before goes: calling it again starts the level anew."),
+    function<&clear>("clear", "", "", "Destroys what `build` made and still lives."),
+    function<&is_built>("is_built", "", "built", ""),
+    function<&reload>(
+        "reload", "", "kept, made",
+        "Reads the file again. Parts that say what they said keep their state, the others are "
+        "made anew, and with a joint the bodies that it holds. With a fault in the file nothing "
+        "changes but that the error is raised."),
+    function_pushing<&named<PartKind::Body>>(
+        "body", "name", "body", kReturnsBody,
+        "An unknown name is an error. The body may be destroyed by now."),
+    function_pushing<&named<PartKind::Trigger>>("trigger", "name", "body", kReturnsBody,
+                                                "The static body whose sensor it is: `sensor` in "
+                                                "`world:sensor_events()`."),
+    function_pushing<&named<PartKind::Prefab>>("prefab", "name", "prefab", kReturnsPrefab, ""),
+    function_pushing<&named<PartKind::Joint>>("joint", "name", "joint", kReturnsJoint, ""),
+    function_pushing<&bodies>("bodies", "", "bodies", kReturnsTable,
+                              "A new list of those of `bodies` that live, in the order of the file."),
+    function<&spawn>("spawn", "name", "x [m], y [m], angle [rad]", "A place by its name."),
+    function_pushing<&camera>("camera", "", "x [m], y [m], height [m]", kReturnsCamera,
+                              "nil when the level has none."),
+    function_pushing<&bounds>("bounds", "", "left [m], bottom [m], right [m], top [m]", kReturnsBounds,
+                              "nil when the level has none."),
+    function<&name>("name", "", "name", "What players call it; may be empty."),
+    function<&path>("path", "", "path", ""),
+    function_pushing<&data>("data", "", "data", kReturnsTable,
+                            "A new table: the level's `data`, or an empty one."),
+    function_pushing<&table>("table", "", "table", kReturnsTable, "A new table with all that the file says."),
+    function_pushing<&files>("files", "", "paths", kReturnsNames,
+                             "The level's file and those that it includes."),
+    function<&draw>("draw", "layer = \"back\"", "",
+                    "Draws the decorations of a layer, \"back\" or \"front\"; only in `cairn.draw`, under a "
+                    "camera."),
 };
 
 }  // namespace
 
+std::vector<std::string> faults_of_level(lua_State* L, const std::string& path, const TiledImport& import) {
+    return read_and_try(L, path, import).faults;
+}
+
+int finalize_level(lua_State* L) {
+    object_at<LevelObject>(L, 1)->~LevelObject();
+    return 0;
+}
+
 const Module kLevelModule = {"cairn.level",
-                             "Levels and other data files, with rules. A schema is a table: `type` "
-                             "(\"number\", \"integer\", \"string\", \"boolean\", "
-                             "\"table\", \"list\", \"any\"), `required = false`, `default`, `min`, `max`, "
-                             "`above` (greater than), `one_of` (a list of "
-                             "allowed values, or a table whose keys are allowed), `what` (what a value is "
-                             "called in messages, such as \"material\"), "
-                             "`min_length`, `max_length` (of strings and lists), `fields` (name -> schema; "
-                             "other fields are faults), `items` (the schema "
-                             "of each member), `check` (a function that is given the value and returns nil, "
-                             "or a sentence saying what is wrong).",
-                             kFunctions};
+                             "Levels as data. [The format of levels](levels.md) says what a file may hold.",
+                             kModuleFunctions};
+const Module kLevelMethods = {"Level", "What a level file says, and what was made of it in a world.",
+                              kMethods, true};
 
 }  // namespace cairn::scripting

@@ -1,6 +1,8 @@
 // Builds Lua tables and metatables from descriptions.
 #include "bind/module.h"
 
+#include <algorithm>
+#include <cassert>
 #include <string>
 #include <vector>
 
@@ -8,12 +10,6 @@
 
 namespace cairn::scripting {
 namespace {
-
-void push_function(lua_State* L, const Module& module, const Function& function) {
-    lua_pushlightuserdata(L, const_cast<Function*>(&function));
-    lua_pushlightuserdata(L, const_cast<Module*>(&module));
-    lua_pushcclosure(L, function.call, 2);
-}
 
 /// __index of a module's table: reached only for names that are not there. Upvalue 1 is the module.
 int report_unknown_name(lua_State* L) {
@@ -28,6 +24,19 @@ int report_unknown_name(lua_State* L) {
 }
 
 }  // namespace
+
+void push_function(lua_State* L, const Module& module, const Function& function) {
+    lua_pushlightuserdata(L, const_cast<Function*>(&function));
+    lua_pushlightuserdata(L, const_cast<Module*>(&module));
+    lua_pushcclosure(L, function.call, 2);
+}
+
+void push_function(lua_State* L, const Module& module, std::string_view name) {
+    const auto found = std::find_if(module.functions.begin(), module.functions.end(),
+                                    [&](const Function& function) { return name == function.name; });
+    assert(found != module.functions.end());
+    push_function(L, module, *found);
+}
 
 void add_functions(lua_State* L, const Module& module) {
     for (const Function& function : module.functions) {

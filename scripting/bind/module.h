@@ -4,6 +4,7 @@
 #include <lua.hpp>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "bind/function.h"
 #include "bind/object.h"
@@ -21,6 +22,11 @@ struct Module {
 
 /// Every module, in the order of the reference.
 std::span<const Module* const> all_modules();
+
+/// Pushes one function of a module, as scripts see it.
+void push_function(lua_State* L, const Module& module, const Function& function);
+/// The same by its name, which the module has.
+void push_function(lua_State* L, const Module& module, std::string_view name);
 
 /// Adds the functions of a module to the table on top of the stack.
 void add_functions(lua_State* L, const Module& module);

@@ -13,6 +13,7 @@ extern const Module kPhysicsModule;  // cairn.physics
 extern const Module kWorldMethods;
 extern const Module kBodyMethods;
 extern const Module kShapeMethods;
+extern const Module kChainMethods;
 extern const Module kJointMethods;
 extern const Module kPrefabModule;  // cairn.prefab
 extern const Module kPrefabMethods;
@@ -44,8 +45,10 @@ extern const Module kTimerMethods;
 extern const Module kTweenModule;  // cairn.tween
 extern const Module kTweenMethods;
 extern const Module kSceneModule;  // cairn.scene
+extern const Module kDataModule;   // cairn.data
 extern const Module kLevelModule;  // cairn.level
-extern const Module kTestModule;   // cairn.test
+extern const Module kLevelMethods;
+extern const Module kTestModule;  // cairn.test
 
 /// Frees what a World holds; the finalizer of its type.
 int finalize_world(lua_State* L);
@@ -60,6 +63,8 @@ int finalize_particles(lua_State* L);
 int finalize_tile_map(lua_State* L);
 int finalize_ui(lua_State* L);
 int finalize_text(lua_State* L);
+/// Frees what a Level holds.
+int finalize_level(lua_State* L);
 
 /// Adds `cairn.random.visual` to the table on top of the stack, and makes math.random use the gameplay
 /// stream.

@@ -31,9 +31,12 @@ enum class ObjectTag : std::uint32_t {
     Particles,
     TileMap,
     Ui,
-    Text
+    Text,
+    Chain,
+    Mover,
+    Level
 };
-inline constexpr int kObjectTagCount = static_cast<int>(ObjectTag::Text) + 1;
+inline constexpr int kObjectTagCount = static_cast<int>(ObjectTag::Level) + 1;
 
 struct ObjectHeader {
     ObjectTag tag;
@@ -82,6 +85,12 @@ constexpr const char* object_type_name(ObjectTag tag) {
             return "Ui";
         case ObjectTag::Text:
             return "Text";
+        case ObjectTag::Chain:
+            return "Chain";
+        case ObjectTag::Mover:
+            return "Mover";
+        case ObjectTag::Level:
+            return "Level";
     }
     return "userdata";
 }

@@ -30,14 +30,23 @@ constexpr Field kHitSpeed = at_least(
     number_field("hit_speed", 1, "1", "m/s; the least approach speed that makes a \"hit\" event"), 0);
 constexpr Field kRestitutionSpeed =
     at_least(number_field("restitution_speed", 1, "1", "m/s; slower approaches do not bounce"), 0);
-constexpr const Field* kWorldOwn[] = {&kGravityX, &kGravityY, &kSubsteps,
-                                      &kSleep,    &kHitSpeed, &kRestitutionSpeed};
+constexpr Field kPushOutSpeed =
+    above(number_field("max_push_out_speed", 3, "3", "m/s; how fast overlap is undone at most"), 0);
+constexpr Field kJointSolver = choice_field(
+    "joint_solver", "automatic", "automatic sweeping direct",
+    "\"automatic\", \"sweeping\" (cheapest) or \"direct\" (all structures at once, whatever it costs)");
+constexpr Field kThreads =
+    integer_field("threads", 1, "1", "that share a step, 1 to 64; the results do not depend on it");
+constexpr const Field* kWorldOwn[] = {&kGravityX,         &kGravityY,     &kSubsteps,    &kSleep,  &kHitSpeed,
+                                      &kRestitutionSpeed, &kPushOutSpeed, &kJointSolver, &kThreads};
 
 // ---- Body
 constexpr Field kX = number_field("x", 0, "0", "m");
 constexpr Field kY = number_field("y", 0, "0", "m");
 constexpr Field kAngle = number_field("angle", 0, "0", "rad");
-constexpr Field kType{"type", FieldType::String, "dynamic", "\"static\", \"kinematic\" or \"dynamic\""};
+// In the order of physics::BodyType.
+constexpr Field kType =
+    choice_field("type", "dynamic", "static kinematic dynamic", "\"static\", \"kinematic\" or \"dynamic\"");
 constexpr Field kVelocityX = number_field("linear_velocity_x", 0, "0", "m/s, of the centre of mass");
 constexpr Field kVelocityY = number_field("linear_velocity_y", 0, "0", "m/s, of the centre of mass");
 constexpr Field kAngularVelocity = number_field("angular_velocity", 0, "0", "rad/s");
@@ -46,6 +55,13 @@ constexpr Field kAngularDamping = at_least(number_field("angular_damping", 0, "0
 constexpr Field kGravityScale = number_field("gravity_scale", 1, "1", "");
 constexpr Field kAllowSleep = boolean_field("allow_sleep", true, "");
 constexpr Field kAwake = boolean_field("awake", true, "");
+constexpr Field kLockX = boolean_field("lock_x", false, "the centre of mass stays at its x");
+constexpr Field kLockY = boolean_field("lock_y", false, "the centre of mass stays at its y");
+constexpr Field kLockRotation = boolean_field("lock_rotation", false, "it does not turn");
+constexpr Field kSleepSpeed =
+    at_least(number_field("sleep_speed", static_cast<double>(physics::tuning::kSleepSpeed_m_s), "0.05",
+                          "m/s; may sleep when slower than this for half a second; at 0 it never does"),
+             0);
 constexpr Field kData = optional_field("data", FieldType::Table, "becomes body.data");
 constexpr const Field* kPlaceOwn[] = {&kX, &kY, &kAngle};
 constexpr const Field* kBodyOwn[] = {&kX,
@@ -60,6 +76,10 @@ constexpr const Field* kBodyOwn[] = {&kX,
                                      &kGravityScale,
                                      &kAllowSleep,
                                      &kAwake,
+                                     &kLockX,
+                                     &kLockY,
+                                     &kLockRotation,
+                                     &kSleepSpeed,
                                      &kData};
 
 // ---- Shape
@@ -74,8 +94,29 @@ constexpr Field kGroup = integer_field(
     "group", 0, "0", "two shapes of the same group other than 0: positive always collide, negative never");
 constexpr Field kContactEvents = boolean_field("contact_events", true, "\"begin\" and \"end\" events");
 constexpr Field kHitEvents = boolean_field("hit_events", true, "\"hit\" events");
-constexpr const Field* kShapeOwn[] = {&kDensity, &kFriction, &kRestitution,   &kCategories,
-                                      &kMask,    &kGroup,    &kContactEvents, &kHitEvents};
+constexpr Field kRolling = at_least(
+    number_field("rolling_resistance", 0, "0",
+                 "coefficient: a torque of this times the normal force times the radius resists rolling"),
+    0);
+constexpr Field kSurfaceSpeed = number_field(
+    "surface_speed", 0, "0", "m/s; a conveyor belt: positive carries what lies on top to the right");
+constexpr Field kMaterialKind = within(
+    integer_field("material_kind", 0, "0", "what `world:set_material_rule` knows the material by, 0 to 63"),
+    0, physics::kMaterialKinds - 1);
+constexpr Field kSensor = boolean_field(
+    "sensor", false, "collides with nothing; `world:sensor_events()` tells what comes to overlap it");
+constexpr Field kSeenBySensors = boolean_field("seen_by_sensors", true, "");
+constexpr Field kOneWayX = number_field(
+    "one_way_x", 0, "0", "not (0, 0): solid only for what comes from that side, as a platform is");
+constexpr Field kOneWayY = number_field("one_way_y", 0, "0", "in the body's frame, of any length");
+constexpr const Field* kShapeOwn[] = {&kDensity,       &kFriction,      &kRestitution, &kRolling,
+                                      &kSurfaceSpeed,  &kMaterialKind,  &kCategories,  &kMask,
+                                      &kGroup,         &kContactEvents, &kHitEvents,   &kSensor,
+                                      &kSeenBySensors, &kOneWayX,       &kOneWayY};
+constexpr const Field* kMaterialOwn[] = {&kFriction, &kRestitution, &kRolling, &kSurfaceSpeed,
+                                         &kMaterialKind};
+constexpr const Field* kMatterOwn[] = {&kDensity, &kFriction,     &kRestitution,
+                                       &kRolling, &kSurfaceSpeed, &kMaterialKind};
 constexpr const Field* kFilterOwn[] = {&kCategories, &kMask, &kGroup, &kContactEvents, &kHitEvents};
 
 // ---- Geometry
@@ -88,25 +129,87 @@ constexpr Field kLength =
     above(required_field("length", FieldType::Number, "m, between the centres of the two ends, along x"),
           kPointsApart_m, 2 * kMaxReach_m);
 constexpr Field kPoints = required_field(
-    "points", FieldType::Table, "{ {x, y}, ... }, m: 3 to 8 corners, of which the convex hull is taken");
+    "points", FieldType::Points, "{ {x, y}, ... }, m: 3 to 8 corners, of which the convex hull is taken");
+constexpr Field kX1 = required_field("x1", FieldType::Number, "m; one end, in the body's frame");
+constexpr Field kY1 = required_field("y1", FieldType::Number, "m");
+constexpr Field kX2 = required_field("x2", FieldType::Number, "m; the other end");
+constexpr Field kY2 = required_field("y2", FieldType::Number, "m");
 constexpr const Field* kBoxOwn[] = {&kWidth, &kHeight, &kRounding};
 constexpr const Field* kCircleOwn[] = {&kRadius};
 constexpr const Field* kCapsuleOwn[] = {&kLength, &kRadius};
 constexpr const Field* kPolygonOwn[] = {&kPoints, &kRounding};
 
-constexpr FieldSet kPlaceFields{kPlaceOwn};
-constexpr FieldSet kBodyFields{kBodyOwn};
-constexpr FieldSet kShapeFields{kShapeOwn};
+constexpr const Field* kSegmentOwn[] = {&kX1, &kY1, &kX2, &kY2};
 
-/// { {x, y}, ... } as a list of points.
-std::vector<Vec2> read_points(lua_State* L, const FieldReader& reader) {
+// ---- Chain
+constexpr Field kChainPoints = required_field("points", FieldType::Points,
+                                              "{ {x, y}, ... }, m: walking along them, others are kept on "
+                                              "the right, so ground runs from right to left");
+constexpr Field kClosed = boolean_field("closed", false, "a segment leads from the last point to the first");
+constexpr Field kBeforeX = optional_field("before_x", FieldType::Number,
+                                          "m; the point with which another chain goes on before the first");
+constexpr Field kBeforeY = optional_field("before_y", FieldType::Number, "m");
+constexpr Field kAfterX = optional_field("after_x", FieldType::Number, "m; the same behind the last point");
+constexpr Field kAfterY = optional_field("after_y", FieldType::Number, "m");
+constexpr const Field* kChainOwn[] = {&kChainPoints, &kClosed,       &kBeforeX,       &kBeforeY,
+                                      &kAfterX,      &kAfterY,       &kFriction,      &kRestitution,
+                                      &kRolling,     &kSurfaceSpeed, &kMaterialKind,  &kCategories,
+                                      &kMask,        &kGroup,        &kContactEvents, &kHitEvents};
+
+constexpr FieldSet kBodyFields{kBodyOwn};
+
+std::vector<Vec2> read_points(lua_State* L, const FieldReader& reader, const Field& field) {
+    reader.push(field);
+    std::vector<Vec2> points = read_point_list(L, -1, field.name);
+    lua_pop(L, 1);
+    return points;
+}
+
+std::optional<Vec2> read_end(lua_State* L, const FieldReader& reader, const Field& x, const Field& y) {
+    const auto given_x = reader.optional_number(x);
+    const auto given_y = reader.optional_number(y);
+    if (given_x.has_value() != given_y.has_value())
+        call_error(L,
+                   std::string(x.name) + " and " + y.name + " belong together; both or neither are expected");
+    if (!given_x) return std::nullopt;
+    return Vec2{static_cast<float>(*given_x), static_cast<float>(*given_y)};
+}
+
+}  // namespace
+
+const FieldSet kWorldFields{kWorldOwn};
+const FieldSet kNewBodyFields{kBodyOwn};
+const FieldSet kFilterFields{kFilterOwn};
+
+const FieldSet kShapeFields{kShapeOwn};
+const FieldSet kPlaceFields{kPlaceOwn};
+const FieldSet kMaterialFields{kMaterialOwn};
+const FieldSet kMatterFields{kMatterOwn};
+const FieldSet kChainShapeFields{kChainOwn};
+
+const FieldSet kGeometryFields[kGeometryKinds] = {
+    {kBoxOwn}, {kCircleOwn}, {kCapsuleOwn}, {kPolygonOwn}, {kSegmentOwn},
+};
+const FieldSet kWorldAddFields[kGeometryKinds] = {
+    {kBoxOwn, {&kBodyFields, &kShapeFields}},     {kCircleOwn, {&kBodyFields, &kShapeFields}},
+    {kCapsuleOwn, {&kBodyFields, &kShapeFields}}, {kPolygonOwn, {&kBodyFields, &kShapeFields}},
+    {kSegmentOwn, {&kBodyFields, &kShapeFields}},
+};
+const FieldSet kBodyAddFields[kGeometryKinds] = {
+    {kBoxOwn, {&kPlaceFields, &kShapeFields}},     {kCircleOwn, {&kPlaceFields, &kShapeFields}},
+    {kCapsuleOwn, {&kPlaceFields, &kShapeFields}}, {kPolygonOwn, {&kPlaceFields, &kShapeFields}},
+    {kSegmentOwn, {&kPlaceFields, &kShapeFields}},
+};
+const FieldSet kWorldAddChainFields{kChainOwn, {&kBodyFields}};
+const FieldSet kBodyAddChainFields{kChainOwn};
+
+std::vector<Vec2> read_point_list(lua_State* L, int index, const std::string& name) {
+    const int table = lua_absindex(L, index);
     std::vector<Vec2> points;
-    reader.push(kPoints);
-    const int table = lua_gettop(L);
     const auto count = static_cast<lua_Integer>(lua_rawlen(L, table));
     for (lua_Integer i = 1; i <= count; ++i) {
         lua_rawgeti(L, table, i);
-        const std::string where = "points[" + std::to_string(i) + "]";
+        const std::string where = name + "[" + std::to_string(i) + "]";
         if (!lua_istable(L, -1)) call_error(L, where + " is " + describe_value(L, -1) + "; expected {x, y}");
         lua_rawgeti(L, -1, 1);
         lua_rawgeti(L, -2, 2);
@@ -117,28 +220,8 @@ std::vector<Vec2> read_points(lua_State* L, const FieldReader& reader) {
         points.push_back({static_cast<float>(lua_tonumber(L, -2)), static_cast<float>(lua_tonumber(L, -1))});
         lua_pop(L, 3);
     }
-    lua_pop(L, 1);
     return points;
 }
-
-}  // namespace
-
-const FieldSet kWorldFields{kWorldOwn};
-const FieldSet kNewBodyFields{kBodyOwn};
-const FieldSet kFilterFields{kFilterOwn};
-
-const FieldSet kWorldAddFields[4] = {
-    {kBoxOwn, {&kBodyFields, &kShapeFields}},
-    {kCircleOwn, {&kBodyFields, &kShapeFields}},
-    {kCapsuleOwn, {&kBodyFields, &kShapeFields}},
-    {kPolygonOwn, {&kBodyFields, &kShapeFields}},
-};
-const FieldSet kBodyAddFields[4] = {
-    {kBoxOwn, {&kPlaceFields, &kShapeFields}},
-    {kCircleOwn, {&kPlaceFields, &kShapeFields}},
-    {kCapsuleOwn, {&kPlaceFields, &kShapeFields}},
-    {kPolygonOwn, {&kPlaceFields, &kShapeFields}},
-};
 
 physics::WorldDef read_world_def(const FieldReader& reader, lua_State* L) {
     physics::WorldDef def;
@@ -151,20 +234,17 @@ physics::WorldDef read_world_def(const FieldReader& reader, lua_State* L) {
     def.enable_sleep = reader.boolean(kSleep);
     def.hit_speed_m_s = reader.real(kHitSpeed);
     def.restitution_speed_m_s = reader.real(kRestitutionSpeed);
+    def.max_push_out_speed_m_s = reader.real(kPushOutSpeed);
+    def.joint_solver = static_cast<physics::JointSolver>(reader.choice(kJointSolver));
+    const std::int64_t threads = reader.integer(kThreads);
+    if (threads < 1 || threads > 64) reader.fail(kThreads, "must be 1 to 64");
+    def.threads = static_cast<int>(threads);
     return def;
 }
 
 physics::BodyDef read_body_def(const FieldReader& reader) {
     physics::BodyDef def;
-    const std::string_view type = reader.text(kType);
-    if (type == "static") {
-        def.type = physics::BodyType::Static;
-    } else if (type == "kinematic") {
-        def.type = physics::BodyType::Kinematic;
-    } else if (type != "dynamic") {
-        static const std::vector<std::string> types = {"dynamic", "kinematic", "static"};
-        reader.fail(kType, "no such type of body" + suggestion(type, types));
-    }
+    def.type = static_cast<physics::BodyType>(reader.choice(kType));
     def.position_m = {reader.number(kX), reader.number(kY)};
     def.angle_rad = reader.number(kAngle);
     def.linear_velocity_m_s = {reader.real(kVelocityX), reader.real(kVelocityY)};
@@ -174,15 +254,45 @@ physics::BodyDef read_body_def(const FieldReader& reader) {
     def.gravity_scale = reader.real(kGravityScale);
     def.allow_sleep = reader.boolean(kAllowSleep);
     def.awake = reader.boolean(kAwake);
+    def.locks = {reader.boolean(kLockX), reader.boolean(kLockY), reader.boolean(kLockRotation)};
+    def.sleep_speed_m_s = reader.real(kSleepSpeed);
     return def;
 }
 
 physics::ShapeDef read_shape_def(const FieldReader& reader) {
     physics::ShapeDef def;
     def.density_kg_m2 = reader.real(kDensity);
-    def.material = {.friction = reader.real(kFriction), .restitution = reader.real(kRestitution)};
+    def.material = read_material(reader);
+    def.sensor = reader.boolean(kSensor);
+    def.seen_by_sensors = reader.boolean(kSeenBySensors);
+    def.one_way_normal = {reader.real(kOneWayX), reader.real(kOneWayY)};
     read_filter(reader, def);
     return def;
+}
+
+physics::Material read_material(const FieldReader& reader) {
+    const std::int64_t kind = reader.integer(kMaterialKind);
+    if (!is_in_range(kMaterialKind, static_cast<double>(kind))) reader.fail(kMaterialKind, "must be 0 to 63");
+    return {.friction = reader.real(kFriction),
+            .restitution = reader.real(kRestitution),
+            .rolling_resistance = reader.real(kRolling),
+            .surface_speed_m_s = reader.real(kSurfaceSpeed),
+            .kind = static_cast<int>(kind)};
+}
+
+void read_chain(lua_State* L, const FieldReader& reader, OwnedChain& out) {
+    out.points_m = read_points(L, reader, kChainPoints);
+    out.material = read_material(reader);
+    physics::ShapeDef shape;
+    read_filter(reader, shape);
+    out.def.points_m = out.points_m;
+    out.def.closed = reader.boolean(kClosed);
+    out.def.before_m = read_end(L, reader, kBeforeX, kBeforeY);
+    out.def.after_m = read_end(L, reader, kAfterX, kAfterY);
+    out.def.materials = {&out.material, 1};
+    out.def.filter = shape.filter;
+    out.def.contact_events = shape.contact_events;
+    out.def.hit_events = shape.hit_events;
 }
 
 void read_filter(const FieldReader& reader, physics::ShapeDef& def) {
@@ -221,10 +331,17 @@ void read_geometry(lua_State* L, const FieldReader& reader, GeometryKind kind, c
             return;
         }
         case GeometryKind::Polygon:
-            out.points_m = read_points(L, reader);
+            out.points_m = read_points(L, reader, kPoints);
             for (Vec2& point : out.points_m) point = place.position_m + physics::rotate(q, point);
             out.geometry = physics::Polygon{.points_m = out.points_m, .radius_m = reader.real(kRounding)};
             return;
+        case GeometryKind::Segment: {
+            const auto placed = [&](const Field& x, const Field& y) {
+                return place.position_m + physics::rotate(q, {reader.real(x), reader.real(y)});
+            };
+            out.geometry = physics::Segment{.a_m = placed(kX1, kY1), .b_m = placed(kX2, kY2)};
+            return;
+        }
     }
 }
 

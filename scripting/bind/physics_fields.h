@@ -2,6 +2,8 @@
 #pragma once
 
 #include <lua.hpp>
+#include <string>
+#include <vector>
 
 #include <cairn/physics/world.h>
 
@@ -14,11 +16,30 @@ extern const FieldSet kNewBodyFields;
 /// Of a shape: who collides with whom, and who is told.
 extern const FieldSet kFilterFields;
 
-enum class GeometryKind { Box, Circle, Capsule, Polygon };
+/// Of a shape: matter, filter and what else is not geometry.
+extern const FieldSet kShapeFields;
+/// Where a shape sits in its body.
+extern const FieldSet kPlaceFields;
 
-/// By GeometryKind.
-extern const FieldSet kWorldAddFields[4];
-extern const FieldSet kBodyAddFields[4];
+enum class GeometryKind { Box, Circle, Capsule, Polygon, Segment };
+inline constexpr int kGeometryKinds = 5;
+/// By GeometryKind: "box", ...
+inline constexpr const char* kGeometryNames[kGeometryKinds] = {"box", "circle", "capsule", "polygon",
+                                                               "segment"};
+
+/// By GeometryKind: of the geometry alone.
+extern const FieldSet kGeometryFields[kGeometryKinds];
+extern const FieldSet kWorldAddFields[kGeometryKinds];
+extern const FieldSet kBodyAddFields[kGeometryKinds];
+
+/// Of a shape's surface.
+extern const FieldSet kMaterialFields;
+/// The same with the density.
+extern const FieldSet kMatterFields;
+/// Of `world:add_chain`, `body:add_chain`, and of the chain alone.
+extern const FieldSet kWorldAddChainFields;
+extern const FieldSet kBodyAddChainFields;
+extern const FieldSet kChainShapeFields;
 
 /// The fields of `world:add_...`: those of the body, the shape and the geometry.
 constexpr const FieldSet& fields_of_world_add(GeometryKind kind) {
@@ -34,6 +55,17 @@ physics::BodyDef read_body_def(const FieldReader& reader);
 physics::ShapeDef read_shape_def(const FieldReader& reader);
 /// The part of it that kFilterFields describe.
 void read_filter(const FieldReader& reader, physics::ShapeDef& def);
+physics::Material read_material(const FieldReader& reader);
+
+/// The definition of a chain together with what it borrows.
+struct OwnedChain {
+    std::vector<physics::Vec2> points_m;
+    physics::Material material;
+    physics::ChainDef def;
+};
+void read_chain(lua_State* L, const FieldReader& reader, OwnedChain& out);
+/// A list { {x, y}, ... } at an index; `name` is what messages call it.
+std::vector<physics::Vec2> read_point_list(lua_State* L, int index, const std::string& name);
 
 /// Where a shape sits in its body.
 struct ShapePlace {

@@ -149,6 +149,8 @@ void register_event_cursor(lua_State* L);
 int push_events(lua_State* L, WorldRef world, std::optional<std::string_view> kind);
 /// The iterator that world:joint_breaks returns.
 int push_joint_breaks(lua_State* L, WorldRef world);
+/// The iterator that world:sensor_events returns.
+int push_sensor_events(lua_State* L, WorldRef world);
 /// The iterator that world:breaks returns.
 int push_body_breaks(lua_State* L, WorldRef world);
 

@@ -1,5 +1,6 @@
 // The methods of Shape.
 #include "bind/modules.h"
+#include "bind/physics_fields.h"
 #include "bind/physics_objects.h"
 
 namespace cairn::scripting {
@@ -76,6 +77,55 @@ void set_filter(lua_State* L, ShapeRef self, std::int64_t categories, std::int64
                            .group = static_cast<std::int32_t>(group)});
 }
 
+Pushed material(lua_State* L, ShapeRef self) {
+    const physics::Material material = self.shape.material();
+    const std::pair<const char*, float> numbers[] = {{"friction", material.friction},
+                                                     {"restitution", material.restitution},
+                                                     {"rolling_resistance", material.rolling_resistance},
+                                                     {"surface_speed", material.surface_speed_m_s}};
+    lua_createtable(L, 0, 5);
+    for (const auto& [name, value] : numbers) {
+        lua_pushnumber(L, static_cast<double>(value));
+        lua_setfield(L, -2, name);
+    }
+    lua_pushinteger(L, material.kind);
+    lua_setfield(L, -2, "material_kind");
+    return {1};
+}
+Change set_material(lua_State* L, ShapeRef self, TableArgument fields) {
+    return self.shape.set_material(read_material(FieldReader(L, fields.index, kMaterialFields)));
+}
+
+std::tuple<float, float> one_way(ShapeRef self) {
+    const physics::Vec2 normal = self.shape.one_way_normal();
+    return {normal.x, normal.y};
+}
+Change set_one_way(ShapeRef self, float x, float y) {
+    return self.shape.set_one_way_normal({x, y});
+}
+bool is_sensor(ShapeRef self) {
+    return self.shape.is_sensor();
+}
+Pushed overlaps(lua_State* L, ShapeRef self) {
+    const auto found = value_or_raise(L, self.object.world->world->sensor_overlaps(self.object.id));
+    push_world_of(L, self.index);
+    const int world = lua_gettop(L);
+    lua_newtable(L);
+    lua_Integer count = 0;
+    for (const physics::ShapeId id : found) {
+        if (!self.object.world->world->contains(id)) continue;
+        push_shape(L, world, *self.object.world, id);
+        lua_rawseti(L, -2, ++count);
+    }
+    return {1};
+}
+bool is_seen_by_sensors(ShapeRef self) {
+    return self.shape.is_seen_by_sensors();
+}
+void set_seen_by_sensors(ShapeRef self, bool seen) {
+    self.shape.set_seen_by_sensors(seen);
+}
+
 Change destroy(ShapeRef self) {
     return self.object.world->world->destroy_shape(self.object.id);
 }
@@ -85,11 +135,14 @@ bool is_valid(Maybe<ShapeObject> self) {
 }
 
 constexpr std::array<std::string_view, 1> kReturnsBody = {"Body"};
+constexpr std::array<std::string_view, 1> kReturnsTable = {"table"};
 constexpr std::array<std::string_view, 1> kReturnsNumbers = {"number"};
 
 constexpr Function kFunctions[] = {
     function_pushing<&body>("body", "", "body", kReturnsBody, ""),
-    function<&kind>("kind", "", "kind", "\"circle\", \"capsule\" or \"polygon\" (boxes are polygons)."),
+    function<&kind>(
+        "kind", "", "kind",
+        "\"circle\", \"capsule\", \"polygon\" (boxes are polygons), \"segment\" or \"chain_segment\"."),
     function_pushing<&points>(
         "points", "", "x1 [m]", kReturnsNumbers,
         "x1, y1, x2, y2, ...: the centre of a circle, the two ends of a capsule, or the corners of "
@@ -104,6 +157,18 @@ constexpr Function kFunctions[] = {
     function<&filter>("filter", "", "categories, mask, group", ""),
     function<&set_filter>("set_filter", "categories, mask, group", "",
                           "Ends touching that the new filter forbids."),
+    function_pushing<&material>("material", "", "material", kReturnsTable,
+                                "A new table with the fields that `set_material` takes."),
+    function<&set_material>("set_material", "fields", "", "What is not given is as by default.",
+                            &kMaterialFields),
+    function<&one_way>("one_way", "", "x, y", "In the body's frame; (0, 0): solid from all sides."),
+    function<&set_one_way>("set_one_way", "x, y", "",
+                           "Solid only for what comes from that side; (0, 0): from all sides."),
+    function<&is_sensor>("is_sensor", "", "sensor", ""),
+    function_pushing<&overlaps>("overlaps", "", "shapes", kReturnsTable,
+                                "Of a sensor: a new list of what overlapped it at the end of the last step."),
+    function<&is_seen_by_sensors>("is_seen_by_sensors", "", "seen", ""),
+    function<&set_seen_by_sensors>("set_seen_by_sensors", "seen", "", ""),
     function<&destroy>("destroy", "", "", "Removes the shape from its body."),
     function<&is_valid>("is_valid", "", "valid", "Whether the shape was not destroyed."),
 };

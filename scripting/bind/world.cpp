@@ -3,6 +3,7 @@
 
 #include <cairn/engine/log.h>
 
+#include "bind/chain.h"
 #include "bind/context.h"
 #include "bind/fracture.h"
 #include "bind/joint_fields.h"
@@ -46,6 +47,7 @@ Pushed new_world(lua_State* L, std::optional<TableArgument> description) {
 
 constexpr std::array<std::string_view, 1> kReturnsWorld = {"World"};
 constexpr std::array<std::string_view, 1> kReturnsBody = {"Body"};
+constexpr std::array<std::string_view, 2> kReturnsBodyAndChain = {"Body", "Chain"};
 constexpr std::array<std::string_view, 1> kReturnsJoint = {"Joint"};
 constexpr std::array<std::string_view, 1> kReturnsTable = {"table"};
 
@@ -144,6 +146,10 @@ Pushed breaks(lua_State* L, WorldRef self) {
     return {push_body_breaks(L, self)};
 }
 
+Pushed sensor_events(lua_State* L, WorldRef self) {
+    return {push_sensor_events(L, self)};
+}
+
 Pushed events(lua_State* L, WorldRef self, std::optional<std::string_view> kind) {
     return {push_events(L, self, kind)};
 }
@@ -221,6 +227,8 @@ constexpr std::array<std::string_view, 1> kReturnsBreakIterator = {
     "fun(): Joint, Body, Body, number, number, number, number, number"};
 constexpr std::array<std::string_view, 1> kReturnsBodyBreakIterator = {
     "fun(): Body, Body, number, number, number, number, number, number, table"};
+constexpr std::array<std::string_view, 1> kReturnsSensorIterator = {
+    "fun(): string, Body, Body, Shape, Shape"};
 constexpr std::array<std::string_view, 2> kReturnsBodyAndShape = {"Body?", "Shape?"};
 constexpr std::array<std::string_view, 6> kReturnsRayHit = {"Body?",  "number", "number",
                                                             "number", "number", "number"};
@@ -244,6 +252,13 @@ constexpr Function kWorldFunctions[] = {
     function_pushing<&add_body<GeometryKind::Polygon>>("add_polygon", "fields", "body", kReturnsBody,
                                                        "Adds a body with one convex polygon.",
                                                        &fields_of_world_add(GeometryKind::Polygon)),
+    function_pushing<&add_body<GeometryKind::Segment>>(
+        "add_segment", "fields", "body", kReturnsBody,
+        "Adds a body with one line without thickness, solid from both sides.",
+        &fields_of_world_add(GeometryKind::Segment)),
+    function_pushing<&add_chain_body>("add_chain", "fields", "body, chain", kReturnsBodyAndChain,
+                                      "Adds a body with one chain, of any number of points.",
+                                      &kWorldAddChainFields),
     add_joint_function<JointKind::Distance>("add_distance_joint",
                                             "Keeps two points at a distance: rigidly, as a spring or as a "
                                             "rope."),
@@ -316,6 +331,11 @@ constexpr Function kWorldFunctions[] = {
         "not have is 0. A body destroyed since the step is still given: `is_valid()` tells, and its `data` "
         "can be read. "
         "Anything may be done in the loop; stepping the world ends it."),
+    function_pushing<&sensor_events>(
+        "sensor_events", "", "iterator", kReturnsSensorIterator,
+        "Iterates over what came to overlap sensors in the last step, and what ceased to: `for kind, sensor, "
+        "visitor, sensor_shape, visitor_shape in world:sensor_events() do`. `kind` is \"begin\" or \"end\"; "
+        "`sensor` and `visitor` are the bodies."),
     function_pushing<&bodies>("bodies", "", "bodies", kReturnsTable,
                               "A new list of all bodies, in a fixed order."),
     function_pushing<&quarantined>("quarantined", "", "bodies", kReturnsTable,

@@ -5,6 +5,7 @@
 
 #include "bind/fields.h"
 #include "bind/module.h"
+#include "bridge/field_table.h"
 
 namespace cairn::scripting {
 namespace {
@@ -99,20 +100,6 @@ std::string units(const Function& function) {
     return text;
 }
 
-void write_fields(const Function& function, std::string& out) {
-    out += "\n| field | type | default | |\n|---|---|---|---|\n";
-    for (const Field* field : all_fields(*function.fields)) {
-        std::string default_text = field->default_text == nullptr ? "required" : field->default_text;
-        if (default_text.empty()) {
-            default_text = "nil";
-        } else if (field->type == FieldType::String && field->default_text != nullptr) {
-            default_text = '"' + default_text + '"';
-        }
-        out += std::string("| `") + field->name + "` | " + field_type_name(field->type) + " | " +
-               default_text + " | " + field->doc + " |\n";
-    }
-}
-
 void write_function(const Function& function, const Module& module, std::string& out) {
     const std::string results = result_list(function);
     out += "\n### `" + call_text(function, module) + parameter_list(function) +
@@ -122,7 +109,7 @@ void write_function(const Function& function, const Module& module, std::string&
         text += (text.empty() ? "" : " ") + std::string("Units: ") + unit_text + '.';
     }
     if (!text.empty()) out += '\n' + text + '\n';
-    if (function.fields != nullptr) write_fields(function, out);
+    if (function.fields != nullptr) out += field_table(all_fields(*function.fields));
 }
 
 // ---- Annotations

@@ -1,5 +1,5 @@
 // Rules for data: what a level file or another table may hold. A schema is itself described by a table (see
-// level.load in the Lua reference). Invariant: check_data never changes the data; defaults are filled in by a
+// cairn.data in the Lua reference). Invariant: check_data never changes the data; defaults are filled in by a
 // separate walk.
 #pragma once
 

@@ -32,6 +32,20 @@ bool Value::is_list() const {
     return true;  // as many distinct keys as there are places, all inside
 }
 
+// Assigned, not constructed in place: g++ 12 warns of the variant of keys otherwise.
+void add_entry(Value& table, std::string_view key, Value value) {
+    Entry& entry = std::get<Entries>(table.content).emplace_back();
+    entry.key = std::string(key);
+    entry.value = std::move(value);
+}
+
+void add_item(Value& list, Value value) {
+    auto& entries = std::get<Entries>(list.content);
+    Entry& entry = entries.emplace_back();
+    entry.key = static_cast<std::int64_t>(entries.size());
+    entry.value = std::move(value);
+}
+
 std::string_view kind_with_article(Value::Kind kind) {
     switch (kind) {
         case Value::Kind::Boolean:

@@ -41,6 +41,11 @@ struct Entry {
     Value value;
 };
 
+/// Adds an entry to a table, which does not have it yet.
+void add_entry(Value& table, std::string_view key, Value value);
+/// Adds the next member to a list.
+void add_item(Value& list, Value value);
+
 /// "a number", "a string", "a table", ...: for messages.
 std::string_view kind_with_article(Value::Kind kind);
 

@@ -30,6 +30,9 @@ cairn.physics = {}
 ---@field sleep? boolean whether resting bodies stop being computed
 ---@field hit_speed? number m/s; the least approach speed that makes a "hit" event
 ---@field restitution_speed? number m/s; slower approaches do not bounce
+---@field max_push_out_speed? number m/s; how fast overlap is undone at most
+---@field joint_solver? string "automatic", "sweeping" (cheapest) or "direct" (all structures at once, whatever it costs)
+---@field threads? integer that share a step, 1 to 64; the results do not depend on it
 
 ---Makes an empty world. It lives until `world:destroy()`.
 ---@param fields cairn.physics.new_world.Fields?
@@ -56,6 +59,10 @@ function World:step(dt) end
 ---@field gravity_scale? number
 ---@field allow_sleep? boolean
 ---@field awake? boolean
+---@field lock_x? boolean the centre of mass stays at its x
+---@field lock_y? boolean the centre of mass stays at its y
+---@field lock_rotation? boolean it does not turn
+---@field sleep_speed? number m/s; may sleep when slower than this for half a second; at 0 it never does
 ---@field data? table becomes body.data
 
 ---Adds a body without shapes; give it some with `body:add_box{...}` and the like.
@@ -79,15 +86,26 @@ function World:new_body(fields) end
 ---@field gravity_scale? number
 ---@field allow_sleep? boolean
 ---@field awake? boolean
+---@field lock_x? boolean the centre of mass stays at its x
+---@field lock_y? boolean the centre of mass stays at its y
+---@field lock_rotation? boolean it does not turn
+---@field sleep_speed? number m/s; may sleep when slower than this for half a second; at 0 it never does
 ---@field data? table becomes body.data
 ---@field density? number kg/m^2
 ---@field friction? number Coulomb coefficient, at least 0
 ---@field restitution? number share of the approach speed given back, 0 to 1
+---@field rolling_resistance? number coefficient: a torque of this times the normal force times the radius resists rolling
+---@field surface_speed? number m/s; a conveyor belt: positive carries what lies on top to the right
+---@field material_kind? integer what `world:set_material_rule` knows the material by, 0 to 63
 ---@field categories? integer bit set: what the shape is
 ---@field mask? integer bit set: what it collides with; -1 is everything
 ---@field group? integer two shapes of the same group other than 0: positive always collide, negative never
 ---@field contact_events? boolean "begin" and "end" events
 ---@field hit_events? boolean "hit" events
+---@field sensor? boolean collides with nothing; `world:sensor_events()` tells what comes to overlap it
+---@field seen_by_sensors? boolean
+---@field one_way_x? number not (0, 0): solid only for what comes from that side, as a platform is
+---@field one_way_y? number in the body's frame, of any length
 
 ---Adds a body with one rectangle around its origin.
 ---@param fields World.add_box.Fields
@@ -108,15 +126,26 @@ function World:add_box(fields) end
 ---@field gravity_scale? number
 ---@field allow_sleep? boolean
 ---@field awake? boolean
+---@field lock_x? boolean the centre of mass stays at its x
+---@field lock_y? boolean the centre of mass stays at its y
+---@field lock_rotation? boolean it does not turn
+---@field sleep_speed? number m/s; may sleep when slower than this for half a second; at 0 it never does
 ---@field data? table becomes body.data
 ---@field density? number kg/m^2
 ---@field friction? number Coulomb coefficient, at least 0
 ---@field restitution? number share of the approach speed given back, 0 to 1
+---@field rolling_resistance? number coefficient: a torque of this times the normal force times the radius resists rolling
+---@field surface_speed? number m/s; a conveyor belt: positive carries what lies on top to the right
+---@field material_kind? integer what `world:set_material_rule` knows the material by, 0 to 63
 ---@field categories? integer bit set: what the shape is
 ---@field mask? integer bit set: what it collides with; -1 is everything
 ---@field group? integer two shapes of the same group other than 0: positive always collide, negative never
 ---@field contact_events? boolean "begin" and "end" events
 ---@field hit_events? boolean "hit" events
+---@field sensor? boolean collides with nothing; `world:sensor_events()` tells what comes to overlap it
+---@field seen_by_sensors? boolean
+---@field one_way_x? number not (0, 0): solid only for what comes from that side, as a platform is
+---@field one_way_y? number in the body's frame, of any length
 
 ---Adds a body with one disc around its origin.
 ---@param fields World.add_circle.Fields
@@ -138,15 +167,26 @@ function World:add_circle(fields) end
 ---@field gravity_scale? number
 ---@field allow_sleep? boolean
 ---@field awake? boolean
+---@field lock_x? boolean the centre of mass stays at its x
+---@field lock_y? boolean the centre of mass stays at its y
+---@field lock_rotation? boolean it does not turn
+---@field sleep_speed? number m/s; may sleep when slower than this for half a second; at 0 it never does
 ---@field data? table becomes body.data
 ---@field density? number kg/m^2
 ---@field friction? number Coulomb coefficient, at least 0
 ---@field restitution? number share of the approach speed given back, 0 to 1
+---@field rolling_resistance? number coefficient: a torque of this times the normal force times the radius resists rolling
+---@field surface_speed? number m/s; a conveyor belt: positive carries what lies on top to the right
+---@field material_kind? integer what `world:set_material_rule` knows the material by, 0 to 63
 ---@field categories? integer bit set: what the shape is
 ---@field mask? integer bit set: what it collides with; -1 is everything
 ---@field group? integer two shapes of the same group other than 0: positive always collide, negative never
 ---@field contact_events? boolean "begin" and "end" events
 ---@field hit_events? boolean "hit" events
+---@field sensor? boolean collides with nothing; `world:sensor_events()` tells what comes to overlap it
+---@field seen_by_sensors? boolean
+---@field one_way_x? number not (0, 0): solid only for what comes from that side, as a platform is
+---@field one_way_y? number in the body's frame, of any length
 
 ---Adds a body with one capsule: all points within `radius` of a segment along its x axis.
 ---@param fields World.add_capsule.Fields
@@ -154,7 +194,7 @@ function World:add_circle(fields) end
 function World:add_capsule(fields) end
 
 ---@class World.add_polygon.Fields
----@field points table { {x, y}, ... }, m: 3 to 8 corners, of which the convex hull is taken
+---@field points number[][] { {x, y}, ... }, m: 3 to 8 corners, of which the convex hull is taken
 ---@field radius? number m; rounds the corners outward
 ---@field x? number m
 ---@field y? number m
@@ -168,20 +208,115 @@ function World:add_capsule(fields) end
 ---@field gravity_scale? number
 ---@field allow_sleep? boolean
 ---@field awake? boolean
+---@field lock_x? boolean the centre of mass stays at its x
+---@field lock_y? boolean the centre of mass stays at its y
+---@field lock_rotation? boolean it does not turn
+---@field sleep_speed? number m/s; may sleep when slower than this for half a second; at 0 it never does
 ---@field data? table becomes body.data
 ---@field density? number kg/m^2
 ---@field friction? number Coulomb coefficient, at least 0
 ---@field restitution? number share of the approach speed given back, 0 to 1
+---@field rolling_resistance? number coefficient: a torque of this times the normal force times the radius resists rolling
+---@field surface_speed? number m/s; a conveyor belt: positive carries what lies on top to the right
+---@field material_kind? integer what `world:set_material_rule` knows the material by, 0 to 63
 ---@field categories? integer bit set: what the shape is
 ---@field mask? integer bit set: what it collides with; -1 is everything
 ---@field group? integer two shapes of the same group other than 0: positive always collide, negative never
 ---@field contact_events? boolean "begin" and "end" events
 ---@field hit_events? boolean "hit" events
+---@field sensor? boolean collides with nothing; `world:sensor_events()` tells what comes to overlap it
+---@field seen_by_sensors? boolean
+---@field one_way_x? number not (0, 0): solid only for what comes from that side, as a platform is
+---@field one_way_y? number in the body's frame, of any length
 
 ---Adds a body with one convex polygon.
 ---@param fields World.add_polygon.Fields
 ---@return Body body
 function World:add_polygon(fields) end
+
+---@class World.add_segment.Fields
+---@field x1 number m; one end, in the body's frame
+---@field y1 number m
+---@field x2 number m; the other end
+---@field y2 number m
+---@field x? number m
+---@field y? number m
+---@field angle? number rad
+---@field type? string "static", "kinematic" or "dynamic"
+---@field linear_velocity_x? number m/s, of the centre of mass
+---@field linear_velocity_y? number m/s, of the centre of mass
+---@field angular_velocity? number rad/s
+---@field linear_damping? number 1/s; c in v e^(-c t)
+---@field angular_damping? number 1/s
+---@field gravity_scale? number
+---@field allow_sleep? boolean
+---@field awake? boolean
+---@field lock_x? boolean the centre of mass stays at its x
+---@field lock_y? boolean the centre of mass stays at its y
+---@field lock_rotation? boolean it does not turn
+---@field sleep_speed? number m/s; may sleep when slower than this for half a second; at 0 it never does
+---@field data? table becomes body.data
+---@field density? number kg/m^2
+---@field friction? number Coulomb coefficient, at least 0
+---@field restitution? number share of the approach speed given back, 0 to 1
+---@field rolling_resistance? number coefficient: a torque of this times the normal force times the radius resists rolling
+---@field surface_speed? number m/s; a conveyor belt: positive carries what lies on top to the right
+---@field material_kind? integer what `world:set_material_rule` knows the material by, 0 to 63
+---@field categories? integer bit set: what the shape is
+---@field mask? integer bit set: what it collides with; -1 is everything
+---@field group? integer two shapes of the same group other than 0: positive always collide, negative never
+---@field contact_events? boolean "begin" and "end" events
+---@field hit_events? boolean "hit" events
+---@field sensor? boolean collides with nothing; `world:sensor_events()` tells what comes to overlap it
+---@field seen_by_sensors? boolean
+---@field one_way_x? number not (0, 0): solid only for what comes from that side, as a platform is
+---@field one_way_y? number in the body's frame, of any length
+
+---Adds a body with one line without thickness, solid from both sides.
+---@param fields World.add_segment.Fields
+---@return Body body
+function World:add_segment(fields) end
+
+---@class World.add_chain.Fields
+---@field points number[][] { {x, y}, ... }, m: walking along them, others are kept on the right, so ground runs from right to left
+---@field closed? boolean a segment leads from the last point to the first
+---@field before_x? number m; the point with which another chain goes on before the first
+---@field before_y? number m
+---@field after_x? number m; the same behind the last point
+---@field after_y? number m
+---@field friction? number Coulomb coefficient, at least 0
+---@field restitution? number share of the approach speed given back, 0 to 1
+---@field rolling_resistance? number coefficient: a torque of this times the normal force times the radius resists rolling
+---@field surface_speed? number m/s; a conveyor belt: positive carries what lies on top to the right
+---@field material_kind? integer what `world:set_material_rule` knows the material by, 0 to 63
+---@field categories? integer bit set: what the shape is
+---@field mask? integer bit set: what it collides with; -1 is everything
+---@field group? integer two shapes of the same group other than 0: positive always collide, negative never
+---@field contact_events? boolean "begin" and "end" events
+---@field hit_events? boolean "hit" events
+---@field x? number m
+---@field y? number m
+---@field angle? number rad
+---@field type? string "static", "kinematic" or "dynamic"
+---@field linear_velocity_x? number m/s, of the centre of mass
+---@field linear_velocity_y? number m/s, of the centre of mass
+---@field angular_velocity? number rad/s
+---@field linear_damping? number 1/s; c in v e^(-c t)
+---@field angular_damping? number 1/s
+---@field gravity_scale? number
+---@field allow_sleep? boolean
+---@field awake? boolean
+---@field lock_x? boolean the centre of mass stays at its x
+---@field lock_y? boolean the centre of mass stays at its y
+---@field lock_rotation? boolean it does not turn
+---@field sleep_speed? number m/s; may sleep when slower than this for half a second; at 0 it never does
+---@field data? table becomes body.data
+
+---Adds a body with one chain, of any number of points.
+---@param fields World.add_chain.Fields
+---@return Body body
+---@return Chain chain
+function World:add_chain(fields) end
 
 ---@class World.add_distance_joint.Fields
 ---@field body_a Body `world:ground()` for a joint to the world
@@ -443,6 +578,10 @@ function World:cuts_along(x1, y1, x2, y2, mask) end
 ---@return fun(): string, Body, Body, number, number, number, number, number, number iterator
 function World:events(kind) end
 
+---Iterates over what came to overlap sensors in the last step, and what ceased to: `for kind, sensor, visitor, sensor_shape, visitor_shape in world:sensor_events() do`. `kind` is "begin" or "end"; `sensor` and `visitor` are the bodies.
+---@return fun(): string, Body, Body, Shape, Shape iterator
+function World:sensor_events() end
+
 ---A new list of all bodies, in a fixed order.
 ---@return table bodies
 function World:bodies() end
@@ -674,6 +813,25 @@ function Body:allows_sleep() end
 ---@param allow boolean
 function Body:set_allow_sleep(allow) end
 
+---Which of its motions are locked.
+---@return boolean x
+---@return boolean y
+---@return boolean rotation
+function Body:locks() end
+
+---Its centre of mass stays at its x or y, or it does not turn, whatever acts on it.
+---@param x boolean
+---@param y boolean
+---@param rotation boolean
+function Body:set_locks(x, y, rotation) end
+
+---@return number speed [m/s]
+function Body:sleep_speed() end
+
+---Slower than this it may sleep; at 0 never.
+---@param speed number [m/s]
+function Body:set_sleep_speed(speed) end
+
 ---@class Body.add_box.Fields
 ---@field width number m
 ---@field height number m
@@ -684,11 +842,18 @@ function Body:set_allow_sleep(allow) end
 ---@field density? number kg/m^2
 ---@field friction? number Coulomb coefficient, at least 0
 ---@field restitution? number share of the approach speed given back, 0 to 1
+---@field rolling_resistance? number coefficient: a torque of this times the normal force times the radius resists rolling
+---@field surface_speed? number m/s; a conveyor belt: positive carries what lies on top to the right
+---@field material_kind? integer what `world:set_material_rule` knows the material by, 0 to 63
 ---@field categories? integer bit set: what the shape is
 ---@field mask? integer bit set: what it collides with; -1 is everything
 ---@field group? integer two shapes of the same group other than 0: positive always collide, negative never
 ---@field contact_events? boolean "begin" and "end" events
 ---@field hit_events? boolean "hit" events
+---@field sensor? boolean collides with nothing; `world:sensor_events()` tells what comes to overlap it
+---@field seen_by_sensors? boolean
+---@field one_way_x? number not (0, 0): solid only for what comes from that side, as a platform is
+---@field one_way_y? number in the body's frame, of any length
 
 ---Adds a rectangle, placed in the body's frame.
 ---@param fields Body.add_box.Fields
@@ -703,11 +868,18 @@ function Body:add_box(fields) end
 ---@field density? number kg/m^2
 ---@field friction? number Coulomb coefficient, at least 0
 ---@field restitution? number share of the approach speed given back, 0 to 1
+---@field rolling_resistance? number coefficient: a torque of this times the normal force times the radius resists rolling
+---@field surface_speed? number m/s; a conveyor belt: positive carries what lies on top to the right
+---@field material_kind? integer what `world:set_material_rule` knows the material by, 0 to 63
 ---@field categories? integer bit set: what the shape is
 ---@field mask? integer bit set: what it collides with; -1 is everything
 ---@field group? integer two shapes of the same group other than 0: positive always collide, negative never
 ---@field contact_events? boolean "begin" and "end" events
 ---@field hit_events? boolean "hit" events
+---@field sensor? boolean collides with nothing; `world:sensor_events()` tells what comes to overlap it
+---@field seen_by_sensors? boolean
+---@field one_way_x? number not (0, 0): solid only for what comes from that side, as a platform is
+---@field one_way_y? number in the body's frame, of any length
 
 ---Adds a disc.
 ---@param fields Body.add_circle.Fields
@@ -723,11 +895,18 @@ function Body:add_circle(fields) end
 ---@field density? number kg/m^2
 ---@field friction? number Coulomb coefficient, at least 0
 ---@field restitution? number share of the approach speed given back, 0 to 1
+---@field rolling_resistance? number coefficient: a torque of this times the normal force times the radius resists rolling
+---@field surface_speed? number m/s; a conveyor belt: positive carries what lies on top to the right
+---@field material_kind? integer what `world:set_material_rule` knows the material by, 0 to 63
 ---@field categories? integer bit set: what the shape is
 ---@field mask? integer bit set: what it collides with; -1 is everything
 ---@field group? integer two shapes of the same group other than 0: positive always collide, negative never
 ---@field contact_events? boolean "begin" and "end" events
 ---@field hit_events? boolean "hit" events
+---@field sensor? boolean collides with nothing; `world:sensor_events()` tells what comes to overlap it
+---@field seen_by_sensors? boolean
+---@field one_way_x? number not (0, 0): solid only for what comes from that side, as a platform is
+---@field one_way_y? number in the body's frame, of any length
 
 ---Adds a capsule.
 ---@param fields Body.add_capsule.Fields
@@ -735,7 +914,7 @@ function Body:add_circle(fields) end
 function Body:add_capsule(fields) end
 
 ---@class Body.add_polygon.Fields
----@field points table { {x, y}, ... }, m: 3 to 8 corners, of which the convex hull is taken
+---@field points number[][] { {x, y}, ... }, m: 3 to 8 corners, of which the convex hull is taken
 ---@field radius? number m; rounds the corners outward
 ---@field x? number m
 ---@field y? number m
@@ -743,16 +922,75 @@ function Body:add_capsule(fields) end
 ---@field density? number kg/m^2
 ---@field friction? number Coulomb coefficient, at least 0
 ---@field restitution? number share of the approach speed given back, 0 to 1
+---@field rolling_resistance? number coefficient: a torque of this times the normal force times the radius resists rolling
+---@field surface_speed? number m/s; a conveyor belt: positive carries what lies on top to the right
+---@field material_kind? integer what `world:set_material_rule` knows the material by, 0 to 63
+---@field categories? integer bit set: what the shape is
+---@field mask? integer bit set: what it collides with; -1 is everything
+---@field group? integer two shapes of the same group other than 0: positive always collide, negative never
+---@field contact_events? boolean "begin" and "end" events
+---@field hit_events? boolean "hit" events
+---@field sensor? boolean collides with nothing; `world:sensor_events()` tells what comes to overlap it
+---@field seen_by_sensors? boolean
+---@field one_way_x? number not (0, 0): solid only for what comes from that side, as a platform is
+---@field one_way_y? number in the body's frame, of any length
+
+---Adds a convex polygon.
+---@param fields Body.add_polygon.Fields
+---@return Shape shape
+function Body:add_polygon(fields) end
+
+---@class Body.add_segment.Fields
+---@field x1 number m; one end, in the body's frame
+---@field y1 number m
+---@field x2 number m; the other end
+---@field y2 number m
+---@field x? number m
+---@field y? number m
+---@field angle? number rad
+---@field density? number kg/m^2
+---@field friction? number Coulomb coefficient, at least 0
+---@field restitution? number share of the approach speed given back, 0 to 1
+---@field rolling_resistance? number coefficient: a torque of this times the normal force times the radius resists rolling
+---@field surface_speed? number m/s; a conveyor belt: positive carries what lies on top to the right
+---@field material_kind? integer what `world:set_material_rule` knows the material by, 0 to 63
+---@field categories? integer bit set: what the shape is
+---@field mask? integer bit set: what it collides with; -1 is everything
+---@field group? integer two shapes of the same group other than 0: positive always collide, negative never
+---@field contact_events? boolean "begin" and "end" events
+---@field hit_events? boolean "hit" events
+---@field sensor? boolean collides with nothing; `world:sensor_events()` tells what comes to overlap it
+---@field seen_by_sensors? boolean
+---@field one_way_x? number not (0, 0): solid only for what comes from that side, as a platform is
+---@field one_way_y? number in the body's frame, of any length
+
+---Adds a line without thickness or mass, solid from both sides.
+---@param fields Body.add_segment.Fields
+---@return Shape shape
+function Body:add_segment(fields) end
+
+---@class Body.add_chain.Fields
+---@field points number[][] { {x, y}, ... }, m: walking along them, others are kept on the right, so ground runs from right to left
+---@field closed? boolean a segment leads from the last point to the first
+---@field before_x? number m; the point with which another chain goes on before the first
+---@field before_y? number m
+---@field after_x? number m; the same behind the last point
+---@field after_y? number m
+---@field friction? number Coulomb coefficient, at least 0
+---@field restitution? number share of the approach speed given back, 0 to 1
+---@field rolling_resistance? number coefficient: a torque of this times the normal force times the radius resists rolling
+---@field surface_speed? number m/s; a conveyor belt: positive carries what lies on top to the right
+---@field material_kind? integer what `world:set_material_rule` knows the material by, 0 to 63
 ---@field categories? integer bit set: what the shape is
 ---@field mask? integer bit set: what it collides with; -1 is everything
 ---@field group? integer two shapes of the same group other than 0: positive always collide, negative never
 ---@field contact_events? boolean "begin" and "end" events
 ---@field hit_events? boolean "hit" events
 
----Adds a convex polygon.
----@param fields Body.add_polygon.Fields
----@return Shape shape
-function Body:add_polygon(fields) end
+---Adds an outline of many segments, solid from one side, without mass.
+---@param fields Body.add_chain.Fields
+---@return Chain chain
+function Body:add_chain(fields) end
 
 ---A new list, in order of creation.
 ---@return table shapes
@@ -827,7 +1065,7 @@ local Shape = {}
 ---@return Body body
 function Shape:body() end
 
----"circle", "capsule" or "polygon" (boxes are polygons).
+---"circle", "capsule", "polygon" (boxes are polygons), "segment" or "chain_segment".
 ---@return string kind
 function Shape:kind() end
 
@@ -867,12 +1105,127 @@ function Shape:filter() end
 ---@param group integer
 function Shape:set_filter(categories, mask, group) end
 
+---A new table with the fields that `set_material` takes.
+---@return table material
+function Shape:material() end
+
+---@class Shape.set_material.Fields
+---@field friction? number Coulomb coefficient, at least 0
+---@field restitution? number share of the approach speed given back, 0 to 1
+---@field rolling_resistance? number coefficient: a torque of this times the normal force times the radius resists rolling
+---@field surface_speed? number m/s; a conveyor belt: positive carries what lies on top to the right
+---@field material_kind? integer what `world:set_material_rule` knows the material by, 0 to 63
+
+---What is not given is as by default.
+---@param fields Shape.set_material.Fields
+function Shape:set_material(fields) end
+
+---In the body's frame; (0, 0): solid from all sides.
+---@return number x
+---@return number y
+function Shape:one_way() end
+
+---Solid only for what comes from that side; (0, 0): from all sides.
+---@param x number
+---@param y number
+function Shape:set_one_way(x, y) end
+
+---@return boolean sensor
+function Shape:is_sensor() end
+
+---Of a sensor: a new list of what overlapped it at the end of the last step.
+---@return table shapes
+function Shape:overlaps() end
+
+---@return boolean seen
+function Shape:is_seen_by_sensors() end
+
+---@param seen boolean
+function Shape:set_seen_by_sensors(seen) end
+
 ---Removes the shape from its body.
 function Shape:destroy() end
 
 ---Whether the shape was not destroyed.
 ---@return boolean valid
 function Shape:is_valid() end
+
+---@class Chain
+local Chain = {}
+
+---@return Body body
+function Chain:body() end
+
+---@return boolean closed
+function Chain:is_closed() end
+
+---@return integer count
+function Chain:point_count() end
+
+---In the body's frame; points count from 1.
+---@param index integer
+---@return number x [m]
+---@return number y [m]
+function Chain:point(index) end
+
+---Moves a point; what lies on it wakes.
+---@param index integer
+---@param x number [m]
+---@param y number [m]
+function Chain:set_point(index, x, y) end
+
+---Puts a list { {x, y}, ... } before a point, or after all when `index` is their number + 1: endless ground.
+---@param index integer
+---@param points table
+function Chain:insert_points(index, points) end
+
+---@param first integer
+---@param count integer
+function Chain:remove_points(first, count) end
+
+---With which points other chains go on: nothing then feels the join.
+---@param before_x number? [m]
+---@param before_y number? [m]
+---@param after_x number? [m]
+---@param after_y number? [m]
+function Chain:set_ends(before_x, before_y, after_x, after_y) end
+
+---The shape that leads from a point to the next one.
+---@param index integer
+---@return Shape shape
+function Chain:segment(index) end
+
+---Which segment a shape is; nil for other shapes.
+---@param shape Shape
+---@return integer? index
+function Chain:index_of(shape) end
+
+---@param segment integer
+---@return number friction
+---@return number restitution
+---@return number rolling_resistance
+---@return number surface_speed [m/s]
+---@return integer material_kind
+function Chain:material(segment) end
+
+---@class Chain.set_material.Fields
+---@field friction? number Coulomb coefficient, at least 0
+---@field restitution? number share of the approach speed given back, 0 to 1
+---@field rolling_resistance? number coefficient: a torque of this times the normal force times the radius resists rolling
+---@field surface_speed? number m/s; a conveyor belt: positive carries what lies on top to the right
+---@field material_kind? integer what `world:set_material_rule` knows the material by, 0 to 63
+
+---What is not given is as by default.
+---@param segment integer
+---@param fields Chain.set_material.Fields
+function Chain:set_material(segment, fields) end
+
+---Removes the chain from its body.
+function Chain:destroy() end
+
+---Whether the chain was not destroyed.
+---@return boolean valid
+function Chain:is_valid() end
 
 ---@class Joint
 local Joint = {}
@@ -2565,19 +2918,122 @@ function cairn.scene.current() end
 ---@return integer count
 function cairn.scene.count() end
 
-cairn.level = {}
+cairn.data = {}
 
 ---Reads Lua table text as data, never running it, checks it by the schema and fills in defaults. A fault is an error such as `levels/level-01.lua:14: pieces[3].material = "wod": no such material; did you mean "wood"? (ice, stone, wood)`.
 ---@param path string
 ---@param schema table
----@return table level
-function cairn.level.load(path, schema) end
+---@return table data
+function cairn.data.load(path, schema) end
 
 ---Checks a table of any origin and returns a copy with the defaults filled in.
 ---@param data table
 ---@param schema table
 ---@return table checked
-function cairn.level.check(data, schema) end
+function cairn.data.check(data, schema) end
+
+cairn.level = {}
+
+---@class cairn.level.load.Fields
+---@field scale? number m per pixel, of maps of Tiled; absent: one tile is one metre wide
+
+---Reads a level, or a map of Tiled, as data: nothing in it is run. Faults are an error with a line for each, such as `levels/one.lua:14:9: bodies[3].radius = -1: must be above 0 and at most 1000000`.
+---@param path string
+---@param fields cairn.level.load.Fields?
+---@return Level level
+function cairn.level.load(path, fields) end
+
+---@class cairn.level.check.Fields
+---@field scale? number m per pixel, of maps of Tiled; absent: one tile is one metre wide
+
+---A list of all that is wrong with a level; empty when it is good.
+---@param path string
+---@param fields cairn.level.check.Fields?
+---@return string[] faults
+function cairn.level.check(path, fields) end
+
+---@class Level
+local Level = {}
+
+---Makes its bodies, triggers, prefabs and joints, in the order of the file. What it made before goes: calling it again starts the level anew.
+---@param world World
+function Level:build(world) end
+
+---Destroys what `build` made and still lives.
+function Level:clear() end
+
+---@return boolean built
+function Level:is_built() end
+
+---Reads the file again. Parts that say what they said keep their state, the others are made anew, and with a joint the bodies that it holds. With a fault in the file nothing changes but that the error is raised.
+---@return integer kept
+---@return integer made
+function Level:reload() end
+
+---An unknown name is an error. The body may be destroyed by now.
+---@param name string
+---@return Body body
+function Level:body(name) end
+
+---The static body whose sensor it is: `sensor` in `world:sensor_events()`.
+---@param name string
+---@return Body body
+function Level:trigger(name) end
+
+---@param name string
+---@return Prefab prefab
+function Level:prefab(name) end
+
+---@param name string
+---@return Joint joint
+function Level:joint(name) end
+
+---A new list of those of `bodies` that live, in the order of the file.
+---@return table bodies
+function Level:bodies() end
+
+---A place by its name.
+---@param name string
+---@return number x [m]
+---@return number y [m]
+---@return number angle [rad]
+function Level:spawn(name) end
+
+---nil when the level has none.
+---@return number? x [m]
+---@return number y [m]
+---@return number height [m]
+function Level:camera() end
+
+---nil when the level has none.
+---@return number? left [m]
+---@return number bottom [m]
+---@return number right [m]
+---@return number top [m]
+function Level:bounds() end
+
+---What players call it; may be empty.
+---@return string name
+function Level:name() end
+
+---@return string path
+function Level:path() end
+
+---A new table: the level's `data`, or an empty one.
+---@return table data
+function Level:data() end
+
+---A new table with all that the file says.
+---@return table table
+function Level:table() end
+
+---The level's file and those that it includes.
+---@return string[] paths
+function Level:files() end
+
+---Draws the decorations of a layer, "back" or "front"; only in `cairn.draw`, under a camera.
+---@param layer string?
+function Level:draw(layer) end
 
 cairn.test = {}
 

@@ -159,15 +159,21 @@ ParsedLine parse_command_line(int argc, char** argv) {
     CLI::App* test_command = app.add_subcommand("test", "run the tests of a game: its tests/*.lua");
     test_command->add_option("GAME", line.target, "as for cairn play")->required();
 
+    CLI::App* check_command =
+        app.add_subcommand("check", "examine a game's levels, scripts and assets; tells every fault");
+    check_command->add_option("GAME", line.target, "as for cairn play")->required();
+
     CLI::App* new_command = app.add_subcommand("new", "start a new game in a folder");
     new_command->add_option("DIR", line.target, "a folder that is empty or does not exist yet")->required();
 
     CLI::App* help_command = app.add_subcommand("help", "print this help, or the Lua reference");
     bool wants_reference = false;
+    bool wants_levels = false;
     bool wants_types = false;
     std::string help_topic;
     help_command->add_option("COMMAND", help_topic, "the command to say more about");
     help_command->add_flag("--reference", wants_reference, "print the Lua reference in Markdown");
+    help_command->add_flag("--levels", wants_levels, "print the format of levels in Markdown");
     help_command->add_flag("--types", wants_types, "print annotations for the Lua language server");
 
     try {
@@ -205,8 +211,10 @@ ParsedLine parse_command_line(int argc, char** argv) {
         for (const std::string& word : run_command->remaining()) line.arguments.push_back(word);
     }
     if (test_command->parsed()) line.command = Command::Test;
+    if (check_command->parsed()) line.command = Command::Check;
     if (new_command->parsed()) line.command = Command::New;
     if (wants_reference) line.command = Command::Reference;
+    if (wants_levels) line.command = Command::Levels;
     if (wants_types) line.command = Command::Types;
     if (line.command == Command::Help && help_topic.empty()) std::fputs(app.help().c_str(), stdout);
     if (line.command == Command::Help && !help_topic.empty()) print_topic(app, help_topic, parsed);

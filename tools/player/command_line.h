@@ -8,7 +8,7 @@
 
 namespace cairn::player {
 
-enum class Command { Help, Play, Run, Test, New, Reference, Types, Version };
+enum class Command { Help, Play, Run, Test, Check, New, Reference, Levels, Types, Version };
 
 struct CommandLine {
     Command command = Command::Help;

@@ -1,6 +1,7 @@
 // The cairn program.
 #include <cstdio>
 
+#include <cairn/scripting/check_game.h>
 #include <cairn/scripting/play.h>
 #include <cairn/scripting/reference.h>
 #include <cairn/scripting/run_script.h>
@@ -38,6 +39,9 @@ int run(const CommandLine& line, const std::string& program_path) {
         case Command::Reference:
             std::fputs(cairn::scripting::reference_markdown().c_str(), stdout);
             return 0;
+        case Command::Levels:
+            std::fputs(cairn::scripting::level_reference_markdown().c_str(), stdout);
+            return 0;
         case Command::Types:
             std::fputs(cairn::scripting::editor_annotations().c_str(), stdout);
             return 0;
@@ -50,12 +54,14 @@ int run(const CommandLine& line, const std::string& program_path) {
         case Command::Play:
         case Command::Run:
         case Command::Test:
+        case Command::Check:
             break;
     }
     const auto source = line.command == Command::Run ? cairn::player::locate_script(line.target, program_path)
                                                      : cairn::player::locate_game(line.target, program_path);
     if (!source) return fail(source.error().message);
     if (line.command == Command::Test) return cairn::scripting::test_game(*source);
+    if (line.command == Command::Check) return cairn::scripting::check_game(*source);
     if (line.command == Command::Run) return cairn::scripting::run_script(*source, line.arguments);
     cairn::scripting::PlayOptions options = line.play;
     options.source = *source;

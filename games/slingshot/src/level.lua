@@ -57,7 +57,7 @@ level.schema = { type = "table", fields = {
 
 --- Reads levels/ID.lua. The level's id is the name of its file.
 function level.load(id)
-    local loaded = cairn.level.load("levels/" .. id .. ".lua", level.schema)
+    local loaded = cairn.data.load("levels/" .. id .. ".lua", level.schema)
     loaded.id = id
     return loaded
 end

@@ -54,7 +54,7 @@ local function level_with(name, value)
     local changed = level.load("level-01")
     changed.id = nil
     changed[name] = value
-    return function() return cairn.level.check(changed, level.schema) end
+    return function() return cairn.data.check(changed, level.schema) end
 end
 
 test.test("stars that ask for more points for two than for three are refused, equal ones are not", function()

@@ -1,44 +1,344 @@
+// Levels: what a file may say, what is said of its faults, and what reloading keeps.
 #include <catch2/catch.hpp>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
 
+#include "level/reader.h"
+#include "level/tiled_level.h"
 #include "scripting/support/lua_bench.h"
 
 namespace cairn::scripting::test {
 namespace {
 
-TEST_CASE("a schema's own slips are named by their path") {
-    LuaBench bench;
-    const auto error_of = [&](const std::string& schema) {
-        return bench.run("cairn.level.check({}, " + schema + ")");
-    };
-    CHECK(error_of("{ type = 'tabel' }")
-              .find("schema.type = \"tabel\": no such type; did you mean \"table\"?") != std::string::npos);
-    CHECK(error_of("{}").find("schema has no type") != std::string::npos);
-    CHECK(error_of("{ type = 'table', fields = { x = { type = 'number', minimum = 1 } } }")
-              .find("schema.fields.x has the unknown field \"minimum\"") != std::string::npos);
-    CHECK(error_of("{ type = 'table', fields = { x = 5 } }").find("schema.fields.x is 5; expected a table") !=
-          std::string::npos);
-    CHECK(error_of("{ type = 'table', required = 1 }").find("schema.required is 1; expected true or false") !=
-          std::string::npos);
-    CHECK(error_of("(function() local s = { type = 'list' } s.items = s return s end)()")
-              .find("nested too deep") != std::string::npos);
+using Catch::Matchers::Contains;
+
+const char* const kYard = R"({
+    name = "Yard",
+    gravity_y = -5,
+    camera = { x = 1, y = 2, height = 12 },
+    bounds = { left = -10, bottom = 0, right = 10, top = 8 },
+    data = { par = 3 },
+    materials = { ice = { friction = 0.02, density = 0.9 } },
+    templates = { crate = { shape = "box", width = 1, height = 1, material = "ice", data = { kind = "crate" } } },
+    bodies = {
+        { name = "ground", type = "static", shape = "chain", points = { { 20, 0 }, { -20, 0 } } },
+        { name = "first", template = "crate", x = 0, y = 0.5 },
+        { template = "crate", x = 3, y = 0.5, width = 2 },
+        { name = "hammer", x = 6, y = 2, shapes = {
+            { shape = "box", width = 2, height = 0.2 },
+            { shape = "circle", x = 1, radius = 0.3, material = "ice" },
+        } },
+    },
+    triggers = { { name = "goal", shape = "box", x = 0, y = 1, width = 3, height = 2 } },
+    prefabs = { { name = "rope", prefab = "rope", x = 10, y = 5, to_x = 12, to_y = 5 } },
+    joints = {
+        { name = "hinge", joint = "revolute", body_b = "hammer", x = 6, y = 2 },
+        { joint = "weld", body_a = "rope.1", body_b = "first", x = 10, y = 5 },
+    },
+    spawns = { { name = "player", x = -3, y = 1, angle = 0.5 } },
+})";
+
+TEST_CASE("a level makes what it says, under its names") {
+    LuaBench bench(GameFiles{{"yard.lua", kYard}});
+    REQUIRE(
+        bench.run(
+            "world = cairn.physics.new_world{} level = cairn.level.load('yard.lua') level:build(world)") ==
+        "");
+    CHECK(bench.value("level:name()") == "Yard");
+    CHECK(bench.value("select(2, world:gravity())") == "-5.0");
+    CHECK(bench.value("#level:bodies()") == "4");
+    CHECK(bench.value("level:body('first'):position()") == "0.0");
+    CHECK(bench.value("level:body('first'):mass()") == bench.value("0.9 // 1 + level:body('first'):mass()"));
+    CHECK(bench.value("math.abs(level:body('first'):mass() - 0.9) < 1e-6") == "true");
+    CHECK(bench.value("level:body('first'):shapes()[1]:friction() < 0.021") == "true");
+    CHECK(bench.value("level:body('first').data.kind .. level:body('first').data.name .. "
+                      "level:body('first').data.material") == "cratefirstice");
+    CHECK(bench.value("#level:body('hammer'):shapes()") == "2");
+    CHECK(bench.value("level:joint('hinge'):kind()") == "revolute");
+    CHECK(bench.value("level:joint('hinge'):body_a() == world:ground()") == "true");
+    CHECK(bench.value("level:prefab('rope'):kind()") == "rope");
+    CHECK(bench.value("select(3, level:spawn('player'))") == "0.5");
+    CHECK(bench.value("select(3, level:camera())") == "12.0");
+    CHECK(bench.value("select(4, level:bounds())") == "8.0");
+    CHECK(bench.value("level:data().par") == "3");
+    CHECK(bench.value("#level:table().bodies") == "4");
 }
 
-TEST_CASE("a file that is no data is refused with line and column, and never run") {
-    LuaBench bench(GameFiles{{"level.lua", "return {\n  x = (function() ran = true end)(),\n}"}});
-    CHECK(bench.run("cairn.level.load('level.lua', { type = 'table' })").find("level.lua:2:7: ") == 0);
+TEST_CASE("a trigger notices who comes") {
+    LuaBench bench(GameFiles{{"yard.lua", kYard}});
+    REQUIRE(bench.run(
+                "world = cairn.physics.new_world{} level = cairn.level.load('yard.lua') level:build(world)\n"
+                "world:step(1 / 60)\n"
+                "for kind, sensor, visitor in world:sensor_events() do\n"
+                "  if kind == 'begin' and sensor == level:trigger('goal') then seen, count = visitor, (count "
+                "or 0) + 1 end\n"
+                "end") == "");
+    CHECK(bench.value("seen == level:body('first')") == "true");
+    CHECK(bench.value("count") == "1");
+}
+
+TEST_CASE("building again starts anew, and clearing leaves nothing") {
+    LuaBench bench(GameFiles{{"yard.lua", kYard}});
+    REQUIRE(bench.run(
+                "world = cairn.physics.new_world{} level = cairn.level.load('yard.lua') level:build(world)\n"
+                "count = world:body_count() for i = 1, 30 do world:step(1 / 60) end\n"
+                "level:body('first'):destroy() level:build(world)") == "");
+    CHECK(bench.value("world:body_count() == count") == "true");
+    CHECK(bench.value("level:body('first'):is_valid()") == "true");
+    // The world's ground, which a joint asked for, is not the level's.
+    REQUIRE(bench.run("level:clear()") == "");
+    CHECK(bench.value("world:body_count()") == "1");
+    CHECK_THAT(bench.run("level:body('first')"), Contains("the level is not built"));
+    CHECK_THAT(bench.run("level:build(world) level:body('frist')"), Contains("did you mean \"first\"?"));
+    REQUIRE(bench.run("world:destroy() level:clear() level:reload()") == "");
+    CHECK(bench.value("level:is_built()") == "false");
+}
+
+TEST_CASE(
+    "every fault of a level is in one report, with line, column, path, value, rule and the nearest name") {
+    LuaBench bench(GameFiles{{"bad.lua", R"({
+    gravity_y = "down",
+    bodys = {},
+    materials = { ice = { fricton = 0 } },
+    templates = { crate = { shape = "box", width = -1, height = 1 } },
+    bodies = {
+        { shape = "circle", radius = -1 },
+        { template = "crat", x = 0 },
+        { template = "crate", x = "left" },
+        { shape = "boks", width = 1 },
+        { shape = "box", width = 1 },
+        { shape = "polygon", points = { { 0, 0 }, { 1 } } },
+        { type = "dinamic", shape = "circle", radius = 1, material = "ic" },
+        { name = "a b", shape = "circle", radius = 1 },
+        { x = 1 },
+        7,
+    },
+    joints = {
+        { joint = "revolut" },
+        { joint = "revolute", body_b = "nobody", x = 0, y = 0 },
+        { joint = "gear", joint_1 = "later", joint_2 = "later" },
+        { name = "later", joint = "weld", body_b = "nobody", x = 0 },
+    },
+    triggers = { { name = "goal", shape = "chain" } },
+    spawns = { { name = "goal", x = 1, y = 2 } },
+    decorations = { { image = "none.png", x = 0, y = 0, width = 1 } },
+})"}});
+    REQUIRE(bench.run("faults = cairn.level.check('bad.lua') text = table.concat(faults, '\\n')") == "");
+    const std::string text = bench.value("text");
+    for (const char* fault : {
+             "bad.lua:2:17: gravity_y = \"down\": must be a number, is a string",
+             "bad.lua:3:13: bodys: unknown field; did you mean \"bodies\"?",
+             "bad.lua:4:37: materials.ice.fricton = 0: unknown field; did you mean \"friction\"?",
+             "bad.lua:5:52: templates.crate.width = -1: must be above 0 and at most 2000000",
+             "bad.lua:7:38: bodies[1].radius = -1: must be above 0 and at most 1000000",
+             "bad.lua:8:22: bodies[2].template = \"crat\": no such template; did you mean \"crate\"?",
+             "bad.lua:9:35: bodies[3].x = \"left\": must be a number, is a string",
+             "bad.lua:10:19: bodies[4].shape = \"boks\": no such shape; did you mean \"box\"?",
+             "bad.lua:11:9: bodies[5]: \"height\" is missing; it must be a number (m)",
+             "bad.lua:12:51: bodies[6].points[2]: must be { x, y }, two numbers",
+             "bad.lua:13:18: bodies[7].type = \"dinamic\": no such type; did you mean \"dynamic\"?",
+             "bad.lua:13:70: bodies[7].material = \"ic\": no such material; did you mean \"ice\"?",
+             "bad.lua:14:18: bodies[8].name = \"a b\": must be letters, digits, _ and -, and not empty",
+             "bad.lua:15:9: bodies[9]: has neither \"shape\" nor \"shapes\"",
+             "bad.lua:16:9: bodies[10] = 7: must be a table",
+             "bad.lua:19:19: joints[1].joint = \"revolut\": no such joint; did you mean \"revolute\"?",
+             "bad.lua:20:40: joints[2].body_b = \"nobody\": no such body",
+             "bad.lua:21:37: joints[3].joint_1 = \"later\": must be a joint that stands before this one",
+             "bad.lua:22:9: joints[4]: \"y\" is missing; it must be a number (m)",
+             "bad.lua:24:43: triggers[1].shape = \"chain\": no such shape of a trigger",
+             "bad.lua:25:25: spawns[1].name = \"goal\": is the name of triggers[1] already",
+             "bad.lua:26:31: decorations[1].image = \"none.png\": there is no such file",
+         }) {
+        CHECK_THAT(text, Contains(fault));
+    }
+    // Loading raises the same report.
+    CHECK(bench.value("select(2, pcall(cairn.level.load, 'bad.lua')) == text") == "true");
+}
+
+TEST_CASE("what shows only when a level is built is a fault of its part") {
+    LuaBench bench(GameFiles{{"flat.lua", R"({
+    bodies = {
+        { name = "ok", shape = "circle", radius = 1 },
+        { shape = "polygon", points = { { 0, 0 }, { 1, 0 }, { 2, 0 } } },
+    },
+    prefabs = { { name = "line", prefab = "rope", x = 0, y = 0, to_x = 2, to_y = 0 } },
+    joints = {
+        { joint = "revolute", body_a = "ok", body_b = "ok", x = 0, y = 0 },
+        { joint = "weld", body_a = "line.9999", body_b = "ok", x = 0, y = 0 },
+    },
+})"}});
+    REQUIRE(bench.run("faults = cairn.level.check('flat.lua')") == "");
+    CHECK(bench.value("#faults") == "3");
+    CHECK_THAT(bench.value("faults[1]"), Contains("flat.lua:4:9: bodies[2]: "));
+    CHECK_THAT(bench.value("faults[2]"), Contains("flat.lua:8:9: joints[1]: "));
+    CHECK_THAT(bench.value("faults[3]"), Contains("\"line.9999\": there is no such body; \"line\" has "));
+    CHECK(bench.value("pcall(cairn.level.load, 'none.lua')") == "false");
+}
+
+TEST_CASE("a level file is never run, and may hold anything") {
+    LuaBench bench(
+        GameFiles{{"run.lua", "{ name = (function() ran = true end)() }"},
+                  {"deep.lua", std::string(2000, '{') + std::string(2000, '}')},
+                  {"list.lua", "{ 1, 2, 3 }"},
+                  {"text.lua", "\x01\x02\x03"},
+                  {"self.lua", "{ includes = { 'self.lua', 7, 'none.lua' } }"},
+                  {"odd.lua", "{ bodies = { [3] = {} }, materials = 5, joints = { a = 1 }, camera = {} }"}});
+    CHECK_THAT(bench.run("cairn.level.load('run.lua')"), Contains("run.lua:1:10: "));
     CHECK(bench.value("ran") == "nil");
-    CHECK(bench.run("cairn.level.load('none.lua', { type = 'table' })").find("none.lua") !=
-          std::string::npos);
+    for (const char* file : {"deep", "list", "text", "self", "odd"}) {
+        CHECK(bench.value("#cairn.level.check('" + std::string(file) + ".lua') > 0") == "true");
+    }
 }
 
-TEST_CASE("a table of any origin is checked and copied") {
-    LuaBench bench;
-    REQUIRE(bench.run("t = { x = 1 } c = cairn.level.check(t, { type = 'table', fields = { x = { type = "
-                      "'number' }, y = { type = 'list', default = { 1, 2 } } } })") == "");
-    CHECK(bench.value("c ~= t and c.x == 1 and #c.y == 2 and t.y == nil") == "true");
-    CHECK(bench.run(
-              "cairn.level.check({ x = 'a' }, { type = 'table', fields = { x = { type = 'number' } } })") ==
-          "test.lua:1: data: x = \"a\": must be a number, is a string");
+TEST_CASE("materials and templates can stand in a file that several levels include") {
+    LuaBench bench(GameFiles{
+        {"common.lua",
+         "{ materials = { wood = { density = 2 } }, templates = { plank = { shape = "
+         "'box', width = 2, height = 1, material = 'wood' } } }"},
+        {"one.lua", "{ includes = { 'common.lua' }, bodies = { { name = 'p', template = 'plank' } } }"}});
+    REQUIRE(bench.run("w = cairn.physics.new_world{} l = cairn.level.load('one.lua') l:build(w)") == "");
+    CHECK(bench.value("l:body('p'):mass()") == "4.0");
+    CHECK(bench.value("table.concat(l:files(), ' ')") == "one.lua common.lua");
+}
+
+TEST_CASE("reloading keeps what says the same and makes the rest anew") {
+    const auto level = [](const char* crate_width, const char* more) {
+        return std::string(
+                   "{ bodies = { { name = 'ground', type = 'static', shape = 'box', y = -1, width = 40, "
+                   "height = 2 "
+                   "},") +
+               more + "{ name = 'crate', shape = 'box', y = 5, width = " + crate_width +
+               ", height = 1 }, { shape = 'circle', x = 3, y = 5, radius = 0.5 }, { name = 'swing', shape = "
+               "'box', x = -5, y "
+               "= 5, width = 1, height = 1 } }, joints = { { joint = 'revolute', body_b = 'swing', x = -5, y "
+               "= 6 } } }";
+    };
+    GameFiles files{{"l.lua", level("1", "")}};
+    LuaBench bench(files);
+    const auto save = [&](const std::string& text) {
+        const auto path = bench.machine().files->native_path("l.lua");
+        REQUIRE(path);
+        std::ofstream(*path) << text;
+    };
+    REQUIRE(
+        bench.run("world = cairn.physics.new_world{} level = cairn.level.load('l.lua') level:build(world)\n"
+                  "crate, swing = level:body('crate'), level:body('swing')\n"
+                  "for i = 1, 30 do world:step(1 / 60) end y = select(2, crate:position()) hash = "
+                  "world:state_hash()") == "");
+    REQUIRE(bench.run("kept, made = level:reload()") == "");
+    CHECK(bench.value("kept .. ' ' .. made") == "5 0");
+    CHECK(bench.value("world:state_hash() == hash") == "true");
+
+    save(level("2", "{ shape = 'circle', x = 8, y = 5, radius = 1 },"));
+    REQUIRE(bench.run("kept, made = level:reload()") == "");
+    CHECK(bench.value("kept .. ' ' .. made") == "4 2");
+    CHECK(bench.value("crate:is_valid()") == "false");
+    CHECK(bench.value("swing:is_valid() and swing == level:body('swing')") == "true");
+    CHECK(bench.value("select(2, level:body('crate'):position())") == "5.0");
+    CHECK(bench.value("world:body_count()") == "6");
+
+    // A fault changes nothing.
+    save("{ bodies = { { shape = 'boks' } } }");
+    CHECK_THAT(bench.run("level:reload()"), Contains("did you mean \"box\""));
+    CHECK(bench.value("#level:bodies()") == "5");
+
+    // A joint that changes takes its bodies back to where the level has them.
+    std::string moved = level("2", "{ shape = 'circle', x = 8, y = 5, radius = 1 },");
+    moved.replace(moved.find("x = -5, y = 6"), 13, "x = -4, y = 6");
+    save(moved);
+    REQUIRE(bench.run("level:reload()") == "");
+    CHECK(bench.value("swing:is_valid()") == "false");
+    CHECK(bench.value("world:joint_count()") == "1");
+}
+
+TEST_CASE("the level of the documentation is a good one") {
+    std::ifstream file(CAIRN_SOURCE_DIR "/docs/examples/levels/yard.lua");
+    std::ostringstream text;
+    text << file.rdbuf();
+    LuaBench bench(GameFiles{{"yard.lua", text.str()}});
+    CHECK(bench.value("table.concat(cairn.level.check('yard.lua'), '\\n')") == "");
+    CHECK(bench.value("#cairn.level.load('yard.lua'):data().stars") == "3");
+}
+
+// ---- Tiled
+
+TEST_CASE("outlines of cells keep what is solid on the left, and part at corners") {
+    const auto outlines_of = [](int columns, const std::string& picture) {
+        std::vector<bool> cells;
+        for (const char c : picture) cells.push_back(c == '#');
+        return outline_cells(columns, static_cast<int>(picture.size()) / columns, cells);
+    };
+    const auto signed_area = [](const std::vector<CellCorner>& outline) {
+        int area = 0;
+        for (std::size_t i = 0; i < outline.size(); ++i) {
+            const CellCorner a = outline[i];
+            const CellCorner b = outline[(i + 1) % outline.size()];
+            area += a.row * b.column - a.column * b.row;  // y points up
+        }
+        return area / 2;
+    };
+    CHECK(outlines_of(3, "......").empty());
+    const auto single = outlines_of(3, "....#.");
+    REQUIRE(single.size() == 1);
+    CHECK(single[0].size() == 4);
+    CHECK(signed_area(single[0]) == 1);
+    const auto corner = outlines_of(2, "#..#");
+    REQUIRE(corner.size() == 2);
+    CHECK(corner[0].size() == 4);
+    // A ring: outside anticlockwise, its hole clockwise.
+    const auto ring = outlines_of(3, "####.####");
+    REQUIRE(ring.size() == 2);
+    CHECK(signed_area(ring[0]) == 9);
+    CHECK(signed_area(ring[1]) == -1);
+    // Against a count of cells, for every picture of 3 x 3.
+    for (int bits = 0; bits < 512; ++bits) {
+        std::vector<bool> cells;
+        int count = 0;
+        for (int i = 0; i < 9; ++i) {
+            cells.push_back((bits >> i & 1) != 0);
+            count += bits >> i & 1;
+        }
+        int area = 0;
+        for (const auto& outline : outline_cells(3, 3, cells)) {
+            CHECK(outline.size() % 2 == 0);
+            area += signed_area(outline);
+        }
+        CHECK(area == count);
+    }
+}
+
+TEST_CASE("a map of Tiled is a level: solid tiles are chains, objects are bodies, triggers and spawns") {
+    const char* const map = R"(<?xml version="1.0"?>
+<map orientation="orthogonal" width="4" height="3" tilewidth="10" tileheight="10" infinite="0">
+ <properties><property name="gravity_y" type="float" value="-4"/><property name="par" type="int" value="2"/></properties>
+ <tileset firstgid="1" name="t" tilewidth="10" tileheight="10" tilecount="1" columns="1"><image source="t.png" width="10" height="10"/></tileset>
+ <layer name="ground" width="4" height="3"><properties><property name="solid" type="bool" value="true"/>
+  <property name="friction" type="float" value="0.25"/></properties>
+  <data encoding="csv">0,0,0,0, 0,0,0,0, 1,1,1,1</data></layer>
+ <objectgroup name="things">
+  <object id="1" name="crate" x="10" y="5" width="10" height="10"><properties><property name="type" value="dynamic"/>
+   <property name="loot" value="gold"/></properties></object>
+  <object id="2" name="start" type="spawn" x="5" y="15"><point/></object>
+  <object id="3" name="exit" type="trigger" x="30" y="10" width="10" height="10"/>
+  <object id="4" name="bump" x="0" y="20"><polygon points="0,0 5,-5 10,0"/></object>
+  <object id="5" type="camera" x="0" y="0" width="40" height="30"/>
+ </objectgroup>
+</map>)";
+    LuaBench bench(GameFiles{{"map.tmx", map}});
+    REQUIRE(bench.run("w = cairn.physics.new_world{} l = cairn.level.load('map.tmx') l:build(w)") == "");
+    CHECK(bench.value("select(2, w:gravity())") == "-4.0");
+    CHECK(bench.value("l:data().par") == "2");
+    CHECK(bench.value("#l:bodies()") == "3");
+    CHECK(bench.value("l:bodies()[1].data.layer") == "ground");
+    CHECK(bench.value("l:bodies()[1]:shapes()[1]:friction()") == "0.25");
+    CHECK(bench.value("table.concat({ l:body('crate'):position() }, ' ')") == "1.5 2.0");
+    CHECK(bench.value("l:body('crate').data.loot .. l:body('crate'):type() .. l:body('bump'):type()") ==
+          "golddynamicstatic");
+    CHECK(bench.value("table.concat({ l:spawn('start') }, ' ')") == "0.5 1.5 0.0");
+    CHECK(bench.value("select(3, l:camera())") == "3.0");
+    REQUIRE(bench.run("for i = 1, 120 do w:step(1 / 60) end") == "");
+    CHECK(bench.value("math.abs(select(2, l:body('crate'):position()) - 1.5) < 0.02") == "true");
 }
 
 }  // namespace

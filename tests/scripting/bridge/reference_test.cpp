@@ -22,6 +22,12 @@ TEST_CASE("the committed reference is the one that the bindings give") {
     CHECK(is_same);
 }
 
+TEST_CASE("the committed format of levels is the one that the descriptions give") {
+    const bool is_same = file_text("docs/reference/levels.md") == level_reference_markdown();
+    INFO("to renew it: cairn help --levels > docs/reference/levels.md");
+    CHECK(is_same);
+}
+
 TEST_CASE("the committed annotations are those that the bindings give") {
     const bool is_same = file_text("scripting/types/cairn.lua") == editor_annotations();
     INFO("to renew them: cairn help --types > scripting/types/cairn.lua");

@@ -1,0 +1,162 @@
+// The same rules as FieldReader has, on data instead of Lua tables.
+#include "level/check.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include "data/nearest.h"
+
+namespace cairn::scripting {
+namespace {
+
+std::string with_place(const std::string& file, const Value& value) {
+    if (value.line == 0) return file + ": ";
+    return file + ':' + std::to_string(value.line) + ':' + std::to_string(value.column) + ": ";
+}
+
+std::string joined_path(const std::string& path, const std::string& field) {
+    if (path.empty() || field.empty() || field[0] == '[') return path + field;
+    return path + '.' + field;
+}
+
+bool has_type(const Value& value, FieldType type) {
+    switch (type) {
+        case FieldType::Number:
+            return value.is_number();
+        case FieldType::Integer:
+            return value.kind() == Value::Kind::Integer;
+        case FieldType::Boolean:
+            return value.kind() == Value::Kind::Boolean;
+        case FieldType::String:
+        case FieldType::Body:
+        case FieldType::Joint:
+            return value.kind() == Value::Kind::String;
+        case FieldType::Table:
+            return value.kind() == Value::Kind::Table;
+        case FieldType::Points:
+            return value.is_list();
+        case FieldType::Function:
+            return false;
+    }
+    return false;
+}
+
+std::string expected(FieldType type) {
+    if (type == FieldType::Body) return "the name of a body, in quotes";
+    if (type == FieldType::Joint) return "the name of a joint, in quotes";
+    return field_type_with_article(type);
+}
+
+}  // namespace
+
+const Value* find_in(std::span<const Layer> layers, std::string_view field, const Layer** found_in) {
+    for (const Layer& layer : layers) {
+        const Value* value = layer.table->find(field);
+        if (value == nullptr) continue;
+        if (found_in != nullptr) *found_in = &layer;
+        return value;
+    }
+    return nullptr;
+}
+
+void LevelChecker::fault_of_file(const std::string& file, const std::string& message) {
+    // A message of the parser begins with the place already.
+    std::string text = message.starts_with(file + ':') ? message : file + ": " + message;
+    add(file, {}, std::move(text));
+}
+
+void LevelChecker::add(const std::string& file, const Value& place, std::string text) {
+    if (!known_.insert(text).second) return;
+    const auto found = std::find(files_.begin(), files_.end(), file);
+    const auto index = static_cast<std::size_t>(found - files_.begin());
+    if (found == files_.end()) files_.push_back(file);
+    faults_.push_back({index, place.line, place.column, std::move(text)});
+}
+
+std::vector<std::string> LevelChecker::faults() const {
+    std::vector<Fault> sorted = faults_;
+    std::stable_sort(sorted.begin(), sorted.end(), [](const Fault& a, const Fault& b) {
+        return std::tie(a.file, a.line, a.column) < std::tie(b.file, b.line, b.column);
+    });
+    std::vector<std::string> texts;
+    for (Fault& fault : sorted) texts.push_back(std::move(fault.text));
+    return texts;
+}
+
+void LevelChecker::fault(const Layer& where, const Value& value, const std::string& field,
+                         const std::string& rule) {
+    std::string text = with_place(where.file, value) + joined_path(where.path, field);
+    if (value.kind() != Value::Kind::Table) text += " = " + to_short_text(value);
+    add(where.file, value, text + ": " + rule);
+}
+
+void LevelChecker::fault(const Layer& where, const std::string& rule) {
+    fault(where, *where.table, "", rule);
+}
+
+void LevelChecker::check_fields(const Layer& layer, std::span<const Field* const> fields) {
+    for (const Entry& entry : layer.table->entries()) {
+        const auto* name = std::get_if<std::string>(&entry.key);
+        if (name == nullptr) {
+            fault(layer, entry.value, '[' + std::to_string(std::get<std::int64_t>(entry.key)) + ']',
+                  "a value without a name; expected name = value");
+            continue;
+        }
+        const auto field =
+            std::find_if(fields.begin(), fields.end(), [&](const Field* f) { return *name == f->name; });
+        if (field != fields.end()) {
+            check_value(layer, entry.value, **field);
+            continue;
+        }
+        std::vector<std::string> names;
+        for (const Field* f : fields) names.emplace_back(f->name);
+        fault(layer, entry.value, *name, "unknown field" + suggestion(*name, names));
+    }
+}
+
+void LevelChecker::check_value(const Layer& layer, const Value& value, const Field& field) {
+    if (!has_type(value, field.type)) {
+        fault(layer, value, field.name,
+              "must be " + expected(field.type) + ", is " + std::string(kind_with_article(value.kind())));
+        return;
+    }
+    if (field.type == FieldType::Number || field.type == FieldType::Integer) {
+        if (!is_in_range(field, value.number())) fault(layer, value, field.name, range_rule(field));
+    }
+    if (!field.choices.empty()) {
+        std::string what = field.name;
+        std::replace(what.begin(), what.end(), '_', ' ');
+        check_one_of(layer, value, field.name, what, words_of(field.choices));
+    }
+    if (field.type == FieldType::Points) check_points(layer, value, field.name);
+}
+
+void LevelChecker::check_points(const Layer& layer, const Value& value, const std::string& field) {
+    for (std::size_t i = 0; i < value.entries().size(); ++i) {
+        const Value& point = value.entries()[i].value;
+        const bool is_pair = point.is_list() && point.entries().size() == 2 &&
+                             point.entries()[0].value.is_number() && point.entries()[1].value.is_number();
+        if (!is_pair)
+            fault(layer, point, field + '[' + std::to_string(i + 1) + ']', "must be { x, y }, two numbers");
+    }
+}
+
+void LevelChecker::check_missing(std::span<const Layer> layers, std::span<const Field* const> fields,
+                                 std::string_view exempt) {
+    for (const Field* field : fields) {
+        if (field->default_text != nullptr || field->name == exempt) continue;
+        if (find_in(layers, field->name) != nullptr) continue;
+        const std::string unit = *field->doc == '\0' ? "" : " (" + std::string(field->doc) + ')';
+        fault(layers.front(),
+              '"' + std::string(field->name) + "\" is missing; it must be " + expected(field->type) + unit);
+    }
+}
+
+void LevelChecker::check_one_of(const Layer& layer, const Value& value, const std::string& field,
+                                const std::string& what, std::span<const std::string> names) {
+    if (value.kind() != Value::Kind::String) return;  // said already
+    if (std::find(names.begin(), names.end(), value.text()) != names.end()) return;
+    fault(layer, value, field, "no such " + what + suggestion(value.text(), names));
+}
+
+}  // namespace cairn::scripting

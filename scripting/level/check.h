@@ -1,0 +1,66 @@
+// Compares data with described fields and notes every fault, where the Lua bindings stop at the first.
+// Invariant: a fault names the file, line and column of the value, the path of the field, the value, the rule
+// and, for a name that does not exist, the nearest one that does.
+#pragma once
+
+#include <set>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "bind/fields.h"
+#include "data/value.h"
+
+namespace cairn::scripting {
+
+/// Some of the fields of an entry, with where they stand. An entry, its template and its material are three.
+struct Layer {
+    const Value* table = nullptr;
+    std::string path;  ///< "bodies[3]", "templates.crate"
+    std::string file;
+};
+
+class LevelChecker {
+  public:
+    /// "FILE:LINE:COLUMN: PATH = VALUE: RULE". The value is left out for tables.
+    void fault(const Layer& where, const Value& value, const std::string& field, const std::string& rule);
+    /// Of the entry as a whole.
+    void fault(const Layer& where, const std::string& rule);
+    void fault_of_file(const std::string& file, const std::string& message);
+    /// The file whose faults come first.
+    void begin(const std::string& file) { files_ = {file}; }
+
+    /// Types, ranges and names of what is there.
+    void check_fields(const Layer& layer, std::span<const Field* const> fields);
+    /// Required fields that none of the layers has. `exempt`: a field that may be absent nevertheless.
+    void check_missing(std::span<const Layer> layers, std::span<const Field* const> fields,
+                       std::string_view exempt = {});
+    /// "no such WHAT; did you mean ...".
+    void check_one_of(const Layer& layer, const Value& value, const std::string& field,
+                      const std::string& what, std::span<const std::string> names);
+
+    [[nodiscard]] std::size_t count() const { return faults_.size(); }
+    /// Each once; those of the file that was read first come first, from its beginning to its end.
+    [[nodiscard]] std::vector<std::string> faults() const;
+
+  private:
+    void check_value(const Layer& layer, const Value& value, const Field& field);
+    void check_points(const Layer& layer, const Value& value, const std::string& field);
+
+    struct Fault {
+        std::size_t file;  ///< in the order in which files showed faults
+        int line;
+        int column;
+        std::string text;
+    };
+    void add(const std::string& file, const Value& place, std::string text);
+
+    std::vector<Fault> faults_;
+    std::vector<std::string> files_;
+    std::set<std::string> known_;
+};
+
+/// The value of the first layer that has the field, or null; `found_in` receives the layer.
+const Value* find_in(std::span<const Layer> layers, std::string_view field, const Layer** found_in = nullptr);
+
+}  // namespace cairn::scripting

@@ -1,0 +1,516 @@
+// Three passes: includes with their materials and templates; the parts, each merged from its layers (the
+// entry itself, its template, its material); and then, when all names are known, what refers to them.
+#include "level/reader.h"
+
+#include <algorithm>
+#include <charconv>
+#include <map>
+#include <set>
+
+#include "data/nearest.h"
+#include "data/table_parser.h"
+#include "data/table_writer.h"
+#include "level/check.h"
+#include "level/tiled_level.h"
+
+namespace cairn::scripting {
+namespace {
+
+using namespace level_fields;
+
+/// Far more than a level needs; a file that has more was made by mistake or in order to hurt.
+constexpr std::size_t kMaxParts = 100'000;
+
+bool is_part_name(std::string_view name) {
+    return !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+               c == '-';
+    });
+}
+
+std::string item_path(const std::string& list, std::size_t index) {
+    return list + '[' + std::to_string(index + 1) + ']';
+}
+
+class Reader {
+  public:
+    Reader(const engine::Files& files, const TiledImport& import) : files_(files), import_(import) {}
+
+    LevelReading read(const std::string& path) {
+        level_.path = path;
+        check_.begin(path);
+        if (read_table(path, level_.table)) {
+            root_ = {&level_.table, "", path};
+            const std::vector<const Field*> fields = all_fields(kLevelFields);
+            check_.check_fields(root_, fields);
+            read_definitions(root_);
+            read_includes();
+            read_own();
+            for (int kind = 0; kind < kPartKinds; ++kind) read_parts(static_cast<PartKind>(kind));
+            read_spawns();
+            read_decorations();
+            check_references();
+        }
+        return {std::move(level_), check_.faults()};
+    }
+
+  private:
+    bool read_table(const std::string& path, Value& out) {
+        level_.files.push_back(path);
+        if (is_tiled_file(path)) {
+            auto level = tiled_level(files_, path, import_.scale);
+            if (!level) return check_.fault_of_file(path, level.error().message), false;
+            out = *std::move(level);
+            return true;
+        }
+        const auto text = files_.read_text(path);
+        if (!text) return check_.fault_of_file(path, text.error().message), false;
+        auto parsed = parse_table_text(*text, path);
+        if (!parsed) return check_.fault_of_file(path, parsed.error().message), false;
+        out = *std::move(parsed);
+        return true;
+    }
+
+    /// The members of a section that is a list of tables. What is not is a fault, and left out.
+    std::vector<Layer> list_of(const char* section) {
+        std::vector<Layer> items;
+        const Value* list = level_.table.find(section);
+        if (list == nullptr || list->kind() != Value::Kind::Table) return items;
+        if (!list->is_list()) {
+            check_.fault({list, section, level_.path}, "must be a list: { { ... }, { ... } }");
+            return items;
+        }
+        if (list->entries().size() > kMaxParts) {
+            check_.fault({list, section, level_.path},
+                         "must have at most " + std::to_string(kMaxParts) + " entries");
+            return items;
+        }
+        for (std::size_t i = 0; i < list->entries().size(); ++i) {
+            const Value& item = list->entries()[i].value;
+            if (item.kind() == Value::Kind::Table) {
+                items.push_back({&item, item_path(section, i), level_.path});
+            } else {
+                check_.fault(root_, item, item_path(section, i), "must be a table");
+            }
+        }
+        return items;
+    }
+
+    /// The materials and templates of a file.
+    void read_definitions(const Layer& root) {
+        const std::vector<const Field*> matter = all_fields(kLevelMaterialFields);
+        for_each_named(root, "materials", [&](const std::string& name, const Layer& layer) {
+            check_.check_fields(layer, matter);
+            materials_.try_emplace(name, layer);
+        });
+        for_each_named(root, "templates", [&](const std::string& name, const Layer& layer) {
+            templates_.try_emplace(name, layer);
+            new_templates_.push_back(layer);
+        });
+        // A template may use materials of a file that is included later.
+    }
+
+    template <class Function>
+    void for_each_named(const Layer& root, const char* section, Function&& function) {
+        const Value* table = root.table->find(section);
+        if (table == nullptr || table->kind() != Value::Kind::Table) return;
+        for (const Entry& entry : table->entries()) {
+            const auto* name = std::get_if<std::string>(&entry.key);
+            if (name == nullptr) {
+                check_.fault({&entry.value, section, root.file},
+                             "has an entry without a name; expected name = { ... }");
+            } else if (entry.value.kind() != Value::Kind::Table) {
+                check_.fault(root, entry.value, std::string(section) + '.' + *name, "must be a table");
+            } else {
+                function(*name, Layer{&entry.value, std::string(section) + '.' + *name, root.file});
+            }
+        }
+    }
+
+    void read_includes() {
+        const Value* list = level_.table.find("includes");
+        if (list != nullptr && list->kind() == Value::Kind::Table) {
+            if (!list->is_list()) check_.fault({list, "includes", level_.path}, "must be a list of files");
+            // Values must not move while layers point at them.
+            included_.reserve(list->entries().size());
+            for (std::size_t i = 0; list->is_list() && i < list->entries().size(); ++i) {
+                const Value& file = list->entries()[i].value;
+                if (file.kind() != Value::Kind::String) {
+                    check_.fault(root_, file, item_path("includes", i),
+                                 "must be the path of a file, in quotes");
+                    continue;
+                }
+                read_include(file, item_path("includes", i));
+            }
+        }
+        for (const Layer& layer : new_templates_) check_template(layer);
+    }
+
+    void read_include(const Value& file, const std::string& path) {
+        if (!files_.exists(file.text())) {
+            check_.fault(root_, file, path, "there is no such file");
+            return;
+        }
+        Value table;
+        if (!read_table(file.text(), table)) return;
+        included_.push_back(std::move(table));
+        const Layer layer{&included_.back(), "", file.text()};
+        static const std::vector<const Field*> fields = [] {
+            std::vector<const Field*> all = all_fields(kLevelFields);
+            std::erase_if(all, [](const Field* field) {
+                const std::string_view name = field->name;
+                return name != "materials" && name != "templates";
+            });
+            return all;
+        }();
+        check_.check_fields(layer, fields);
+        read_definitions(layer);
+    }
+
+    void check_template(const Layer& layer) {
+        std::vector<const Field*> fields;
+        const Value* shape = layer.table->find("shape");
+        if (shape != nullptr && shape->kind() == Value::Kind::String) {
+            check_.check_one_of(layer, *shape, "shape", "shape", variants_of(PartKind::Body));
+            fields = part_fields(PartKind::Body, shape->text());
+        } else {
+            fields = fields_of_any_body();
+        }
+        if (const Value* other = layer.table->find(kTemplate))
+            check_.fault(layer, *other, kTemplate, "a template cannot have a template of its own");
+        check_.check_fields(layer, fields);
+        check_material(layer);
+    }
+
+    void check_material(const Layer& layer) {
+        const Value* material = layer.table->find(kMaterial);
+        if (material != nullptr)
+            check_.check_one_of(layer, *material, kMaterial, "material", names_of(materials_));
+    }
+
+    static std::vector<std::string> names_of(const std::map<std::string, Layer>& map) {
+        std::vector<std::string> names;
+        for (const auto& [name, layer] : map) names.push_back(name);
+        return names;
+    }
+
+    void read_own() {
+        const auto number = [&](const char* name) -> std::optional<double> {
+            const Value* value = level_.table.find(name);
+            if (value == nullptr || !value->is_number()) return std::nullopt;
+            return value->number();
+        };
+        level_.gravity_x = number("gravity_x");
+        level_.gravity_y = number("gravity_y");
+        if (const Value* name = level_.table.find(kName);
+            name != nullptr && name->kind() == Value::Kind::String)
+            level_.name = name->text();
+        check_table("camera", kCameraFields);
+        check_table("bounds", kBoundsFields);
+    }
+
+    void check_table(const char* section, const FieldSet& set) {
+        const Value* table = level_.table.find(section);
+        if (table == nullptr || table->kind() != Value::Kind::Table) return;
+        const std::vector<const Field*> fields = all_fields(set);
+        const Layer layer{table, section, level_.path};
+        check_.check_fields(layer, fields);
+        check_.check_missing({&layer, 1}, fields);
+    }
+
+    void check_list(const char* section, const FieldSet& set) {
+        const std::vector<const Field*> fields = all_fields(set);
+        for (const Layer& layer : list_of(section)) {
+            check_.check_fields(layer, fields);
+            check_.check_missing({&layer, 1}, fields);
+            if (const Value* name = layer.table->find(kName)) take_name(layer, *name);
+        }
+    }
+    void read_spawns() { check_list("spawns", kSpawnFields); }
+
+    void read_decorations() {
+        check_list("decorations", kDecorationFields);
+        for (const Layer& layer : list_of("decorations")) {
+            const Value* image = layer.table->find("image");
+            if (image != nullptr && image->kind() == Value::Kind::String && !files_.exists(image->text()))
+                check_.fault(layer, *image, "image", "there is no such file");
+        }
+    }
+
+    /// The text of a name that is good and new; else a fault, and nothing.
+    std::string take_name(const Layer& layer, const Value& name) {
+        if (name.kind() != Value::Kind::String) return "";
+        if (!is_part_name(name.text())) {
+            check_.fault(layer, name, kName, "must be letters, digits, _ and -, and not empty");
+            return "";
+        }
+        if (const auto [known, is_new] = names_.try_emplace(name.text(), layer.path); !is_new) {
+            check_.fault(layer, name, kName, "is the name of " + known->second + " already");
+            return "";
+        }
+        return name.text();
+    }
+
+    // ---- Parts
+
+    void read_parts(PartKind kind) {
+        for (const Layer& layer : list_of(section_of(kind).list)) read_part(kind, layer);
+    }
+
+    void read_part(PartKind kind, const Layer& entry) {
+        std::vector<Layer> layers = {entry};
+        if (kind == PartKind::Body) add_named(layers, kTemplate, "template", templates_);
+        const PartSection& section = section_of(kind);
+        const Layer* variant_layer = nullptr;
+        const Value* variant = find_in(layers, section.variant, &variant_layer);
+        LevelPart part;
+        part.kind = kind;
+        part.place = entry.file +
+                     (entry.table->line > 0 ? ':' + std::to_string(entry.table->line) + ':' +
+                                                  std::to_string(entry.table->column)
+                                            : "") +
+                     ": " + entry.path;
+        if (const Value* name = entry.table->find(kName)) part.name = take_name(entry, *name);
+        if (variant != nullptr) {
+            const std::size_t before = check_.count();
+            if (variant->kind() == Value::Kind::String) part.variant = variant->text();
+            check_.check_one_of(*variant_layer, *variant, section.variant,
+                                kind == PartKind::Trigger ? "shape of a trigger" : section.variant,
+                                variants_of(kind));
+            // Without a known variant its fields cannot be told from slips.
+            if (check_.count() > before || part.variant.empty()) return finish(std::move(part));
+        } else if (kind != PartKind::Body) {
+            check_.fault(entry, '"' + std::string(section.variant) + "\" is missing" +
+                                    suggestion("", variants_of(kind)));
+            return finish(std::move(part));
+        }
+        const std::vector<const Field*> fields = part_fields(kind, part.variant);
+        check_.check_fields(entry, fields);
+        if (kind == PartKind::Body) add_named(layers, kMaterial, "material", materials_);
+        check_.check_missing(layers, fields, "body_a");
+        part.fields = merged(layers, fields);
+        if (kind == PartKind::Body) read_shapes(part, layers);
+        note_names(part, layers);
+        for (const Field* field : fields) {
+            if (field->type != FieldType::Body && field->type != FieldType::Joint) continue;
+            const Value* name = entry.table->find(field->name);
+            if (name == nullptr || name->kind() != Value::Kind::String) continue;
+            part.references.push_back({field->name, name->text()});
+            waiting_.push_back({entry, field, *name, level_.parts.size()});
+        }
+        finish(std::move(part));
+    }
+
+    void finish(LevelPart&& part) { level_.parts.push_back(std::move(part)); }
+
+    /// Adds the template or material that the layers name.
+    void add_named(std::vector<Layer>& layers, const char* field, const std::string& what,
+                   const std::map<std::string, Layer>& known) {
+        const Layer* layer = nullptr;
+        const Value* name = find_in(layers, field, &layer);
+        if (name == nullptr || name->kind() != Value::Kind::String) return;
+        const auto found = known.find(name->text());
+        if (found != known.end()) {
+            layers.push_back(found->second);
+        } else {
+            check_.check_one_of(*layer, *name, field, what, names_of(known));
+        }
+    }
+
+    /// One table of all layers, without what only levels know. In the order of the fields, so that equal
+    /// parts are equal however they were written.
+    static Value merged(std::span<const Layer> layers, std::span<const Field* const> fields) {
+        static const std::set<std::string_view> own = {kName,   kTemplate, kMaterial, kShapes,
+                                                       "shape", "joint",   "prefab"};
+        Value table;
+        table.content = Entries{};
+        for (const Field* field : fields) {
+            if (own.contains(field->name)) continue;
+            if (const Value* value = find_in(layers, field->name)) add_entry(table, field->name, *value);
+        }
+        return table;
+    }
+
+    void read_shapes(LevelPart& part, const std::vector<Layer>& layers) {
+        const Layer* layer = nullptr;
+        const Value* list = find_in(layers, kShapes, &layer);
+        if (list == nullptr || list->kind() != Value::Kind::Table) {
+            if (part.variant.empty()) {
+                // Its template, of which nothing is known, may have been to give it one.
+                const bool lacks_template =
+                    layers.front().table->find(kTemplate) != nullptr && layers.size() == 1;
+                if (!lacks_template)
+                    check_.fault(layers.front(),
+                                 "has neither \"shape\" nor \"shapes\"; one of them is expected" +
+                                     suggestion("", variants_of(PartKind::Body)));
+            }
+            return;
+        }
+        if (!part.variant.empty()) {
+            check_.fault(*layer, *list, kShapes, "stands beside \"shape\"; one or the other is expected");
+            return;
+        }
+        if (!list->is_list()) {
+            check_.fault(*layer, *list, kShapes, "must be a list: { { ... }, { ... } }");
+            return;
+        }
+        for (std::size_t i = 0; i < list->entries().size(); ++i) {
+            const Value& shape = list->entries()[i].value;
+            const std::string path = item_path(kShapes, i);
+            if (shape.kind() != Value::Kind::Table) {
+                check_.fault(*layer, shape, path, "must be a table");
+            } else {
+                read_shape(part, layers, {&shape, layer->path + '.' + path, layer->file});
+            }
+        }
+    }
+
+    void read_shape(LevelPart& part, const std::vector<Layer>& body, const Layer& entry) {
+        const Value* variant = entry.table->find("shape");
+        if (variant == nullptr) {
+            check_.fault(entry, "\"shape\" is missing" + suggestion("", variants_of(PartKind::Body)));
+            return;
+        }
+        const std::size_t before = check_.count();
+        if (variant->kind() != Value::Kind::String)
+            check_.fault(entry, *variant, "shape", "must be a string");
+        check_.check_one_of(entry, *variant, "shape", "shape", variants_of(PartKind::Body));
+        if (check_.count() > before) return;
+        const std::vector<const Field*> fields = shape_fields(variant->text());
+        check_.check_fields(entry, fields);
+        std::vector<Layer> layers = {entry};
+        add_named(layers, kMaterial, "material", materials_);
+        if (layers.size() == 1) {  // without a material of its own it has that of the body
+            std::vector<Layer> all = body;
+            add_named(all, kMaterial, "material", materials_);
+            if (all.size() > body.size()) layers.push_back(all.back());
+        }
+        check_.check_missing(layers, fields);
+        part.shapes.push_back({variant->text(), merged(layers, fields)});
+    }
+
+    /// What scripts want to know of a body: its name and material, in its data.
+    void note_names(LevelPart& part, const std::vector<Layer>& layers) const {
+        if (part.kind == PartKind::Joint) return;
+        const Value* material = find_in(layers, kMaterial);
+        const bool has_material =
+            part.kind == PartKind::Body && material != nullptr && material->kind() == Value::Kind::String;
+        if (part.name.empty() && !has_material) return;
+        if (part.fields.find("data") == nullptr) {
+            Value empty;
+            empty.content = Entries{};
+            add_entry(part.fields, "data", std::move(empty));
+        }
+        Value* data = nullptr;
+        for (Entry& entry : std::get<Entries>(part.fields.content)) {
+            if (entry.key == Key("data")) data = &entry.value;
+        }
+        if (data->kind() != Value::Kind::Table) return;  // a fault already
+        const auto note = [&](const char* key, const std::string& text) {
+            if (data->find(key) != nullptr) return;
+            Value value;
+            value.content = text;
+            add_entry(*data, key, std::move(value));
+        };
+        if (!part.name.empty()) note(kName, part.name);
+        if (has_material) note(kMaterial, material->text());
+    }
+
+    // ---- References
+
+    struct Waiting {
+        Layer layer;
+        const Field* field;
+        Value name;
+        std::size_t part;
+    };
+
+    void check_references() {
+        for (const Waiting& waiting : waiting_) {
+            const PartName name = split_part_name(waiting.name.text());
+            if (waiting.field->type == FieldType::Joint) {
+                const auto found = level_.find(PartKind::Joint, name.name);
+                if (!found) {
+                    check_.check_one_of(waiting.layer, waiting.name, waiting.field->name, "joint",
+                                        level_.names(PartKind::Joint));
+                } else if (*found >= waiting.part) {
+                    check_.fault(waiting.layer, waiting.name, waiting.field->name,
+                                 "must be a joint that stands before this one");
+                }
+                continue;
+            }
+            if (name.index > 0 && level_.find(PartKind::Prefab, name.name)) continue;
+            if (level_.find(PartKind::Body, name.name) || level_.find(PartKind::Trigger, name.name)) continue;
+            if (level_.find(PartKind::Prefab, name.name)) {
+                check_.fault(waiting.layer, waiting.name, waiting.field->name,
+                             "is a prefab; \"" + name.name + ".1\" is its first body");
+                continue;
+            }
+            std::vector<std::string> names = level_.names(PartKind::Body);
+            for (const std::string& trigger : level_.names(PartKind::Trigger)) names.push_back(trigger);
+            check_.check_one_of(waiting.layer, waiting.name, waiting.field->name, "body", names);
+        }
+    }
+
+    const engine::Files& files_;
+    TiledImport import_;
+    Level level_;
+    LevelChecker check_;
+    Layer root_;
+    std::vector<Value> included_;
+    std::map<std::string, Layer> materials_;
+    std::map<std::string, Layer> templates_;
+    std::vector<Layer> new_templates_;
+    std::map<std::string, std::string> names_;  ///< name -> path of what has it
+    std::vector<Waiting> waiting_;
+};
+
+}  // namespace
+
+std::optional<std::size_t> Level::find(std::string_view wanted) const {
+    const auto found =
+        std::find_if(parts.begin(), parts.end(), [&](const LevelPart& part) { return part.name == wanted; });
+    if (wanted.empty() || found == parts.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - parts.begin());
+}
+
+std::optional<std::size_t> Level::find(PartKind kind, std::string_view wanted) const {
+    const auto found = find(wanted);
+    if (!found || parts[*found].kind != kind) return std::nullopt;
+    return found;
+}
+
+std::vector<std::string> Level::names(PartKind kind) const {
+    std::vector<std::string> names;
+    for (const LevelPart& part : parts) {
+        if (part.kind == kind && !part.name.empty()) names.push_back(part.name);
+    }
+    return names;
+}
+
+LevelReading read_level(const engine::Files& files, const std::string& path, const TiledImport& import) {
+    return Reader(files, import).read(path);
+}
+
+bool is_tiled_file(std::string_view path) {
+    return path.ends_with(".tmx") || path.ends_with(".tmj") || path.ends_with(".json");
+}
+
+PartName split_part_name(const std::string& name) {
+    const std::size_t dot = name.rfind('.');
+    if (dot == std::string::npos) return {name, 0};
+    int index = 0;
+    const char* end = name.data() + name.size();
+    const auto read = std::from_chars(name.data() + dot + 1, end, index);
+    if (read.ec != std::errc() || read.ptr != end || index < 1) return {name, 0};
+    return {name.substr(0, dot), index};
+}
+
+std::string signature_of(const LevelPart& part) {
+    std::string text = section_of(part.kind).one;
+    text += ' ' + part.variant + ' ' + to_table_text(part.fields);
+    for (const ShapePart& shape : part.shapes) text += shape.variant + ' ' + to_table_text(shape.fields);
+    return text;
+}
+
+}  // namespace cairn::scripting

@@ -1,0 +1,86 @@
+// Reads a level file: from text to parts in which templates and materials have been filled in. Invariant:
+// nothing is executed; every fault of the file is found, not only the first; a level with faults is never
+// given out.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <cairn/engine/files.h>
+
+#include "data/value.h"
+#include "level/format.h"
+
+namespace cairn::scripting {
+
+/// One of a body's several shapes.
+struct ShapePart {
+    std::string variant;
+    Value fields;
+};
+
+/// A field that names another part of the level.
+struct PartReference {
+    std::string field;
+    std::string name;  ///< "crate", or "rope.3": the third body of a prefab
+};
+
+/// What a level makes in a world.
+struct LevelPart {
+    PartKind kind = PartKind::Body;
+    std::string name;     ///< empty: none
+    std::string variant;  ///< "box", "revolute", "rope"; empty: a body with `shapes`
+    Value fields;         ///< as the function of the Lua API takes them, but for references
+    std::vector<ShapePart> shapes;
+    std::vector<PartReference> references;
+    std::string place;  ///< "levels/one.lua:12:5: bodies[3]": for messages
+};
+
+struct Level {
+    std::string path;
+    std::string name;
+    std::vector<std::string> files;  ///< the level's own and those that it includes
+    std::optional<double> gravity_x;
+    std::optional<double> gravity_y;
+    std::vector<LevelPart>
+        parts;    ///< bodies, triggers, prefabs, joints; of each kind in the order of the file
+    Value table;  ///< all of the file as it stands, for the rest: spawns, camera, data, ...
+
+    /// The section of that name in the table, or null.
+    [[nodiscard]] const Value* section(std::string_view wanted) const { return table.find(wanted); }
+    /// The part of that name, or nothing.
+    [[nodiscard]] std::optional<std::size_t> find(std::string_view wanted) const;
+    [[nodiscard]] std::optional<std::size_t> find(PartKind kind, std::string_view wanted) const;
+    /// Of the parts of a kind that have one.
+    [[nodiscard]] std::vector<std::string> names(PartKind kind) const;
+};
+
+struct LevelReading {
+    Level level;
+    std::vector<std::string> faults;  ///< empty: the level is good, as far as can be told without building it
+};
+
+/// How a map of Tiled becomes a level.
+struct TiledImport {
+    double scale = 0;  ///< metres per pixel; 0: one tile is one metre wide
+};
+
+/// A level file, or a map of Tiled (.tmx, .tmj, .json).
+LevelReading read_level(const engine::Files& files, const std::string& path, const TiledImport& import = {});
+
+/// Whether a file is one of Tiled's, by its name.
+bool is_tiled_file(std::string_view path);
+
+/// "rope.3" as "rope" and 3; without a number 0.
+struct PartName {
+    std::string name;
+    int index = 0;
+};
+PartName split_part_name(const std::string& name);
+
+/// Equal texts, equal parts: what live reload compares.
+std::string signature_of(const LevelPart& part);
+
+}  // namespace cairn::scripting

@@ -1,0 +1,6 @@
+return {
+    bodies = {
+        { shape = "circle", radius = 0 },
+        { shape = "sircle", radius = 1 },
+    },
+}

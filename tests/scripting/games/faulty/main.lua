@@ -1,0 +1,3 @@
+function cairn.load()
+    if then
+end
