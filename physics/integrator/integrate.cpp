@@ -47,17 +47,27 @@ void integrate_velocities(Motions& motions, std::span<const Drive> drives, float
     integrate_velocities(motions, drives, h_s, afresh, 0, motions.size());
 }
 
+// All four columns, so that each row is one SIMD operation: m - m + m is m to the bit.
+
 void begin_joints(Motions& motions, int first, int last) {
     for (int i = first; i < last; ++i) {
-        motions.without_contacts[i].v -= motions.velocity[i].v;
-        motions.without_contacts[i].w -= motions.velocity[i].w;
+        const VelocityRow& row = motions.velocity[i];
+        VelocityRow& without = motions.without_contacts[i];
+        without.v.x -= row.v.x;
+        without.v.y -= row.v.y;
+        without.w -= row.w;
+        without.inverse_mass -= row.inverse_mass;
     }
 }
 
 void end_joints(Motions& motions, int first, int last) {
     for (int i = first; i < last; ++i) {
-        motions.without_contacts[i].v += motions.velocity[i].v;
-        motions.without_contacts[i].w += motions.velocity[i].w;
+        const VelocityRow& row = motions.velocity[i];
+        VelocityRow& without = motions.without_contacts[i];
+        without.v.x += row.v.x;
+        without.v.y += row.v.y;
+        without.w += row.w;
+        without.inverse_mass += row.inverse_mass;
     }
 }
 

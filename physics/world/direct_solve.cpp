@@ -107,12 +107,14 @@ void start_direct_solve(Stores& stores, const ContactRules& rules, const StepTim
 
 void solve_direct(DirectGroups& groups, StepScratch& scratch, const ContactRules& rules, float h_s,
                   TaskPool& tasks) {
+    if (groups.count == 0) return;
     const DirectScene scene = scene_of(scratch, rules, h_s);
     for_each_component(groups, scratch.motions, tasks, [&](DirectComponent& c) { c.solve(scene); });
 }
 
 void move_direct(DirectGroups& groups, StepScratch& scratch, const ContactRules& rules, float h_s,
                  TaskPool& tasks) {
+    if (groups.count == 0) return;
     const DirectScene scene = scene_of(scratch, rules, h_s);
     for_each_component(groups, scratch.motions, tasks, [&](DirectComponent& c) {
         c.move(scene);

@@ -153,6 +153,7 @@ void unseat_joint(Stores& stores, int joint) {
 
 void seat_joints(Stores& stores, const StepTime& time, StepScratch& scratch) {
     JointStore& joints = stores.joints;
+    if (joints.active.size() == 0 && joints.lanes.empty()) return;
     joints.lanes.arrange();
     if (joints.lanes.h_s != time.h_s) {
         joints.lanes.h_s = time.h_s;

@@ -42,6 +42,7 @@ inline JointPassTime joint_time(float h_s) {
 
 /// How fast springs are before anything acts.
 inline void note_spring_speeds(JointLanes& joints, StepScratch& scratch, TaskPool& tasks) {
+    if (scratch.joints.empty() && joints.empty()) return;
     note_spring_speeds(scratch.joints, scratch.motions);
     joints.note_spring_speeds(scratch.motions, tasks);
 }

@@ -3,6 +3,8 @@
 
 #include <cairn/physics/tuning.h>
 
+#include "world/features.h"
+
 namespace cairn::physics {
 namespace {
 
@@ -20,13 +22,14 @@ check::Fault validate_tasks(const TaskSystem* tasks) {
 }  // namespace
 
 check::Fault validate(const WorldDef& def) {
-    return check::first_of({check::finite("world.gravity_m_s2", def.gravity_m_s2),
-                            check::within("world.substeps", def.substeps, 1, 64),
-                            check::not_negative("world.hit_speed_m_s", d(def.hit_speed_m_s)),
-                            check::not_negative("world.restitution_speed_m_s", d(def.restitution_speed_m_s)),
-                            check::positive("world.max_push_out_speed_m_s", d(def.max_push_out_speed_m_s)),
-                            check::within("world.threads", def.threads, 1, TaskPool::kMaxThreads),
-                            validate_tasks(def.tasks)});
+    return check::first_of(
+        {check::finite("world.gravity_m_s2", def.gravity_m_s2),
+         check::within("world.substeps", def.substeps, 1, 64),
+         check::not_negative("world.hit_speed_m_s", d(def.hit_speed_m_s)),
+         check::not_negative("world.restitution_speed_m_s", d(def.restitution_speed_m_s)),
+         check::positive("world.max_push_out_speed_m_s", d(def.max_push_out_speed_m_s)),
+         check::within("world.threads", def.threads, 1, TaskPool::kMaxThreads), validate_tasks(def.tasks),
+         require_built_in(Feature::DirectSolver, def.joint_solver == JointSolver::Direct)});
 }
 
 check::Fault validate(const BodyDef& def) {
@@ -67,8 +70,9 @@ check::Fault validate_material_kinds(int kind_a, int kind_b) {
 
 check::Fault validate(const ShapeDef& def) {
     return check::first_of({check::not_negative("shape.density_kg_m2", d(def.density_kg_m2)),
-                            validate(def.material),
-                            check::finite("shape.one_way_normal", def.one_way_normal)});
+                            validate(def.material), check::finite("shape.one_way_normal", def.one_way_normal),
+                            require_built_in(Feature::Sensors, def.sensor),
+                            require_built_in(Feature::Events, def.contact_events || def.hit_events)});
 }
 
 check::Fault validate_step(float dt_s) {

@@ -145,6 +145,7 @@ void JointPool<Block>::arrange() {
 template <class Block>
 template <class BlockPass>
 void JointPool<Block>::for_each_bucket(TaskPool& tasks, const BlockPass& pass) const {
+    if (used_count_ == 0) return;
     struct Part {
         const BlockPass* pass;
         std::span<const int> blocks;
@@ -164,7 +165,7 @@ void JointPool<Block>::for_each_bucket(TaskPool& tasks, const BlockPass& pass) c
         loops[count] = {body, &parts[count], static_cast<int>(parts[count].blocks.size()), kBlocksPerChunk};
         ++count;
     }
-    if (count > 0) tasks.run_in_order({loops.data(), count});
+    tasks.run_in_order({loops.data(), count});
 }
 
 template class JointPool<PinBlock>;

@@ -1,0 +1,78 @@
+# What a build of the physics can leave out. The sources of a feature that is off give way to world/without/NAME.cpp, which
+# defines the functions that others call: stages that do nothing, and refusals. No other file knows, and none has an #ifdef
+# (docs/adr/014-features.md).
+#
+# cairn_feature(NAME "what it is" SOURCES...): the option CAIRN_WITH_NAME, on unless told otherwise.
+function(cairn_feature name what)
+  option(CAIRN_WITH_${name} "Physics: ${what}" ON)
+  if(CAIRN_WITH_${name})
+    target_sources(cairn_physics PRIVATE ${ARGN})
+  else()
+    string(TOLOWER ${name} file)
+    target_sources(cairn_physics PRIVATE world/without/${file}.cpp)
+  endif()
+  set_property(SOURCE world/features.cpp APPEND PROPERTY COMPILE_DEFINITIONS
+               CAIRN_WITH_${name}=$<BOOL:${CAIRN_WITH_${name}}>)
+endfunction()
+
+cairn_feature(JOINTS "joints of all kinds"
+  resolve/joints/distance.cpp
+  resolve/joints/exact_spring.cpp
+  resolve/joints/frame.cpp
+  resolve/joints/friction.cpp
+  resolve/joints/gear.cpp
+  resolve/joints/joint_kernels.cpp
+  resolve/joints/joint_lanes.cpp
+  resolve/joints/joint_place_kernel.cpp
+  resolve/joints/joint_solver.cpp
+  resolve/joints/laws.cpp
+  resolve/joints/motor.cpp
+  resolve/joints/mouse.cpp
+  resolve/joints/place.cpp
+  resolve/joints/prismatic.cpp
+  resolve/joints/pulley.cpp
+  resolve/joints/revolute.cpp
+  resolve/joints/weld.cpp
+  resolve/joints/wheel.cpp
+  world/joint_constraints.cpp
+  world/joint_lists.cpp
+  world/joint_measures.cpp
+  world/joint_rules.cpp
+  world/joints.cpp)
+cairn_feature(DIRECT_SOLVER "the direct solver of joint structures and uneven contacts (needs joints)"
+  resolve/direct/block_ldl.cpp
+  resolve/direct/direct_component.cpp
+  resolve/direct/direct_equations.cpp
+  resolve/direct/direct_structure.cpp
+  resolve/direct/direct_system.cpp
+  world/direct_groups.cpp
+  world/direct_solve.cpp)
+cairn_feature(SENSORS "shapes that note what overlaps them"
+  world/sensors.cpp)
+cairn_feature(CHAINS "runs of one-sided segments"
+  collide/chains.cpp
+  world/chain_rules.cpp
+  world/chains.cpp)
+cairn_feature(EVENTS "begin, end and hit of contacts"
+  world/contact_events.cpp)
+cairn_feature(FRACTURE "cuts, breaks and breakable bodies"
+  collide/fracture_sites.cpp
+  collide/ring.cpp
+  collide/voronoi.cpp
+  world/break_plan.cpp
+  world/breakables.cpp
+  world/cut_plan.cpp
+  world/fracture.cpp
+  world/fragments.cpp
+  world/world_fracture.cpp)
+
+if(CAIRN_WITH_DIRECT_SOLVER AND NOT CAIRN_WITH_JOINTS)
+  message(FATAL_ERROR "CAIRN_WITH_DIRECT_SOLVER=ON needs CAIRN_WITH_JOINTS=ON: it solves what joints describe.")
+endif()
+if(CAIRN_TESTS AND PROJECT_IS_TOP_LEVEL)
+  foreach(feature JOINTS DIRECT_SOLVER SENSORS CHAINS EVENTS FRACTURE)
+    if(NOT CAIRN_WITH_${feature})
+      message(FATAL_ERROR "CAIRN_WITH_${feature}=OFF needs CAIRN_TESTS=OFF: the tests use all features.")
+    endif()
+  endforeach()
+endif()
