@@ -5,19 +5,13 @@
 #include <string>
 #include <vector>
 
+#include "support/command_lines.h"
+
 namespace cairn::bench {
 namespace {
 
-CommandLine parsed(const std::vector<std::string>& arguments) {
-    std::string help;
-    return parse_command_line(arguments, help).value();
-}
-
-std::string error_of(const std::vector<std::string>& arguments) {
-    std::string help;
-    const auto line = parse_command_line(arguments, help);
-    return line ? "no error" : line.error().message;
-}
+constexpr auto& parsed = test::parsed<parse_command_line>;
+constexpr auto& error_of = test::error_of<parse_command_line>;
 
 }  // namespace
 

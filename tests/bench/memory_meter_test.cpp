@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-namespace cairn::bench {
+namespace cairn::measure {
 
 TEST_CASE("live bytes follow what is allocated and freed, and the peak stays") {
     const std::int64_t calls = allocations();
@@ -37,4 +37,4 @@ TEST_CASE("memory of a wider alignment is counted too") {
     CHECK(after == 0);
 }
 
-}  // namespace cairn::bench
+}  // namespace cairn::measure

@@ -4,19 +4,14 @@
 #include <catch2/catch.hpp>
 #include <set>
 
+#include "determinism/proof.h"
+#include "support/command_lines.h"
+
 namespace cairn::lab {
 namespace {
 
-CommandLine parsed(const std::vector<std::string>& arguments) {
-    std::string help;
-    return parse_command_line(arguments, help).value();
-}
-
-std::string error_of(const std::vector<std::string>& arguments) {
-    std::string help;
-    const auto line = parse_command_line(arguments, help);
-    return line ? "no error" : line.error().message;
-}
+constexpr auto& parsed = test::parsed<parse_command_line>;
+constexpr auto& error_of = test::error_of<parse_command_line>;
 
 }  // namespace
 
@@ -60,10 +55,27 @@ TEST_CASE("problems are solved in the order in which they are named") {
     CHECK_FALSE(parsed({"accuracy"}).quick);
 }
 
+TEST_CASE("scenes are compared as they are named, all of them when none is") {
+    const CommandLine line = parsed({"determinism", "--scene", "joint_weld", "--scene", "rain", "--steps",
+                                     "30", "--nudge", "4", "--quick"});
+    CHECK(line.command == Command::Determinism);
+    REQUIRE(line.scenes.size() == 2);
+    CHECK(line.scenes[0]->name == "joint_weld");
+    CHECK(line.scenes[1]->name == "rain");
+    CHECK(line.steps == 30);
+    CHECK(line.nudged_step == 4);
+    CHECK(line.quick);
+    CHECK(parsed({"determinism"}).scenes.size() == determinism_scenes().size());
+    CHECK(parsed({"determinism"}).nudged_step == -1);
+}
+
 TEST_CASE("mistakes on the lab's command line are named") {
     CHECK(error_of({"torture", "--case", "9"}) == "there is no case \"9\"; cairn-lab list names them all");
     CHECK(error_of({"accuracy", "--problem", "tea"}) ==
           "there is no problem \"tea\"; cairn-lab list names them all");
+    CHECK(error_of({"determinism", "--scene", "tea"}) ==
+          "there is no scene \"tea\"; cairn-lab list names them all");
+    CHECK_THAT(error_of({"determinism", "--steps", "few"}), Catch::Contains("--steps is \"few\""));
     CHECK_THAT(error_of({"walk"}), Catch::Contains("walk"));
     CHECK_THAT(error_of({"torture", "--case"}), Catch::Contains("--case"));
 }

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
+#include "program.h"
 #include "text.h"
 
 namespace cairn::bench {
@@ -99,8 +100,6 @@ Result<CommandLine> parse_command_line(const std::vector<std::string>& arguments
     Texts texts;
     std::string json;
     CLI::App app("Measures Cairn's physics on fixed scenes.", "cairn-bench");
-    app.footer("cairn-bench COMMAND --help says more about a command.");
-    app.require_subcommand(0, 1);
     CLI::App* list = app.add_subcommand("list", "name the scenes");
     CLI::App* run = app.add_subcommand("run", "measure scenes");
     run->add_option("SCENE", texts.scenes, "scenes of the list, or \"all\"")->required();
@@ -109,24 +108,13 @@ Result<CommandLine> parse_command_line(const std::vector<std::string>& arguments
     compare->add_option("SCENE", texts.scenes, "scenes that every engine can run (all of those)");
     add_options(*compare, texts, json);
 
-    std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());  // as CLI11 wants them
-    try {
-        app.parse(reversed);
-    } catch (const CLI::CallForHelp&) {
-        const std::vector<CLI::App*> chosen = app.get_subcommands();
-        help = (chosen.empty() ? &app : chosen.front())->help();
-        return CommandLine{};
-    } catch (const CLI::ParseError& error) {
-        return Error{std::string(error.what()) + "; see cairn-bench --help"};
-    }
+    const auto has_command = measure::read_arguments(app, arguments, help);
+    if (!has_command) return has_command.error();
+    if (!*has_command) return CommandLine{};
     if (list->parsed()) return CommandLine{.command = Command::List};
     if (run->parsed()) return read(Command::Run, texts, json);
-    if (compare->parsed()) {
-        if (texts.scenes.empty()) texts.scenes = {"all"};
-        return read(Command::Compare, texts, json);
-    }
-    help = app.help();
-    return CommandLine{};
+    if (texts.scenes.empty()) texts.scenes = {"all"};
+    return read(Command::Compare, texts, json);
 }
 
 }  // namespace cairn::bench

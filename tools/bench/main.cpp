@@ -4,7 +4,7 @@
 
 #include "command_line.h"
 #include "measure.h"
-#include "output.h"
+#include "program.h"
 #include "report.h"
 
 namespace {
@@ -12,10 +12,7 @@ namespace {
 using namespace cairn::bench;
 using cairn::measure::Output;
 
-int fail(const std::string& message) {
-    std::fprintf(stderr, "cairn-bench: error: %s\n", message.c_str());
-    return 1;
-}
+constexpr cairn::measure::Program kProgram("cairn-bench");
 
 /// Keeps the faster one.
 void keep_best(Measurement& best, Measurement next, bool first) {
@@ -29,8 +26,8 @@ int run(const CommandLine& line, Output& output) {
             Measurement next =
                 measure(*line.scenes[i], cairn::measure::make_cairn, line.threads, line.most_steps);
             if (round > 0 && next.state_hash != best[i].state_hash) {
-                return fail("scene " + line.scenes[i]->name +
-                            " ended in another state than in the run before");
+                return kProgram.fail("scene " + line.scenes[i]->name +
+                                     " ended in another state than in the run before");
             }
             keep_best(best[i], std::move(next), round == 0);
         }
@@ -44,11 +41,7 @@ int run(const CommandLine& line, Output& output) {
 }
 
 int compare(const CommandLine& line, Output& output) {
-    std::vector<cairn::measure::EngineKind> engines{{"cairn", cairn::measure::make_cairn}};
-    engines.insert(engines.end(), cairn::measure::peers().begin(), cairn::measure::peers().end());
-    for (const std::string_view absent : cairn::measure::absent_peers()) {
-        output.row("left out, as it was not installed when this program was built: " + std::string(absent));
-    }
+    const std::vector<cairn::measure::EngineKind> engines = cairn::measure::engines(true, output);
     output.row(compare_table_head());
     for (const Scene* scene : line.scenes) {
         std::vector<Measurement> best(engines.size());
@@ -67,22 +60,19 @@ int compare(const CommandLine& line, Output& output) {
     return 0;
 }
 
-int list() {
+void list() {
     for (const Scene& scene : all_scenes()) {
         std::printf("%-14s %6d steps  %s\n", scene.name.c_str(), scene.steps, scene.summary.c_str());
     }
-    return 0;
 }
 
 int execute(const CommandLine& line) {
     if (const auto forced = cairn::physics::force_simd_level(line.simd); !forced) {
-        return fail(forced.error().message);
+        return kProgram.fail(forced.error().message);
     }
-    Output output(line.json);
-    if (output.failed()) return fail("cannot write to " + line.json);
-    const int status = line.command == Command::Run ? run(line, output) : compare(line, output);
-    if (!output.finish()) return fail("cannot write to " + line.json);
-    return status;
+    return kProgram.with_output(line.json, [&](Output& output) {
+        return line.command == Command::Run ? run(line, output) : compare(line, output);
+    });
 }
 
 }  // namespace
@@ -90,7 +80,8 @@ int execute(const CommandLine& line) {
 int main(int argc, char** argv) {
     std::string help;
     const auto line = parse_command_line({argv + 1, argv + argc}, help);
-    if (!line) return fail(line.error().message);
+    if (!line) return kProgram.fail(line.error().message);
+    int status = 0;
     switch (line->command) {
         case Command::Help:
             std::fputs(help.c_str(), stdout);
@@ -100,10 +91,8 @@ int main(int argc, char** argv) {
             break;
         case Command::Run:
         case Command::Compare:
-            if (const int status = execute(*line); status != 0) return status;
+            status = execute(*line);
             break;
     }
-    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
-        return fail("standard output cannot be written");
-    return 0;
+    return kProgram.end(status);
 }

@@ -12,6 +12,10 @@ namespace cairn::bench {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+using measure::allocations;
+using measure::live_bytes;
+using measure::peak_bytes;
+using measure::restart_peak;
 using physics::Profile;
 using physics::Vec2;
 using physics::World;

@@ -4,6 +4,10 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
+#include "determinism/proof.h"
+#include "program.h"
+#include "text.h"
+
 namespace cairn::lab {
 namespace {
 
@@ -13,6 +17,9 @@ using physics::Result;
 struct Texts {
     std::vector<std::string> cases;
     std::vector<std::string> problems;
+    std::vector<std::string> scenes;
+    std::string steps = "0";
+    std::string nudge = "-1";
 };
 
 const std::string& key(const Case& test) {
@@ -20,6 +27,9 @@ const std::string& key(const Case& test) {
 }
 const std::string& key(const Problem& problem) {
     return problem.name;
+}
+const std::string& key(const bench::Scene& scene) {
+    return scene.name;
 }
 
 /// Those that were named, in that order and each once; all when none was.
@@ -47,10 +57,10 @@ Result<std::vector<const Thing*>> chosen_of(std::span<const Thing> all, const st
 Result<CommandLine> parse_command_line(const std::vector<std::string>& arguments, std::string& help) {
     Texts texts;
     CommandLine line;
-    CLI::App app("Examines Cairn's physics: what it withstands, and how accurate it is.", "cairn-lab");
-    app.footer("cairn-lab COMMAND --help says more about a command.");
-    app.require_subcommand(0, 1);
-    CLI::App* list = app.add_subcommand("list", "name the cases and problems");
+    CLI::App app(
+        "Examines Cairn's physics: what it withstands, how accurate it is, and whether runs are the same.",
+        "cairn-lab");
+    CLI::App* list = app.add_subcommand("list", "name the cases, problems and scenes");
     CLI::App* torture = app.add_subcommand("torture", "run the cases that are hard on an engine");
     torture->add_option("--case", texts.cases, "a case of the list; may be given again (all)")
         ->type_name("N");
@@ -59,22 +69,28 @@ Result<CommandLine> parse_command_line(const std::vector<std::string>& arguments
         ->type_name("NAME");
     accuracy->add_option("--plot", line.plot, "draw plots into DIR, as SVG")->type_name("DIR");
     accuracy->add_flag("--quick", line.quick, "fewer settings, runs and starts");
-    for (CLI::App* command : {torture, accuracy}) {
+    for (CLI::App* command : {torture, accuracy})
         command->add_flag("--peers", line.peers, "other engines too");
+    CLI::App* determinism = app.add_subcommand(
+        "determinism", "run scenes with all threads and SIMD levels, and compare every step");
+    determinism->add_option("--scene", texts.scenes, "a scene of the list; may be given again (all)")
+        ->type_name("NAME");
+    determinism->add_option("--steps", texts.steps, "cut scenes short after N steps (0: do not)")
+        ->type_name("N");
+    determinism->add_flag("--quick", line.quick,
+                          "fewer settings, and 10 steps unless --steps says otherwise");
+    determinism
+        ->add_option("--nudge", texts.nudge,
+                     "push a body a little before step N of the last setting, which must be found (-1: no)")
+        ->type_name("N");
+    for (CLI::App* command : {torture, accuracy, determinism}) {
         command->add_option("--json", line.json, "one object a line to FILE, or to standard output")
             ->type_name("FILE|-");
     }
 
-    std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());  // as CLI11 wants them
-    try {
-        app.parse(reversed);
-    } catch (const CLI::CallForHelp&) {
-        const std::vector<CLI::App*> chosen = app.get_subcommands();
-        help = (chosen.empty() ? &app : chosen.front())->help();
-        return CommandLine{};
-    } catch (const CLI::ParseError& error) {
-        return Error{std::string(error.what()) + "; see cairn-lab --help"};
-    }
+    const auto has_command = measure::read_arguments(app, arguments, help);
+    if (!has_command) return has_command.error();
+    if (!*has_command) return CommandLine{};
     if (list->parsed()) {
         line.command = Command::List;
         return line;
@@ -93,7 +109,16 @@ Result<CommandLine> parse_command_line(const std::vector<std::string>& arguments
         line.problems = *std::move(problems);
         return line;
     }
-    help = app.help();
+    line.command = Command::Determinism;
+    auto scenes = chosen_of(std::span(determinism_scenes()), texts.scenes, "scene");
+    if (!scenes) return scenes.error();
+    line.scenes = *std::move(scenes);
+    const auto steps = measure::number_of("--steps", texts.steps, 0, 1000000);
+    if (!steps) return steps.error();
+    line.steps = *steps;
+    const auto nudge = measure::number_of("--nudge", texts.nudge, -1, 1000000);
+    if (!nudge) return nudge.error();
+    line.nudged_step = *nudge;
     return line;
 }
 

@@ -7,16 +7,20 @@
 #include <cairn/physics/result.h>
 
 #include "accuracy/problem.h"
+#include "scene.h"
 #include "torture/case.h"
 
 namespace cairn::lab {
 
-enum class Command { Help, List, Torture, Accuracy };
+enum class Command { Help, List, Torture, Accuracy, Determinism };
 
 struct CommandLine {
     Command command = Command::Help;
     std::vector<const Case*> cases;
     std::vector<const Problem*> problems;
+    std::vector<const bench::Scene*> scenes;
+    int steps = 0;         ///< of scenes, at most; 0: as many as they have
+    int nudged_step = -1;  ///< before which a body is nudged, to see whether it is noticed; -1: never
     bool peers = false;
     bool quick = false;
     std::string plot;  ///< a folder for plots, or nothing

@@ -6,31 +6,21 @@
 
 #include "accuracy/summary.h"
 #include "command_line.h"
-#include "output.h"
+#include "determinism/proof.h"
+#include "program.h"
 #include "text.h"
 #include "torture/report.h"
 
 namespace {
 
 using namespace cairn::lab;
+using cairn::measure::engines;
 using cairn::measure::format;
 using cairn::measure::Output;
 
-int fail(const std::string& message) {
-    std::fprintf(stderr, "cairn-lab: error: %s\n", message.c_str());
-    return 1;
-}
+constexpr cairn::measure::Program kProgram("cairn-lab");
 
-std::vector<EngineKind> engines(bool with_peers, Output& output) {
-    std::vector<EngineKind> kinds{cairn::measure::cairn()};
-    if (!with_peers) return kinds;
-    const auto peers = cairn::measure::peers();
-    kinds.insert(kinds.end(), peers.begin(), peers.end());
-    for (const std::string_view absent : cairn::measure::absent_peers()) {
-        output.row("left out, as it was not installed when this program was built: " + std::string(absent));
-    }
-    return kinds;
-}
+constexpr int kQuickSteps = 10;
 
 /// 1 when Cairn failed a case.
 int torture(const CommandLine& line, Output& output) {
@@ -64,7 +54,7 @@ int accuracy(const CommandLine& line, Output& output) {
     if (!line.plot.empty()) {
         std::error_code error;
         std::filesystem::create_directories(line.plot, error);
-        if (error) return fail("cannot make the folder " + line.plot + ": " + error.message());
+        if (error) return kProgram.fail("cannot make the folder " + line.plot + ": " + error.message());
     }
     const std::vector<EngineKind> kinds = engines(line.peers, output);
     const int samples = line.quick ? 5 : 20;
@@ -81,7 +71,7 @@ int accuracy(const CommandLine& line, Output& output) {
                 best += first_is_best(summaries) ? 1 : 0;
             }
             if (!line.plot.empty() && !write_plot(line.plot, *problem, metric, points)) {
-                return fail("cannot write plots to " + line.plot);
+                return kProgram.fail("cannot write plots to " + line.plot);
             }
         }
     }
@@ -93,6 +83,22 @@ int accuracy(const CommandLine& line, Output& output) {
     return 0;
 }
 
+int determinism(const CommandLine& line, Output& output) {
+    const std::vector<RunSetting> settings = determinism_settings(line.quick);
+    const int most_steps = line.steps > 0 ? line.steps : line.quick ? kQuickSteps : 0;
+    std::size_t held = 0;
+    output.row(determinism_head());
+    for (const cairn::bench::Scene* scene : line.scenes) {
+        const Proof proof = prove(*scene, settings, most_steps, line.nudged_step);
+        if (proof.holds()) ++held;
+        for (const std::string& text : determinism_lines(proof)) output.line(text);
+        for (const std::string& row : determinism_rows(proof)) output.row(row);
+    }
+    output.row(format("%zu of %zu scenes are the same to the last bit in %zu settings", held,
+                      line.scenes.size(), settings.size()));
+    return held == line.scenes.size() ? 0 : 1;
+}
+
 void list() {
     for (const Case& test : all_cases())
         std::printf("torture  %4s  %s\n", test.number.c_str(), test.name.c_str());
@@ -101,14 +107,25 @@ void list() {
         for (const Metric& metric : problem.metrics) metrics += (metrics.empty() ? "" : ", ") + metric.name;
         std::printf("accuracy %4d  %s: %s\n", problem.number, problem.name.c_str(), metrics.c_str());
     }
+    for (const cairn::bench::Scene& scene : determinism_scenes())
+        std::printf("determinism  %s: %s\n", scene.name.c_str(), scene.summary.c_str());
 }
 
-int execute(const CommandLine& line) {
-    Output output(line.json);
-    if (output.failed()) return fail("cannot write to " + line.json);
-    const int status = line.command == Command::Torture ? torture(line, output) : accuracy(line, output);
-    if (!output.finish()) return fail("cannot write to " + line.json);
-    return status;
+int execute(const CommandLine& line, Output& output) {
+    switch (line.command) {
+        case Command::Help:
+            return 0;
+        case Command::List:
+            list();
+            return 0;
+        case Command::Torture:
+            return torture(line, output);
+        case Command::Accuracy:
+            return accuracy(line, output);
+        case Command::Determinism:
+            return determinism(line, output);
+    }
+    return 0;
 }
 
 }  // namespace
@@ -116,20 +133,8 @@ int execute(const CommandLine& line) {
 int main(int argc, char** argv) {
     std::string help;
     const auto line = parse_command_line({argv + 1, argv + argc}, help);
-    if (!line) return fail(line.error().message);
-    switch (line->command) {
-        case Command::Help:
-            std::fputs(help.c_str(), stdout);
-            break;
-        case Command::List:
-            list();
-            break;
-        case Command::Torture:
-        case Command::Accuracy:
-            if (const int status = execute(*line); status != 0) return status;
-            break;
-    }
-    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
-        return fail("standard output cannot be written");
-    return 0;
+    if (!line) return kProgram.fail(line.error().message);
+    std::fputs(help.c_str(), stdout);
+    return kProgram.end(
+        kProgram.with_output(line->json, [&](Output& output) { return execute(*line, output); }));
 }

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-namespace cairn::bench {
+namespace cairn::measure {
 
 std::int64_t allocations();  ///< calls of operator new so far
 std::int64_t live_bytes();
@@ -12,4 +12,4 @@ std::int64_t live_bytes();
 std::int64_t peak_bytes();
 void restart_peak();
 
-}  // namespace cairn::bench
+}  // namespace cairn::measure

@@ -5,7 +5,7 @@
 #include <cairn/physics/math.h>
 
 #include "scene.h"
-#include "scenes/trough.h"
+#include "trough.h"
 
 namespace cairn::bench {
 

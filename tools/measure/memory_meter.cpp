@@ -98,7 +98,7 @@ void operator delete[](void* memory, const std::nothrow_t&) noexcept {
     release(memory);
 }
 
-namespace cairn::bench {
+namespace cairn::measure {
 
 std::int64_t allocations() {
     return allocated.load(std::memory_order_relaxed);
@@ -113,4 +113,4 @@ void restart_peak() {
     peak.store(live_bytes(), std::memory_order_relaxed);
 }
 
-}  // namespace cairn::bench
+}  // namespace cairn::measure

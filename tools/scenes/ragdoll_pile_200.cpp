@@ -1,7 +1,7 @@
 // 200 ragdolls fall into a trough and lie on each other.
+#include "ragdoll.h"
 #include "scene.h"
-#include "scenes/ragdoll.h"
-#include "scenes/trough.h"
+#include "trough.h"
 
 namespace cairn::bench {
 

@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
+#include "ragdoll.h"
 #include "scene.h"
-#include "scenes/ragdoll.h"
 
 namespace cairn::bench {
 

@@ -1,5 +1,5 @@
 // Bones are capsules along y, pinned to their parents, with limits, a weak spring and a motor that brakes.
-#include "scenes/ragdoll.h"
+#include "ragdoll.h"
 
 #include <numbers>
 

@@ -2,7 +2,7 @@
 #include <array>
 
 #include "scene.h"
-#include "scenes/trough.h"
+#include "trough.h"
 
 namespace cairn::bench {
 
