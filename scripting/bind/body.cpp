@@ -5,6 +5,7 @@
 #include "bind/modules.h"
 #include "bind/physics_fields.h"
 #include "bind/physics_objects.h"
+#include "bind/world_queries.h"
 #include "lua/state.h"
 
 namespace cairn::scripting {
@@ -247,6 +248,9 @@ constexpr Function kFunctions[] = {
                                        "Changes the velocity at once."),
     function<&apply_angular_impulse>("apply_angular_impulse", "impulse [N m s]", "",
                                      "Changes the angular velocity at once."),
+    function<&apply_wind_to_body>(
+        "apply_wind", "fields, dt [s]", "",
+        "Of moving air, or water, during the next step, which takes dt; wakes the body.", &kWindFields),
     function<&mass>("mass", "", "mass [kg]", "0 unless dynamic."),
     function<&inertia>("inertia", "", "inertia [kg m^2]", "About the centre of mass; 0 unless dynamic."),
     function<&linear_damping>("linear_damping", "", "damping [1/s]", ""),

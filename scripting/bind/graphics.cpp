@@ -351,11 +351,13 @@ constexpr Function kFunctions[] = {
     function<&arc>("arc", "mode, x, y, radius, from [rad], to [rad]", "",
                    "\"fill\" draws the slice of a disc between two angles, \"line\" the arc alone."),
     function<&capsule>("capsule", "mode, x1, y1, x2, y2, radius", "", ""),
-    function<&polygon>("polygon", "mode, points", "", "Convex; points = { x1, y1, x2, y2, ... }."),
-    function<&line>(
-        "line", "points", "",
-        "Through all points: `line{ x1, y1, x2, y2, ... }`, or the numbers as arguments, `line(x1, y1, x2, "
-        "y2, ...)`."),
+    function<&polygon>("polygon", "mode, points", "",
+                       "Through points = { x1, y1, x2, y2, ... } or { {x1, y1}, {x2, y2}, ... }; with "
+                       "\"fill\" it must be convex."),
+    function<&line>("line", "points", "",
+                    "Through all points: `line{ x1, y1, x2, y2, ... }`, `line{ {x1, y1}, {x2, y2}, ... }`, "
+                    "or the numbers as "
+                    "arguments, `line(x1, y1, x2, y2, ...)`."),
     function<&mesh>("mesh", "vertices, image = nil", "",
                     "Triangles without smooth edges: three vertices each, { x, y, r, g, b, a, ... }, with an "
                     "image { x, y, "

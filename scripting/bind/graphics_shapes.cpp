@@ -33,6 +33,23 @@ void read_numbers(lua_State* L, int table, std::vector<float>& out) {
     }
 }
 
+/// Appends the numbers of a list of points: x1, y1, x2, y2, ... or {x1, y1}, {x2, y2}, ..., as the physics
+/// has it.
+void read_points(lua_State* L, int table, std::vector<float>& out) {
+    const bool is_of_pairs = lua_rawgeti(L, table, 1) == LUA_TTABLE;
+    lua_pop(L, 1);
+    if (!is_of_pairs) return read_numbers(L, table, out);
+    const auto count = static_cast<lua_Integer>(lua_rawlen(L, table));
+    for (lua_Integer i = 1; i <= count; ++i) {
+        if (lua_rawgeti(L, table, i) != LUA_TTABLE || lua_rawlen(L, -1) != 2) {
+            call_error(L, "the list's member " + std::to_string(i) + " is " + describe_value(L, -1) +
+                              "; expected {x, y}");
+        }
+        read_numbers(L, lua_gettop(L), out);
+        lua_pop(L, 1);
+    }
+}
+
 std::vector<Vec2> to_points(lua_State* L, const std::vector<float>& numbers, std::size_t least) {
     if (numbers.size() % 2 != 0) {
         call_error(L, "got " + std::to_string(numbers.size()) +
@@ -68,7 +85,7 @@ std::vector<Vec2> rounded_rectangle(float x, float y, float width, float height,
 
 std::vector<Vec2> read_point_list(lua_State* L, TableArgument list, std::size_t least) {
     std::vector<float> numbers;
-    read_numbers(L, list.index, numbers);
+    read_points(L, list.index, numbers);
     return to_points(L, numbers, least);
 }
 
@@ -126,7 +143,7 @@ void line(lua_State* L, AnyArgument points) {
     Context& context = drawing_context(L);
     std::vector<float> numbers;
     if (lua_istable(L, points.index)) {
-        read_numbers(L, points.index, numbers);
+        read_points(L, points.index, numbers);
     } else {
         const int count = std::max(lua_gettop(L), points.index);
         for (int i = points.index; i <= count; ++i) {

@@ -225,7 +225,8 @@ TiledImport read_import(lua_State* L, const std::optional<TableArgument>& fields
 
 Pushed load(lua_State* L, std::string_view path, std::optional<TableArgument> fields) {
     const TiledImport import = read_import(L, fields);
-    if (!context_of(L).services.files.exists(path))
+    const auto kind = context_of(L).services.files.kind(path);
+    if (!kind || *kind != engine::FileKind::File)
         call_error(L, "path is \"" + std::string(path) + "\": there is no such file");
     LevelReading reading = read_and_try(L, std::string(path), import);
     if (!reading.faults.empty()) raise_faults(L, reading.faults);

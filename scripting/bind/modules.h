@@ -15,6 +15,7 @@ extern const Module kBodyMethods;
 extern const Module kShapeMethods;
 extern const Module kChainMethods;
 extern const Module kJointMethods;
+extern const Module kMoverMethods;
 extern const Module kPrefabModule;  // cairn.prefab
 extern const Module kPrefabMethods;
 extern const Module kCameraModule;  // cairn.camera
@@ -63,7 +64,8 @@ int finalize_particles(lua_State* L);
 int finalize_tile_map(lua_State* L);
 int finalize_ui(lua_State* L);
 int finalize_text(lua_State* L);
-/// Frees what a Level holds.
+/// Frees what a Mover or a Level holds.
+int finalize_mover(lua_State* L);
 int finalize_level(lua_State* L);
 
 /// Adds `cairn.random.visual` to the table on top of the stack, and makes math.random use the gameplay

@@ -309,6 +309,10 @@ ShapePlace read_shape_place(const FieldReader& reader) {
     return {{reader.real(kX), reader.real(kY)}, reader.number(kAngle)};
 }
 
+BodyPlace read_body_place(const FieldReader& reader) {
+    return {{reader.number(kX), reader.number(kY)}, reader.number(kAngle)};
+}
+
 void read_geometry(lua_State* L, const FieldReader& reader, GeometryKind kind, const ShapePlace& place,
                    OwnedGeometry& out) {
     const physics::Rotation q = physics::Rotation::from_angle(place.angle_rad);

@@ -74,6 +74,13 @@ struct ShapePlace {
 };
 ShapePlace read_shape_place(const FieldReader& reader);
 
+/// The same in the world.
+struct BodyPlace {
+    physics::Position position_m;
+    double angle_rad = 0;
+};
+BodyPlace read_body_place(const FieldReader& reader);
+
 /// A geometry together with the points that a polygon borrows.
 struct OwnedGeometry {
     std::vector<physics::Vec2> points_m;

@@ -8,9 +8,11 @@
 #include "bind/fracture.h"
 #include "bind/joint_fields.h"
 #include "bind/modules.h"
+#include "bind/mover.h"
 #include "bind/physics_fields.h"
 #include "bind/physics_objects.h"
 #include "bind/report.h"
+#include "bind/world_queries.h"
 #include "lua/state.h"
 
 namespace cairn::scripting {
@@ -48,12 +50,15 @@ Pushed new_world(lua_State* L, std::optional<TableArgument> description) {
 constexpr std::array<std::string_view, 1> kReturnsWorld = {"World"};
 constexpr std::array<std::string_view, 1> kReturnsBody = {"Body"};
 constexpr std::array<std::string_view, 2> kReturnsBodyAndChain = {"Body", "Chain"};
+constexpr std::array<std::string_view, 1> kReturnsMover = {"Mover"};
 constexpr std::array<std::string_view, 1> kReturnsJoint = {"Joint"};
 constexpr std::array<std::string_view, 1> kReturnsTable = {"table"};
 
 constexpr Function kPhysicsFunctions[] = {
     function_pushing<&new_world>("new_world", "fields = {}", "world", kReturnsWorld,
                                  "Makes an empty world. It lives until `world:destroy()`.", &kWorldFields),
+    function_pushing<&new_mover>("new_mover", "fields = {}", "mover", kReturnsMover,
+                                 "Makes a character that walks.", &kMoverFields),
 };
 
 // ---- World
@@ -230,6 +235,10 @@ constexpr std::array<std::string_view, 1> kReturnsBodyBreakIterator = {
 constexpr std::array<std::string_view, 1> kReturnsSensorIterator = {
     "fun(): string, Body, Body, Shape, Shape"};
 constexpr std::array<std::string_view, 2> kReturnsBodyAndShape = {"Body?", "Shape?"};
+constexpr std::array<std::string_view, 8> kReturnsShapeHit = {"Body?",  "number", "number", "number",
+                                                              "number", "number", "number", "Shape"};
+constexpr std::array<std::string_view, 7> kReturnsClosest = {"Body?",  "number", "number", "number",
+                                                             "number", "number", "Shape"};
 constexpr std::array<std::string_view, 6> kReturnsRayHit = {"Body?",  "number", "number",
                                                             "number", "number", "number"};
 
@@ -352,6 +361,57 @@ constexpr Function kWorldFunctions[] = {
         "The first shape that the ray meets from outside: its body, the point, the normal out "
         "of the shape and the share of the ray's length; nil when it meets none. Only shapes "
         "with a category in `mask` are seen."),
+    function_pushing<&cast_ray_all>(
+        "cast_ray_all", "x1 [m], y1 [m], x2 [m], y2 [m], mask = -1, ignored = nil", "hits", kReturnsTable,
+        "All shapes that the ray meets, in its order: tables with body, shape, x, y, nx, ny, fraction. "
+        "`ignored` "
+        "is a body that is not seen."),
+    function_pushing<&cast_shape>("cast_shape", "shape, dx [m], dy [m], mask = -1, ignored = nil",
+                                  "body, x [m], y [m], nx, ny, fraction, overlap [m], shape",
+                                  kReturnsShapeHit,
+                                  "The first shape met by one that moves without turning: `{ shape = "
+                                  "\"circle\", radius = 1, x = 0, y = 2 "
+                                  "}`, with the fields of `world:add_circle` and its like, and `x`, `y`, "
+                                  "`angle` where it starts. What it "
+                                  "overlaps there is met at fraction 0. nil when it meets none."),
+    function_pushing<&cast_shape_all>(
+        "cast_shape_all", "shape, dx [m], dy [m], mask = -1, ignored = nil", "hits", kReturnsTable,
+        "All shapes met: tables with body, shape, x, y, nx, ny, fraction, overlap."),
+    function_pushing<&shapes_overlapping>(
+        "shapes_overlapping", "shape, mask = -1, ignored = nil", "shapes", kReturnsTable,
+        "A new list of the shapes that a shape, described as for cast_shape, "
+        "touches or overlaps."),
+    function_pushing<&shapes_in_box>(
+        "shapes_in_box", "x1 [m], y1 [m], x2 [m], y2 [m], mask = -1, ignored = nil", "shapes", kReturnsTable,
+        "A new list of the shapes that touch or overlap a box between two corners."),
+    function_pushing<&closest_point>("closest_point", "x [m], y [m], radius [m], mask = -1, ignored = nil",
+                                     "body, x [m], y [m], nx, ny, distance [m], shape", kReturnsClosest,
+                                     "The nearest surface within a radius; inside shapes the distance is "
+                                     "negative. nil when there is none."),
+    function_pushing<&closest_points>(
+        "closest_points", "x [m], y [m], radius [m], mask = -1, ignored = nil", "points", kReturnsTable,
+        "The nearest point of each shape within a radius: tables with body, shape, x, "
+        "y, nx, ny, distance."),
+    function_pushing<&collision_planes>("collision_planes", "shape, reach [m], mask = -1, ignored = nil",
+                                        "planes", kReturnsTable,
+                                        "What limits a shape, described as for cast_shape: a line for each "
+                                        "shape within reach, as tables with "
+                                        "body, shape, x, y, nx, ny, separation, dynamic. For characters of "
+                                        "your own; see cairn.physics.new_mover."),
+    function<&explode>(
+        "explode", "fields", "",
+        "Pushes the dynamic bodies around a point, as a pressure on the outline that faces it.",
+        &kExplosionFields),
+    function<&apply_wind>(
+        "apply_wind", "fields, dt [s]", "",
+        "Of moving air on all dynamic bodies that are awake, during the next step, which takes "
+        "dt.",
+        &kWindFields),
+    function<&set_material_rule>("set_material_rule", "kind_a, kind_b, fields", "",
+                                 "How materials of two kinds (`material_kind` of shapes) mix.",
+                                 &kMaterialRuleFields),
+    function_pushing<&material_rule>("material_rule", "kind_a, kind_b", "rule", kReturnsTable,
+                                     "A new table with the fields that `set_material_rule` takes."),
     function<&gravity>("gravity", "", "x [m/s^2], y [m/s^2]", ""),
     function<&set_gravity>("set_gravity", "x [m/s^2], y [m/s^2]", "", "Wakes every body."),
     function<&body_count>("body_count", "", "count", ""),

@@ -39,6 +39,22 @@ cairn.physics = {}
 ---@return World world
 function cairn.physics.new_world(fields) end
 
+---@class cairn.physics.new_mover.Fields
+---@field x? number m; of the feet
+---@field y? number m
+---@field height? number m, of the capsule, from its feet up
+---@field radius? number m; less than half the height
+---@field up_x? number a direction of any length
+---@field up_y? number
+---@field max_slope? number rad; steeper ground is a wall; up to pi/2
+---@field step_height? number m; steps up to this are walked over
+---@field push_force? number N; at most, against dynamic bodies in the way
+
+---Makes a character that walks.
+---@param fields cairn.physics.new_mover.Fields?
+---@return Mover mover
+function cairn.physics.new_mover(fields) end
+
 ---@class World
 local World = {}
 
@@ -611,6 +627,134 @@ function World:body_at(x, y) end
 ---@return number fraction
 function World:cast_ray(x1, y1, x2, y2, mask) end
 
+---All shapes that the ray meets, in its order: tables with body, shape, x, y, nx, ny, fraction. `ignored` is a body that is not seen.
+---@param x1 number [m]
+---@param y1 number [m]
+---@param x2 number [m]
+---@param y2 number [m]
+---@param mask integer?
+---@param ignored Body?
+---@return table hits
+function World:cast_ray_all(x1, y1, x2, y2, mask, ignored) end
+
+---The first shape met by one that moves without turning: `{ shape = "circle", radius = 1, x = 0, y = 2 }`, with the fields of `world:add_circle` and its like, and `x`, `y`, `angle` where it starts. What it overlaps there is met at fraction 0. nil when it meets none.
+---@param shape table
+---@param dx number [m]
+---@param dy number [m]
+---@param mask integer?
+---@param ignored Body?
+---@return Body? body
+---@return number x [m]
+---@return number y [m]
+---@return number nx
+---@return number ny
+---@return number fraction
+---@return number overlap [m]
+---@return Shape shape
+function World:cast_shape(shape, dx, dy, mask, ignored) end
+
+---All shapes met: tables with body, shape, x, y, nx, ny, fraction, overlap.
+---@param shape table
+---@param dx number [m]
+---@param dy number [m]
+---@param mask integer?
+---@param ignored Body?
+---@return table hits
+function World:cast_shape_all(shape, dx, dy, mask, ignored) end
+
+---A new list of the shapes that a shape, described as for cast_shape, touches or overlaps.
+---@param shape table
+---@param mask integer?
+---@param ignored Body?
+---@return table shapes
+function World:shapes_overlapping(shape, mask, ignored) end
+
+---A new list of the shapes that touch or overlap a box between two corners.
+---@param x1 number [m]
+---@param y1 number [m]
+---@param x2 number [m]
+---@param y2 number [m]
+---@param mask integer?
+---@param ignored Body?
+---@return table shapes
+function World:shapes_in_box(x1, y1, x2, y2, mask, ignored) end
+
+---The nearest surface within a radius; inside shapes the distance is negative. nil when there is none.
+---@param x number [m]
+---@param y number [m]
+---@param radius number [m]
+---@param mask integer?
+---@param ignored Body?
+---@return Body? body
+---@return number x [m]
+---@return number y [m]
+---@return number nx
+---@return number ny
+---@return number distance [m]
+---@return Shape shape
+function World:closest_point(x, y, radius, mask, ignored) end
+
+---The nearest point of each shape within a radius: tables with body, shape, x, y, nx, ny, distance.
+---@param x number [m]
+---@param y number [m]
+---@param radius number [m]
+---@param mask integer?
+---@param ignored Body?
+---@return table points
+function World:closest_points(x, y, radius, mask, ignored) end
+
+---What limits a shape, described as for cast_shape: a line for each shape within reach, as tables with body, shape, x, y, nx, ny, separation, dynamic. For characters of your own; see cairn.physics.new_mover.
+---@param shape table
+---@param reach number [m]
+---@param mask integer?
+---@param ignored Body?
+---@return table planes
+function World:collision_planes(shape, reach, mask, ignored) end
+
+---@class World.explode.Fields
+---@field x? number m
+---@field y? number m
+---@field radius? number m; full strength up to here
+---@field falloff? number m; from there on it fades to nothing over this distance
+---@field impulse? number N s per metre of outline that faces the point; negative: inward
+---@field shelter? integer bit set: shapes of these categories keep it from what lies behind them
+---@field mask? integer bit set: the categories that are met
+
+---Pushes the dynamic bodies around a point, as a pressure on the outline that faces it.
+---@param fields World.explode.Fields
+function World:explode(fields) end
+
+---@class World.apply_wind.Fields
+---@field velocity_x? number m/s, of the air; (0, 0) slows bodies down
+---@field velocity_y? number m/s
+---@field density? number kg/m^2, of the air
+---@field drag? number 1 suits most shapes
+---@field lift? number 1 suits flat plates
+---@field mask? integer bit set: the categories that are met
+
+---Of moving air on all dynamic bodies that are awake, during the next step, which takes dt.
+---@param fields World.apply_wind.Fields
+---@param dt number [s]
+function World:apply_wind(fields, dt) end
+
+---@class World.set_material_rule.Fields
+---@field friction? string how the two values mix
+---@field fixed_friction? number with "fixed"
+---@field restitution? string how the two values mix
+---@field fixed_restitution? number with "fixed"
+
+---How materials of two kinds (`material_kind` of shapes) mix.
+---@param kind_a integer
+---@param kind_b integer
+---@param fields World.set_material_rule.Fields
+function World:set_material_rule(kind_a, kind_b, fields) end
+
+---A new table with the fields that `set_material_rule` takes.
+---@param kind_a integer
+---@param kind_b integer
+---@return table rule
+function World:material_rule(kind_a, kind_b) end
+
 ---@return number x [m/s^2]
 ---@return number y [m/s^2]
 function World:gravity() end
@@ -771,6 +915,19 @@ function Body:apply_impulse_to_center(ix, iy) end
 ---Changes the angular velocity at once.
 ---@param impulse number [N m s]
 function Body:apply_angular_impulse(impulse) end
+
+---@class Body.apply_wind.Fields
+---@field velocity_x? number m/s, of the air; (0, 0) slows bodies down
+---@field velocity_y? number m/s
+---@field density? number kg/m^2, of the air
+---@field drag? number 1 suits most shapes
+---@field lift? number 1 suits flat plates
+---@field mask? integer bit set: the categories that are met
+
+---Of moving air, or water, during the next step, which takes dt; wakes the body.
+---@param fields Body.apply_wind.Fields
+---@param dt number [s]
+function Body:apply_wind(fields, dt) end
 
 ---0 unless dynamic.
 ---@return number mass [kg]
@@ -1316,6 +1473,47 @@ function Joint:destroy() end
 ---Whether the joint was not destroyed; it goes with either of its bodies.
 ---@return boolean valid
 function Joint:is_valid() end
+
+---@class Mover
+local Mover = {}
+
+---Goes on for a step at a velocity, slides along what it meets, walks over steps and down slopes, and pushes dynamic bodies. `ignored` is a body that it does not see.
+---@param world World
+---@param vx number [m/s]
+---@param vy number [m/s]
+---@param dt number [s]
+---@param mask integer?
+---@param ignored Body?
+function Mover:move(world, vx, vy, dt, mask, ignored) end
+
+---Somewhere else at once, standing on nothing.
+---@param x number [m]
+---@param y number [m]
+function Mover:teleport(x, y) end
+
+---Of its feet.
+---@return number x [m]
+---@return number y [m]
+function Mover:position() end
+
+---What is left of the wanted velocity; on the ground relative to it.
+---@return number x [m/s]
+---@return number y [m/s]
+function Mover:velocity() end
+
+---Whether it stands on something that is not too steep.
+---@return boolean grounded
+function Mover:is_grounded() end
+
+---(0, 0) in the air.
+---@return number x
+---@return number y
+function Mover:ground_normal() end
+
+---What it stands on; nil in the air.
+---@param world World
+---@return Body? body
+function Mover:ground_body(world) end
 
 cairn.prefab = {}
 
@@ -1901,12 +2099,12 @@ function cairn.graphics.arc(mode, x, y, radius, from, to) end
 ---@param radius number
 function cairn.graphics.capsule(mode, x1, y1, x2, y2, radius) end
 
----Convex; points = { x1, y1, x2, y2, ... }.
+---Through points = { x1, y1, x2, y2, ... } or { {x1, y1}, {x2, y2}, ... }; with "fill" it must be convex.
 ---@param mode string
 ---@param points table
 function cairn.graphics.polygon(mode, points) end
 
----Through all points: `line{ x1, y1, x2, y2, ... }`, or the numbers as arguments, `line(x1, y1, x2, y2, ...)`.
+---Through all points: `line{ x1, y1, x2, y2, ... }`, `line{ {x1, y1}, {x2, y2}, ... }`, or the numbers as arguments, `line(x1, y1, x2, y2, ...)`.
 ---@param points any
 function cairn.graphics.line(points) end
 

@@ -17,6 +17,9 @@ bool is_game_folder(const fs::path& folder) {
     return fs::is_regular_file(folder / "main.lua", ignored);
 }
 
+/// Where bundled games are, and the smaller ones among them.
+constexpr const char* kGameFolders[] = {"games", "games/examples"};
+
 fs::path own_folder(const std::string& program_path) {
     std::error_code failed;
     // argv[0] has no path when the shell found the program; Linux knows.
@@ -37,8 +40,10 @@ std::string data_folder(const std::string& program_path) {
 std::vector<std::string> bundled_games(const std::string& data_folder) {
     std::vector<std::string> names;
     std::error_code failed;
-    for (const auto& entry : fs::directory_iterator(fs::path(data_folder) / "games", failed)) {
-        if (is_game_folder(entry.path())) names.push_back(entry.path().filename().string());
+    for (const char* folder : kGameFolders) {
+        for (const auto& entry : fs::directory_iterator(fs::path(data_folder) / folder, failed)) {
+            if (is_game_folder(entry.path())) names.push_back(entry.path().filename().string());
+        }
     }
     std::sort(names.begin(), names.end());
     return names;
@@ -69,7 +74,9 @@ engine::Result<scripting::GameSource> locate_game(const std::string& game, const
     }
     const std::vector<std::string> names = bundled_games(data.string());
     if (std::find(names.begin(), names.end(), game) != names.end()) {
-        source.path = (data / "games" / game).string();
+        for (const char* folder : kGameFolders) {
+            if (is_game_folder(data / folder / game)) source.path = (data / folder / game).string();
+        }
         source.name = game;
         return source;
     }

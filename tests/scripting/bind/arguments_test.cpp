@@ -2,6 +2,7 @@
 // crash.
 #include <catch2/catch.hpp>
 
+#include "bind/fields.h"
 #include "bind/module.h"
 #include "scripting/support/lua_bench.h"
 
@@ -18,6 +19,7 @@ std::string receiver(const std::string& type) {
                "}, { -9, 0 "
                "} } })";
     }
+    if (type == "Mover") return "cairn.physics.new_mover{}";
     if (type == "Level") return "cairn.level.load('level.lua')";
     if (type == "Camera") return "cairn.camera.new{}";
     if (type == "Font") return "cairn.graphics.new_font(20)";
@@ -113,6 +115,219 @@ TEST_CASE("nonsense in any argument raises an error that names the binding, and 
                     CHECK(message.find("test.lua:1: " + name + ": the receiver is ") == 0);
                 }
             }
+        }
+    }
+}
+
+/// A world with one of each, for arguments that are fine.
+const char* const kGood = R"(
+    function make()
+    world = cairn.physics.new_world{}
+    body = world:add_box{ width = 1, height = 1 }
+    other = world:add_box{ x = 3, width = 1, height = 1 }
+    shape = body:shapes()[1]
+    joint = world:add_revolute_joint{ body_a = body, body_b = other, x = 1, y = 0 }
+    joint_2 = world:add_revolute_joint{ body_a = body, body_b = other, x = 2, y = 0 }
+    _, chain = world:add_chain{ points = { { 9, -3 }, { 0, -3 }, { -9, -3 } } }
+    prefab = cairn.prefab.rope(world, { x = 20, to_x = 22 })
+    image = cairn.graphics.new_image('pixel.png')
+    dead = world:add_circle{ radius = 1 }
+    dead:destroy()
+    end
+    make()
+)";
+
+/// One of each that kGood made, else a new one.
+std::string good_receiver(const std::string& type) {
+    if (type == "World" || type == "Body" || type == "Shape" || type == "Joint" || type == "Chain" ||
+        type == "Prefab")
+        return static_cast<char>(type[0] + ('a' - 'A')) + type.substr(1);
+    return receiver(type);
+}
+
+/// Makes kGood anew if a call destroyed some of it.
+const char* const kMend = R"(
+    if not (world:is_valid() and body:is_valid() and joint:is_valid() and chain:is_valid() and shape:is_valid()) then
+        if world:is_valid() then world:destroy() end
+        make()
+    end
+)";
+
+/// An expression that a parameter of a type takes.
+std::string good_value(std::string_view type) {
+    if (type.ends_with('?')) type.remove_suffix(1);
+    if (type == "number") return "1";
+    if (type == "integer") return "1";
+    if (type == "boolean") return "true";
+    if (type == "string") return "'text'";
+    if (type == "table") return "{}";
+    if (type == "function") return "print";
+    if (type == "World") return "world";
+    if (type == "Body") return "body";
+    if (type == "Shape") return "shape";
+    if (type == "Joint") return "joint";
+    if (type == "Image|Canvas|Quad") return "image";
+    return "nil";
+}
+
+/// An expression that a field of a described table takes.
+std::string good_field(const Field& field) {
+    const std::string_view name = field.name;
+    if (!field.choices.empty()) return "'" + words_of(field.choices).front() + "'";
+    switch (field.type) {
+        case FieldType::Number:
+            return name == "x2" || name == "to_x" ? "2" : "1";
+        case FieldType::Integer:
+            return "2";
+        case FieldType::Boolean:
+            return "true";
+        case FieldType::String:
+            return "'text'";
+        case FieldType::Table:
+            return "{ 1, 2 }";
+        case FieldType::Points:
+            return "{ { 0, 0 }, { 2, 0 }, { 1, 1 } }";
+        case FieldType::Function:
+            return "print";
+        case FieldType::Body:
+            return name == "body_b" ? "other" : "body";
+        case FieldType::Joint:
+            return name == "joint_2" ? "joint_2" : "joint";
+    }
+    return "nil";
+}
+
+const std::vector<std::string> kNonsense = {"nil",
+                                            "true",
+                                            "'text'",
+                                            "''",
+                                            "{}",
+                                            "{ 1, 'a' }",
+                                            "{ { 0/0, 1/0 } }",
+                                            "print",
+                                            "0/0",
+                                            "1/0",
+                                            "-1/0",
+                                            "-1",
+                                            "0",
+                                            "1e300",
+                                            "1e-300",
+                                            "0x7fffffffffffffff",
+                                            "math.mininteger",
+                                            "cairn.random.visual",
+                                            "world",
+                                            "body",
+                                            "shape",
+                                            "joint",
+                                            "dead",
+                                            "setmetatable({}, { __index = error, __len = error })"};
+
+TEST_CASE("one wrong argument among good ones raises an error that names the binding, and never crashes") {
+    for (const Module* module : all_modules()) {
+        const std::string type = module->name;
+        if (type == "cairn.test") continue;  // only there in tests of games
+        for (const Function& function : module->functions) {
+            const std::string name = type + (module->is_type ? ":" : ".") + function.name;
+            const std::size_t first = module->is_type ? 1 : 0;
+            const std::size_t count = function.parameter_types.size() - first;
+            if (count == 0) continue;
+            LuaBench bench(
+                GameFiles{{"pixel.png", kPixel},
+                          {"atlas.json", R"({"frames": {}, "meta": {"image": "pixel.png"}})"},
+                          {"level.lua", "{ bodies = { { name = 'a', shape = 'circle', radius = 1 } } }"},
+                          {"map.tmj", R"({"width": 1, "height": 1, "tilewidth": 1, "tileheight": 1})"}});
+            REQUIRE(bench.run(kGood) == "");
+            const std::string receiver_code = module->is_type ? good_receiver(type) : type;
+            for (std::size_t position = 0; position < count; ++position) {
+                for (const std::string& value : kNonsense) {
+                    std::string arguments;
+                    for (std::size_t i = 0; i < count; ++i) {
+                        arguments +=
+                            (i > 0 ? ", " : "") +
+                            (i == position ? value : good_value(function.parameter_types[first + i]));
+                    }
+                    const std::string call = "local r = " + receiver_code + " r" +
+                                             (module->is_type ? ":" : ".") + function.name + '(' + arguments +
+                                             ')';
+                    INFO(call);
+                    const std::string message = bench.run(call);
+                    INFO(message);
+                    // What a metamethod raises is the script's own.
+                    const bool is_own = value.starts_with("setmetatable") ||
+                                        message.find("bad argument #2 to 'error'") != std::string::npos;
+                    if (!message.empty() && !is_own) CHECK(message.find(name + ": ") != std::string::npos);
+                    REQUIRE(bench.run(kMend) == "");
+                }
+            }
+        }
+    }
+}
+
+TEST_CASE(
+    "one wrong field among good ones raises an error that names the field or its rule, and never crashes") {
+    for (const Module* module : all_modules()) {
+        for (const Function& function : module->functions) {
+            if (function.fields == nullptr || std::string(module->name) == "cairn.test") continue;
+            const std::string name =
+                std::string(module->name) + (module->is_type ? ":" : ".") + function.name;
+            const std::vector<const Field*> fields = all_fields(*function.fields);
+            LuaBench bench(
+                GameFiles{{"pixel.png", kPixel},
+                          {"level.lua", "{}"},
+                          {"map.tmj", R"({"width": 1, "height": 1, "tilewidth": 1, "tileheight": 1})"}});
+            for (const Field* field : fields) {
+                REQUIRE(bench.run(kGood) == "");
+                for (const std::string& value : kNonsense) {
+                    std::string table = "{ ";
+                    for (const Field* other : fields) {
+                        if (other->default_text != nullptr && other != field) continue;
+                        table += std::string(other->name) + " = " +
+                                 (other == field ? value : good_field(*other)) + ", ";
+                    }
+                    table += "}";
+                    std::string arguments;
+                    const std::size_t first = module->is_type ? 1 : 0;
+                    for (std::size_t i = first; i < function.parameter_types.size(); ++i) {
+                        const auto parameters = parse_parameters(function.parameters);
+                        const bool is_table = parameters[i - first].name == "fields";
+                        arguments += (i > first ? ", " : "") +
+                                     (is_table ? table : good_value(function.parameter_types[i]));
+                    }
+                    const std::string call =
+                        "local r = " +
+                        (module->is_type ? good_receiver(module->name) : std::string(module->name)) + " r" +
+                        (module->is_type ? ":" : ".") + function.name + '(' + arguments +
+                        ") if world:is_valid() then world:step(1 / 60) end";
+                    INFO(call);
+                    const std::string message = bench.run(call);
+                    INFO(message);
+                    const bool is_own = value.starts_with("setmetatable") ||
+                                        message.find("bad argument #2 to 'error'") != std::string::npos;
+                    if (!message.empty() && !is_own) CHECK(message.find(name + ": ") != std::string::npos);
+                    REQUIRE(bench.run(kMend) == "");
+                }
+                REQUIRE(bench.run("world:destroy()") == "");
+            }
+        }
+    }
+}
+
+TEST_CASE("too many arguments are no crash, and what was destroyed is an error in every method") {
+    for (const Module* module : all_modules()) {
+        const std::string type = module->name;
+        if (type != "World" && type != "Body" && type != "Shape" && type != "Joint" && type != "Chain" &&
+            type != "Prefab")
+            continue;
+        LuaBench bench;
+        REQUIRE(bench.run("receiver = " + receiver(type) + " receiver:destroy()") == "");
+        for (const Function& function : module->functions) {
+            const std::string_view method = function.name;
+            if (method == "is_valid" || (type == "Prefab")) continue;  // a prefab without parts is one still
+            const std::string message =
+                bench.run("receiver:" + std::string(method) + "(1, 2, 3, 4, 5, 6, 7, 8, 9, 10)");
+            INFO(type << ':' << method);
+            CHECK(message.find(type + ':' + std::string(method) + ": ") != std::string::npos);
+            CHECK(message.find("destroyed") != std::string::npos);
         }
     }
 }

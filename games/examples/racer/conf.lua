@@ -1,0 +1,5 @@
+return {
+    title = "Racer",
+    identity = "example-racer",
+    width = 1280, height = 720,
+}

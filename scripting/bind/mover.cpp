@@ -1,0 +1,125 @@
+// A character that walks: cairn.physics.new_mover and the methods of Mover.
+#include "bind/mover.h"
+
+#include <cairn/physics/mover.h>
+
+#include "bind/modules.h"
+#include "bind/world_queries.h"
+
+namespace cairn::scripting {
+namespace {
+
+using physics::Vec2;
+using Change = physics::Result<void>;
+
+struct MoverObject : ObjectHeader {
+    static constexpr ObjectTag kTag = ObjectTag::Mover;
+    physics::Mover mover;
+};
+
+constexpr Field kX = number_field("x", 0, "0", "m; of the feet");
+constexpr Field kY = number_field("y", 0, "0", "m");
+constexpr Field kHeight = above(number_field("height", 1.8, "1.8", "m, of the capsule, from its feet up"), 0);
+constexpr Field kRadius = above(number_field("radius", 0.3, "0.3", "m; less than half the height"), 0);
+constexpr Field kUpX = number_field("up_x", 0, "0", "a direction of any length");
+constexpr Field kUpY = number_field("up_y", 1, "1", "");
+constexpr Field kMaxSlope =
+    at_least(number_field("max_slope", 0.87, "0.87", "rad; steeper ground is a wall; up to pi/2"), 0);
+constexpr Field kStepHeight =
+    at_least(number_field("step_height", 0.25, "0.25", "m; steps up to this are walked over"), 0);
+constexpr Field kPushForce =
+    at_least(number_field("push_force", 300, "300", "N; at most, against dynamic bodies in the way"), 0);
+constexpr const Field* kOwn[] = {&kX,   &kY,        &kHeight,     &kRadius,   &kUpX,
+                                 &kUpY, &kMaxSlope, &kStepHeight, &kPushForce};
+
+}  // namespace
+
+const FieldSet kMoverFields{kOwn};
+
+template <>
+struct Argument<MoverObject*> {
+    static constexpr std::string_view kType = "Mover";
+    static MoverObject* get(lua_State* L, int index) {
+        auto* mover = object_at<MoverObject>(L, index);
+        if (mover == nullptr) argument_error(L, index, "a Mover");
+        return mover;
+    }
+};
+
+Pushed new_mover(lua_State* L, std::optional<TableArgument> fields) {
+    if (!fields) lua_newtable(L);
+    const FieldReader reader(L, fields ? fields->index : -1, kMoverFields);
+    const float height_m = reader.real(kHeight);
+    const float radius_m = reader.real(kRadius);
+    if (!(2 * radius_m < height_m)) reader.fail(kRadius, "must be less than half the height");
+    const Vec2 up{reader.real(kUpX), reader.real(kUpY)};
+    const float length = physics::length(up);
+    if (!(length > 0)) call_error(L, "up_x, up_y = 0, 0: must be a direction");
+    physics::MoverDef def;
+    def.up = up * (1 / length);
+    def.capsule = {.a_m = def.up * radius_m, .b_m = def.up * (height_m - radius_m), .radius_m = radius_m};
+    def.max_slope_rad = reader.real(kMaxSlope);
+    def.step_height_m = reader.real(kStepHeight);
+    def.push_force_n = reader.real(kPushForce);
+    new_object<MoverObject>(
+        L, 0, value_or_raise(L, physics::Mover::create(def, {reader.number(kX), reader.number(kY)})));
+    return {1};
+}
+
+namespace {
+
+Change move(MoverObject* self, WorldRef world, float vx, float vy, float dt_s, Mask mask, Ignored ignored) {
+    return self->mover.move(world.world, {vx, vy}, dt_s, query_filter(mask, ignored));
+}
+Change teleport(MoverObject* self, double x, double y) {
+    return self->mover.teleport({x, y});
+}
+std::tuple<double, double> position(MoverObject* self) {
+    return {self->mover.position().x, self->mover.position().y};
+}
+std::tuple<float, float> velocity(MoverObject* self) {
+    return {self->mover.velocity().x, self->mover.velocity().y};
+}
+bool is_grounded(MoverObject* self) {
+    return self->mover.is_grounded();
+}
+std::tuple<float, float> ground_normal(MoverObject* self) {
+    return {self->mover.ground_normal().x, self->mover.ground_normal().y};
+}
+Pushed ground_body(lua_State* L, MoverObject* self, WorldRef world) {
+    push_body(L, world.index, self->mover.ground_body());
+    return {1};
+}
+
+constexpr std::array<std::string_view, 1> kReturnsBody = {"Body?"};
+
+constexpr Function kFunctions[] = {
+    function<&move>("move", "world, vx [m/s], vy [m/s], dt [s], mask = -1, ignored = nil", "",
+                    "Goes on for a step at a velocity, slides along what it meets, walks over steps and down "
+                    "slopes, and pushes dynamic bodies. `ignored` is a body that it does not see."),
+    function<&teleport>("teleport", "x [m], y [m]", "", "Somewhere else at once, standing on nothing."),
+    function<&position>("position", "", "x [m], y [m]", "Of its feet."),
+    function<&velocity>("velocity", "", "x [m/s], y [m/s]",
+                        "What is left of the wanted velocity; on the ground relative to it."),
+    function<&is_grounded>("is_grounded", "", "grounded",
+                           "Whether it stands on something that is not too steep."),
+    function<&ground_normal>("ground_normal", "", "x, y", "(0, 0) in the air."),
+    function_pushing<&ground_body>("ground_body", "world", "body", kReturnsBody,
+                                   "What it stands on; nil in the air."),
+};
+
+}  // namespace
+
+int finalize_mover(lua_State* L) {
+    object_at<MoverObject>(L, 1)->~MoverObject();
+    return 0;
+}
+
+const Module kMoverMethods = {
+    "Mover",
+    "A character that walks: an upright capsule, moved by wishes and not by forces. The world does not know "
+    "of "
+    "it. Each update: add gravity to its velocity, set what the player wants, `move` it, step the world.",
+    kFunctions, true};
+
+}  // namespace cairn::scripting

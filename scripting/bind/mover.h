@@ -1,0 +1,16 @@
+// Characters that walk, as Lua values.
+#pragma once
+
+#include <lua.hpp>
+
+#include "bind/fields.h"
+#include "bind/function.h"
+
+namespace cairn::scripting {
+
+extern const FieldSet kMoverFields;
+
+/// `cairn.physics.new_mover`.
+Pushed new_mover(lua_State* L, std::optional<TableArgument> fields);
+
+}  // namespace cairn::scripting

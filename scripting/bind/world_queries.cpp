@@ -1,0 +1,286 @@
+// A shape that asks is a table: `shape`, its fields, and where it stands.
+#include "bind/world_queries.h"
+
+#include <algorithm>
+#include <array>
+
+#include "bind/fields.h"
+#include "bind/physics_fields.h"
+#include "data/nearest.h"
+
+namespace cairn::scripting {
+namespace {
+
+using physics::Position;
+using physics::Vec2;
+
+constexpr Field kShape = choice_field("shape", nullptr, "box circle capsule polygon segment", "");
+constexpr const Field* kAskingOwn[] = {&kShape};
+
+struct AskingShape {
+    OwnedGeometry geometry;
+    physics::Transform pose;
+};
+
+void read_asking(lua_State* L, TableArgument table, AskingShape& out) {
+    lua_getfield(L, table.index, kShape.name);
+    if (lua_type(L, -1) != LUA_TSTRING)
+        call_error(L, "shape is " + describe_value(L, -1) +
+                          "; expected \"box\", \"circle\", \"capsule\", "
+                          "\"polygon\" or \"segment\"");
+    const std::string name = lua_tostring(L, -1);
+    lua_pop(L, 1);
+    const std::vector<std::string> names = words_of(kShape.choices);
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end())
+        call_error(L, "shape = \"" + name + "\": no such shape" + suggestion(name, names));
+    const auto kind = static_cast<GeometryKind>(found - names.begin());
+    const FieldSet fields{kAskingOwn, {&kGeometryFields[found - names.begin()], &kPlaceFields}};
+    const FieldReader reader(L, table.index, fields);
+    read_geometry(L, reader, kind, {}, out.geometry);
+    const BodyPlace place = read_body_place(reader);
+    out.pose = {place.position_m, physics::Rotation::from_angle(place.angle_rad)};
+}
+
+void set_number(lua_State* L, const char* name, double value) {
+    lua_pushnumber(L, value);
+    lua_setfield(L, -2, name);
+}
+
+void set_place(lua_State* L, Position point, Vec2 normal) {
+    set_number(L, "x", point.x);
+    set_number(L, "y", point.y);
+    set_number(L, "nx", static_cast<double>(normal.x));
+    set_number(L, "ny", static_cast<double>(normal.y));
+}
+
+void set_more(lua_State* L, const physics::RayHit& hit) {
+    set_number(L, "fraction", static_cast<double>(hit.fraction));
+}
+void set_more(lua_State* L, const physics::ShapeHit& hit) {
+    set_number(L, "fraction", static_cast<double>(hit.fraction));
+    set_number(L, "overlap", static_cast<double>(hit.overlap_m));
+}
+void set_more(lua_State* L, const physics::SurfacePoint& point) {
+    set_number(L, "distance", static_cast<double>(point.distance_m));
+}
+void set_more(lua_State* L, const physics::CollisionPlane& plane) {
+    set_number(L, "separation", static_cast<double>(plane.separation_m));
+    lua_pushboolean(L, plane.is_dynamic ? 1 : 0);
+    lua_setfield(L, -2, "dynamic");
+}
+
+/// A list of tables with body, shape, x, y, nx, ny and what else there is.
+template <class Hit>
+Pushed push_hits(lua_State* L, WorldRef world, const std::vector<Hit>& hits) {
+    lua_createtable(L, static_cast<int>(hits.size()), 0);
+    lua_Integer count = 0;
+    for (const Hit& hit : hits) {
+        lua_createtable(L, 0, 8);
+        push_body(L, world.index, hit.body);
+        lua_setfield(L, -2, "body");
+        push_shape(L, world.index, world.object, hit.shape);
+        lua_setfield(L, -2, "shape");
+        set_place(L, hit.point_m, hit.normal);
+        set_more(L, hit);
+        lua_rawseti(L, -2, ++count);
+    }
+    return {1};
+}
+
+Pushed push_shapes(lua_State* L, WorldRef world, const std::vector<physics::ShapeId>& ids) {
+    lua_createtable(L, static_cast<int>(ids.size()), 0);
+    lua_Integer count = 0;
+    for (const physics::ShapeId id : ids) {
+        push_shape(L, world.index, world.object, id);
+        lua_rawseti(L, -2, ++count);
+    }
+    return {1};
+}
+
+void push_place(lua_State* L, WorldRef world, physics::BodyId body, Position point, Vec2 normal) {
+    push_body(L, world.index, body);
+    for (const double number :
+         {point.x, point.y, static_cast<double>(normal.x), static_cast<double>(normal.y)})
+        lua_pushnumber(L, number);
+}
+
+// ---- What acts on many bodies
+constexpr Field kX = number_field("x", 0, "0", "m");
+constexpr Field kY = number_field("y", 0, "0", "m");
+constexpr Field kRadius = at_least(number_field("radius", 3, "3", "m; full strength up to here"), 0);
+constexpr Field kFalloff =
+    at_least(number_field("falloff", 2, "2", "m; from there on it fades to nothing over this distance"), 0);
+constexpr Field kImpulse =
+    number_field("impulse", 10, "10", "N s per metre of outline that faces the point; negative: inward");
+constexpr Field kShelter = integer_field(
+    "shelter", 0, "0", "bit set: shapes of these categories keep it from what lies behind them");
+constexpr Field kMask = integer_field("mask", -1, "-1", "bit set: the categories that are met");
+constexpr const Field* kExplosionOwn[] = {&kX, &kY, &kRadius, &kFalloff, &kImpulse, &kShelter, &kMask};
+
+constexpr Field kWindX = number_field("velocity_x", 0, "0", "m/s, of the air; (0, 0) slows bodies down");
+constexpr Field kWindY = number_field("velocity_y", 0, "0", "m/s");
+constexpr Field kAirDensity = at_least(number_field("density", 1.2, "1.2", "kg/m^2, of the air"), 0);
+constexpr Field kDrag = at_least(number_field("drag", 1, "1", "1 suits most shapes"), 0);
+constexpr Field kLift = at_least(number_field("lift", 0, "0", "1 suits flat plates"), 0);
+constexpr const Field* kWindOwn[] = {&kWindX, &kWindY, &kAirDensity, &kDrag, &kLift, &kMask};
+
+physics::WindDef read_wind(const FieldReader& reader) {
+    physics::WindDef def;
+    def.velocity_m_s = {reader.real(kWindX), reader.real(kWindY)};
+    def.density_kg_m2 = reader.real(kAirDensity);
+    def.drag = reader.real(kDrag);
+    def.lift = reader.real(kLift);
+    def.filter.mask = static_cast<std::uint64_t>(reader.integer(kMask));
+    return def;
+}
+
+// In the order of physics::Mixing.
+constexpr std::string_view kMixings = "geometric_mean average minimum maximum multiply fixed";
+constexpr Field kFriction = choice_field("friction", "geometric_mean", kMixings, "how the two values mix");
+constexpr Field kFixedFriction = at_least(number_field("fixed_friction", 0, "0", "with \"fixed\""), 0);
+constexpr Field kRestitution = choice_field("restitution", "maximum", kMixings, "how the two values mix");
+constexpr Field kFixedRestitution = within(number_field("fixed_restitution", 0, "0", "with \"fixed\""), 0, 1);
+constexpr const Field* kMaterialRuleOwn[] = {&kFriction, &kFixedFriction, &kRestitution, &kFixedRestitution};
+
+int to_kind(lua_State* L, const char* name, std::int64_t kind) {
+    if (kind < 0 || kind >= physics::kMaterialKinds)
+        call_error(L, std::string(name) + " is " + std::to_string(kind) + "; expected 0 to " +
+                          std::to_string(physics::kMaterialKinds - 1));
+    return static_cast<int>(kind);
+}
+
+void set_mixing(lua_State* L, const Field& field, const Field& fixed, const physics::MixRule& rule) {
+    const std::string word = words_of(kMixings)[static_cast<std::size_t>(rule.mixing)];
+    lua_pushlstring(L, word.data(), word.size());
+    lua_setfield(L, -2, field.name);
+    set_number(L, fixed.name, static_cast<double>(rule.fixed));
+}
+
+}  // namespace
+
+const FieldSet kExplosionFields{kExplosionOwn};
+const FieldSet kWindFields{kWindOwn};
+const FieldSet kMaterialRuleFields{kMaterialRuleOwn};
+
+physics::QueryFilter query_filter(const Mask& mask, const Ignored& ignored) {
+    physics::QueryFilter filter;
+    filter.mask = static_cast<std::uint64_t>(mask.value_or(-1));
+    if (ignored) filter.ignored_body = ignored->object.id;
+    return filter;
+}
+
+Pushed cast_ray_all(lua_State* L, WorldRef self, double x1, double y1, double x2, double y2, Mask mask,
+                    Ignored ignored) {
+    const Position origin{x1, y1};
+    return push_hits(L, self,
+                     value_or_raise(L, self.world.cast_ray_all(origin, Position{x2, y2} - origin,
+                                                               query_filter(mask, ignored))));
+}
+
+Pushed cast_shape(lua_State* L, WorldRef self, TableArgument shape, float dx, float dy, Mask mask,
+                  Ignored ignored) {
+    AskingShape asking;
+    read_asking(L, shape, asking);
+    const auto hit = value_or_raise(L, self.world.cast_shape(asking.geometry.geometry, asking.pose, {dx, dy},
+                                                             query_filter(mask, ignored)));
+    if (!hit) return lua_pushnil(L), Pushed{1};
+    push_place(L, self, hit->body, hit->point_m, hit->normal);
+    lua_pushnumber(L, static_cast<double>(hit->fraction));
+    lua_pushnumber(L, static_cast<double>(hit->overlap_m));
+    push_shape(L, self.index, self.object, hit->shape);
+    return {8};
+}
+
+Pushed cast_shape_all(lua_State* L, WorldRef self, TableArgument shape, float dx, float dy, Mask mask,
+                      Ignored ignored) {
+    AskingShape asking;
+    read_asking(L, shape, asking);
+    return push_hits(L, self,
+                     value_or_raise(L, self.world.cast_shape_all(asking.geometry.geometry, asking.pose,
+                                                                 {dx, dy}, query_filter(mask, ignored))));
+}
+
+Pushed shapes_overlapping(lua_State* L, WorldRef self, TableArgument shape, Mask mask, Ignored ignored) {
+    AskingShape asking;
+    read_asking(L, shape, asking);
+    return push_shapes(L, self,
+                       value_or_raise(L, self.world.shapes_overlapping(asking.geometry.geometry, asking.pose,
+                                                                       query_filter(mask, ignored))));
+}
+
+Pushed shapes_in_box(lua_State* L, WorldRef self, double x1, double y1, double x2, double y2, Mask mask,
+                     Ignored ignored) {
+    const Position lower{std::min(x1, x2), std::min(y1, y2)};
+    const Position upper{std::max(x1, x2), std::max(y1, y2)};
+    return push_shapes(
+        L, self, value_or_raise(L, self.world.shapes_in_box(lower, upper, query_filter(mask, ignored))));
+}
+
+Pushed closest_point(lua_State* L, WorldRef self, double x, double y, float radius, Mask mask,
+                     Ignored ignored) {
+    const auto found =
+        value_or_raise(L, self.world.closest_point({x, y}, radius, query_filter(mask, ignored)));
+    if (!found) return lua_pushnil(L), Pushed{1};
+    push_place(L, self, found->body, found->point_m, found->normal);
+    lua_pushnumber(L, static_cast<double>(found->distance_m));
+    push_shape(L, self.index, self.object, found->shape);
+    return {7};
+}
+
+Pushed closest_points(lua_State* L, WorldRef self, double x, double y, float radius, Mask mask,
+                      Ignored ignored) {
+    return push_hits(
+        L, self, value_or_raise(L, self.world.closest_points({x, y}, radius, query_filter(mask, ignored))));
+}
+
+Pushed collision_planes(lua_State* L, WorldRef self, TableArgument shape, float reach, Mask mask,
+                        Ignored ignored) {
+    AskingShape asking;
+    read_asking(L, shape, asking);
+    return push_hits(L, self,
+                     value_or_raise(L, self.world.collision_planes(asking.geometry.geometry, asking.pose,
+                                                                   reach, query_filter(mask, ignored))));
+}
+
+physics::Result<void> explode(lua_State* L, WorldRef self, TableArgument fields) {
+    const FieldReader reader(L, fields.index, kExplosionFields);
+    physics::ExplosionDef def;
+    def.center_m = {reader.number(kX), reader.number(kY)};
+    def.radius_m = reader.real(kRadius);
+    def.falloff_m = reader.real(kFalloff);
+    def.impulse_ns_m = reader.real(kImpulse);
+    def.shelter = static_cast<std::uint64_t>(reader.integer(kShelter));
+    def.filter.mask = static_cast<std::uint64_t>(reader.integer(kMask));
+    return self.world.explode(def);
+}
+
+physics::Result<void> apply_wind(lua_State* L, WorldRef self, TableArgument fields, float dt_s) {
+    return self.world.apply_wind(read_wind(FieldReader(L, fields.index, kWindFields)), dt_s);
+}
+
+physics::Result<void> apply_wind_to_body(lua_State* L, BodyRef self, TableArgument fields, float dt_s) {
+    return self.object.world->world->apply_wind(self.object.id,
+                                                read_wind(FieldReader(L, fields.index, kWindFields)), dt_s);
+}
+
+physics::Result<void> set_material_rule(lua_State* L, WorldRef self, std::int64_t kind_a, std::int64_t kind_b,
+                                        TableArgument fields) {
+    const FieldReader reader(L, fields.index, kMaterialRuleFields);
+    const physics::MaterialRule rule{
+        .friction = {static_cast<physics::Mixing>(reader.choice(kFriction)), reader.real(kFixedFriction)},
+        .restitution = {static_cast<physics::Mixing>(reader.choice(kRestitution)),
+                        reader.real(kFixedRestitution)}};
+    return self.world.set_material_rule(to_kind(L, "kind_a", kind_a), to_kind(L, "kind_b", kind_b), rule);
+}
+
+Pushed material_rule(lua_State* L, WorldRef self, std::int64_t kind_a, std::int64_t kind_b) {
+    const auto rule = value_or_raise(
+        L, self.world.material_rule(to_kind(L, "kind_a", kind_a), to_kind(L, "kind_b", kind_b)));
+    lua_createtable(L, 0, 4);
+    set_mixing(L, kFriction, kFixedFriction, rule.friction);
+    set_mixing(L, kRestitution, kFixedRestitution, rule.restitution);
+    return {1};
+}
+
+}  // namespace cairn::scripting

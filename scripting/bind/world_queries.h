@@ -1,0 +1,44 @@
+// Questions to a world and what acts on many bodies at once: as methods of World.
+#pragma once
+
+#include <lua.hpp>
+
+#include "bind/function.h"
+#include "bind/physics_objects.h"
+
+namespace cairn::scripting {
+
+extern const FieldSet kExplosionFields;
+extern const FieldSet kWindFields;
+extern const FieldSet kMaterialRuleFields;
+
+/// Bit set of categories; absent: all.
+using Mask = std::optional<std::int64_t>;
+/// A body that a query does not see.
+using Ignored = std::optional<BodyRef>;
+physics::QueryFilter query_filter(const Mask& mask, const Ignored& ignored);
+
+Pushed cast_ray_all(lua_State* L, WorldRef self, double x1, double y1, double x2, double y2, Mask mask,
+                    Ignored ignored);
+Pushed cast_shape(lua_State* L, WorldRef self, TableArgument shape, float dx, float dy, Mask mask,
+                  Ignored ignored);
+Pushed cast_shape_all(lua_State* L, WorldRef self, TableArgument shape, float dx, float dy, Mask mask,
+                      Ignored ignored);
+Pushed shapes_overlapping(lua_State* L, WorldRef self, TableArgument shape, Mask mask, Ignored ignored);
+Pushed shapes_in_box(lua_State* L, WorldRef self, double x1, double y1, double x2, double y2, Mask mask,
+                     Ignored ignored);
+Pushed closest_point(lua_State* L, WorldRef self, double x, double y, float radius, Mask mask,
+                     Ignored ignored);
+Pushed closest_points(lua_State* L, WorldRef self, double x, double y, float radius, Mask mask,
+                      Ignored ignored);
+Pushed collision_planes(lua_State* L, WorldRef self, TableArgument shape, float reach, Mask mask,
+                        Ignored ignored);
+
+physics::Result<void> explode(lua_State* L, WorldRef self, TableArgument fields);
+physics::Result<void> apply_wind(lua_State* L, WorldRef self, TableArgument fields, float dt_s);
+physics::Result<void> apply_wind_to_body(lua_State* L, BodyRef self, TableArgument fields, float dt_s);
+physics::Result<void> set_material_rule(lua_State* L, WorldRef self, std::int64_t kind_a, std::int64_t kind_b,
+                                        TableArgument fields);
+Pushed material_rule(lua_State* L, WorldRef self, std::int64_t kind_a, std::int64_t kind_b);
+
+}  // namespace cairn::scripting

@@ -1,0 +1,122 @@
+// Queries, explosions, wind, rules of materials and movers from Lua: each against what can be said
+// beforehand.
+#include <catch2/catch.hpp>
+
+#include "scripting/support/lua_bench.h"
+
+namespace cairn::scripting::test {
+namespace {
+
+using Catch::Matchers::Contains;
+
+const char* const kYard =
+    "w = cairn.physics.new_world{}\n"
+    "ground = w:add_box{ type = 'static', y = -1, width = 100, height = 2 }\n"
+    "a = w:add_box{ x = 4, y = 1, width = 2, height = 2, categories = 2 }\n"
+    "b = w:add_circle{ x = 8, y = 1, radius = 1 }\n";
+
+TEST_CASE("rays and shapes find what lies in their way, in its order") {
+    LuaBench bench;
+    REQUIRE(bench.run(std::string(kYard) + "hits = w:cast_ray_all(0, 1, 20, 1)") == "");
+    CHECK(bench.value("#hits") == "2");
+    CHECK(bench.value(
+              "hits[1].body == a and hits[1].x == 3 and hits[1].nx == -1 and hits[1].fraction == 0.15") ==
+          "false");  // floats
+    CHECK(bench.value("hits[1].body == a and hits[1].x == 3 and math.abs(hits[1].fraction - 0.15) < 1e-6") ==
+          "true");
+    CHECK(bench.value("hits[2].body == b and hits[2].shape == b:shapes()[1]") == "true");
+    CHECK(bench.value("#w:cast_ray_all(0, 1, 20, 1, 2)") == "1");
+    CHECK(bench.value("#w:cast_ray_all(0, 1, 20, 1, -1, a)") == "1");
+
+    // A circle of radius 0.5 meets the box when its centre is 0.5 before it: after 2.5 of 10 metres.
+    REQUIRE(bench.run("body, x, y, nx, ny, fraction, overlap, shape = w:cast_shape({ shape = 'circle', "
+                      "radius = 0.5, y = "
+                      "1 }, 10, 0)") == "");
+    CHECK(bench.value(
+              "body == a and x == 3 and nx == -1 and math.abs(fraction - 0.25) < 1e-3 and overlap == 0") ==
+          "true");
+    CHECK(bench.value("#w:cast_shape_all({ shape = 'box', width = 1, height = 1, y = 1 }, 20, 0)") == "2");
+    CHECK(bench.value("w:cast_shape({ shape = 'circle', radius = 0.5, y = 20 }, 10, 0)") == "nil");
+    CHECK_THAT(bench.run("w:cast_shape({ shape = 'circel', radius = 1 }, 1, 0)"),
+               Contains("did you mean \"circle\"?"));
+    CHECK_THAT(bench.run("w:cast_shape({ shape = 'circle' }, 1, 0)"), Contains("radius is missing"));
+    CHECK_THAT(bench.run("w:cast_shape({ shape = 'circle', radius = 1, whidth = 2 }, 1, 0)"),
+               Contains("unknown field"));
+}
+
+TEST_CASE("overlaps, boxes and nearest points see the shapes that are there") {
+    LuaBench bench;
+    REQUIRE(bench.run(kYard) == "");
+    CHECK(bench.value("#w:shapes_overlapping{ shape = 'circle', radius = 1.5, x = 6, y = 2 }") == "2");
+    CHECK(bench.value("#w:shapes_overlapping({ shape = 'circle', radius = 1.5, x = 6, y = 2 }, 2)") == "1");
+    CHECK(bench.value("w:shapes_in_box(10, 3, 7, 1)[1] == b:shapes()[1]") == "true");
+    REQUIRE(bench.run("body, x, y, nx, ny, distance, shape = w:closest_point(8, 5, 10)") == "");
+    CHECK(bench.value("body == b and math.abs(distance - 3) < 1e-3 and math.abs(ny - 1) < 1e-6") == "true");
+    CHECK(bench.value("w:closest_point(8, 50, 10)") == "nil");
+    CHECK(bench.value("#w:closest_points(6, 1, 3)") == "3");
+    CHECK(bench.value("#w:collision_planes({ shape = 'circle', radius = 0.5, x = 6, y = 0.5 }, 1)") != "0");
+}
+
+TEST_CASE("explosions push outward, and shelter keeps them off") {
+    LuaBench bench;
+    REQUIRE(bench.run(std::string(kYard) + "w:explode{ x = 6, y = 1, radius = 5, impulse = 10 }") == "");
+    CHECK(bench.value("a:linear_velocity() < 0 and b:linear_velocity() > 0") == "true");
+    REQUIRE(bench.run("b:set_linear_velocity(0, 0) w:explode{ x = 0, y = 1, radius = 20, impulse = 10, "
+                      "shelter = 2 }") == "");
+    CHECK(bench.value("b:linear_velocity()") == "0.0");
+}
+
+TEST_CASE("wind takes along what it meets and no faster than itself") {
+    LuaBench bench;
+    REQUIRE(
+        bench.run(
+            "w = cairn.physics.new_world{ gravity_y = 0 } b = w:add_circle{ radius = 1, density = 0.01 }\n"
+            "c = w:add_circle{ y = 9, radius = 1, density = 0.01 }\n"
+            "for i = 1, 600 do b:apply_wind({ velocity_x = 5 }, 1 / 60) w:step(1 / 60) end") == "");
+    CHECK(bench.value("b:linear_velocity() > 4.5 and b:linear_velocity() <= 5") == "true");
+    CHECK(bench.value("c:linear_velocity()") == "0.0");
+    REQUIRE(bench.run("w:apply_wind({ velocity_x = 5 }, 1 / 60) w:step(1 / 60)") == "");
+    CHECK(bench.value("c:linear_velocity() > 0 or not c:is_awake()") == "true");
+}
+
+TEST_CASE("rules say how kinds of material mix") {
+    LuaBench bench;
+    REQUIRE(
+        bench.run(
+            "w = cairn.physics.new_world{}\n"
+            "w:add_box{ type = 'static', y = -1, width = 40, height = 2, material_kind = 1, friction = 1 }\n"
+            "b = w:add_box{ y = 0.5, width = 1, height = 1, material_kind = 2, friction = 1, "
+            "linear_velocity_x = 3 }\n"
+            "w:set_material_rule(1, 2, { friction = 'fixed', fixed_friction = 0 })\n"
+            "for i = 1, 60 do w:step(1 / 60) end") == "");
+    CHECK(bench.value("math.abs(b:linear_velocity() - 3) < 1e-3") == "true");
+    CHECK(bench.value("w:material_rule(2, 1).friction") == "fixed");
+    CHECK(bench.value("w:material_rule(3, 1).restitution") == "maximum");
+    CHECK_THAT(bench.run("w:set_material_rule(1, 64, {})"), Contains("kind_b is 64; expected 0 to 63"));
+    CHECK_THAT(bench.run("w:set_material_rule(1, 2, { friction = 'avrage' })"),
+               Contains("did you mean \"average\"?"));
+}
+
+TEST_CASE("a mover walks on the ground, stops at walls, and is carried by nothing else") {
+    LuaBench bench;
+    REQUIRE(bench.run("w = cairn.physics.new_world{}\n"
+                      "w:add_box{ type = 'static', y = -1, width = 100, height = 2 }\n"
+                      "w:add_box{ type = 'static', x = 5, y = 2, width = 1, height = 4 }\n"
+                      "m = cairn.physics.new_mover{ x = 0, y = 0.5 }\n"
+                      "for i = 1, 180 do local vx, vy = m:velocity() m:move(w, 3, m:is_grounded() and 0 or "
+                      "vy - 10 / 60, 1 / 60) "
+                      "w:step(1 / 60) end") == "");
+    CHECK(bench.value("m:is_grounded()") == "true");
+    CHECK(bench.value("m:ground_body(w):type()") == "static");
+    // The wall's face is at 4.5, the capsule 0.3 wide each way.
+    CHECK(bench.value("math.abs(m:position() - 4.2) < 0.02") == "true");
+    CHECK(bench.value("math.abs(select(2, m:position())) < 0.02") == "true");
+    REQUIRE(bench.run("m:teleport(0, 9)") == "");
+    CHECK(bench.value("m:is_grounded()") == "false");
+    CHECK_THAT(bench.run("cairn.physics.new_mover{ radius = 1 }"),
+               Contains("must be less than half the height"));
+    CHECK_THAT(bench.run("cairn.physics.new_mover{ up_y = 0 }"), Contains("must be a direction"));
+}
+
+}  // namespace
+}  // namespace cairn::scripting::test
