@@ -9,6 +9,7 @@
 
 #include <cairn/physics/body.h>
 #include <cairn/physics/chain.h>
+#include <cairn/physics/debug.h>
 #include <cairn/physics/events.h>
 #include <cairn/physics/explosion.h>
 #include <cairn/physics/fracture.h>
@@ -238,6 +239,14 @@ class World {
     /// 64 bits over poses, velocities, sleep and remembered impulses: worlds with the same history and inputs
     /// have the same hash on every compiler, build type and processor.
     [[nodiscard]] std::uint64_t state_hash() const;
+
+    // For debug drawing and tools: see debug.h. Each walks over the world when it is called.
+
+    /// Those that touch.
+    [[nodiscard]] std::vector<DebugContact> debug_contacts() const;
+    [[nodiscard]] std::vector<DebugIsland> debug_islands() const;
+    /// Of all shapes but sensors, which have none.
+    [[nodiscard]] std::vector<DebugBox> debug_boxes() const;
 
   private:
     explicit World(std::unique_ptr<WorldState> state);
