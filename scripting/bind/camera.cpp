@@ -73,6 +73,8 @@ void attach(lua_State* L, CameraRef self) {
     context.services.renderer.apply_transform(
         self.rig.camera_at(static_cast<float>(context.alpha)).world_to_screen());
     ++context.draw.cameras;
+    if (context.services.renderer.current_canvas().is_null())
+        context.world_view = context.services.renderer.transform();
 }
 
 void detach(lua_State* L, CameraRef) {

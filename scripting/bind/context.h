@@ -68,6 +68,8 @@ struct Context {
     bool wants_quit = false;
     std::optional<GameResult> result{};
     DrawState draw{};
+    /// Of the camera attached last in the present picture: what the debug drawing of F2 goes through.
+    std::optional<engine::Affine2> world_view{};
     engine::FontId default_font{};
 
     /// In order of creation; each is kept alive until the script destroys it, because the state hash covers

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "bind/graphics_objects.h"
+#include "bind/outline_corners.h"
 #include "lua/state.h"
 
 namespace cairn::scripting {
@@ -42,37 +43,6 @@ Color shaded(Color color, float factor) {
 /// A segment: there is nothing to fill.
 bool is_line(const physics::Outline& outline) {
     return outline.count == 2 && outline.radius_m == 0;
-}
-
-/// The true outline, with its rounded parts as many short edges: what a polygon of it looks like.
-std::vector<Vec2> rounded_corners(const physics::Outline& outline) {
-    std::vector<Vec2> corners;
-    const std::size_t count = outline.count;
-    if (outline.radius_m == 0) {
-        for (std::size_t i = 0; i < count; ++i) corners.push_back(to_engine(outline.points_m[i]));
-        return corners;
-    }
-    // Each corner turns from the normal of the edge before it to that of the edge behind it; anticlockwise.
-    const auto normal_behind = [&](std::size_t i) {
-        const physics::Vec2 edge = outline.points_m[(i + 1) % count] - outline.points_m[i];
-        return std::atan2(-edge.x, edge.y);
-    };
-    for (std::size_t i = 0; i < count; ++i) {
-        float from = 0;
-        float to = 2 * kPi;
-        if (count > 1) {
-            from = normal_behind((i + count - 1) % count);
-            to = normal_behind(i);
-            while (to < from) to += 2 * kPi;
-        }
-        const int steps = std::max(1, static_cast<int>(std::ceil((to - from) / (2 * kPi) * kCircleCorners)));
-        for (int step = 0; step < steps + (count > 1 ? 1 : 0); ++step) {
-            const float angle = from + (to - from) * static_cast<float>(step) / static_cast<float>(steps);
-            const Vec2 center = to_engine(outline.points_m[i]);
-            corners.push_back(center + outline.radius_m * Vec2{std::cos(angle), std::sin(angle)});
-        }
-    }
-    return corners;
 }
 
 void draw_textured(engine::Renderer& renderer, const physics::Outline& outline, engine::TextureId texture,
@@ -134,6 +104,36 @@ Color read_color(lua_State* L) {
 }
 
 }  // namespace
+
+std::vector<Vec2> rounded_corners(const physics::Outline& outline) {
+    std::vector<Vec2> corners;
+    const std::size_t count = outline.count;
+    if (outline.radius_m == 0) {
+        for (std::size_t i = 0; i < count; ++i) corners.push_back(to_engine(outline.points_m[i]));
+        return corners;
+    }
+    // Each corner turns from the normal of the edge before it to that of the edge behind it; anticlockwise.
+    const auto normal_behind = [&](std::size_t i) {
+        const physics::Vec2 edge = outline.points_m[(i + 1) % count] - outline.points_m[i];
+        return std::atan2(-edge.x, edge.y);
+    };
+    for (std::size_t i = 0; i < count; ++i) {
+        float from = 0;
+        float to = 2 * kPi;
+        if (count > 1) {
+            from = normal_behind((i + count - 1) % count);
+            to = normal_behind(i);
+            while (to < from) to += 2 * kPi;
+        }
+        const int steps = std::max(1, static_cast<int>(std::ceil((to - from) / (2 * kPi) * kCircleCorners)));
+        for (int step = 0; step < steps + (count > 1 ? 1 : 0); ++step) {
+            const float angle = from + (to - from) * static_cast<float>(step) / static_cast<float>(steps);
+            const Vec2 center = to_engine(outline.points_m[i]);
+            corners.push_back(center + outline.radius_m * Vec2{std::cos(angle), std::sin(angle)});
+        }
+    }
+    return corners;
+}
 
 void draw_body(lua_State* L, Context& context, const BodyObject& object, physics::Body body, int body_index) {
     Color color = default_color(body.type());

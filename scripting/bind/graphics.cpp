@@ -1,6 +1,7 @@
 // cairn.graphics: state, transforms, images, text and bodies. The shapes stand in graphics_shapes.cpp.
 #include <cmath>
 
+#include "bind/graphics_debug.h"
 #include "bind/graphics_objects.h"
 #include "bind/graphics_shapes.h"
 #include "bind/modules.h"
@@ -420,6 +421,12 @@ constexpr Function kFunctions[] = {
         "over each shape, or `body.data.color`, {r, g, b, a?}, or a default. Not when "
         "`body.data.visible` is false."),
     function<&draw_world>("draw_world", "world", "", "Draws every body, in the order of `world:bodies()`."),
+    function<&draw_debug_world>(
+        "draw_debug", "world, options = {}", "",
+        "Draws what the physics works with, under the present camera: `draw_debug(world, { islands = true "
+        "})`. "
+        "Sleeping bodies are dark. In a window, F2 draws it over every game.",
+        &kDebugDrawFields),
     function<&size>("size", "", "width [px], height [px]", "The logical size of the picture."),
     function<&alpha>("alpha", "", "alpha", "How far the picture lies between the last two updates, 0 to 1."),
     function<&stats>("stats", "", "draw_calls, vertices", "Of the picture before."),

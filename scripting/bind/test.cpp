@@ -170,6 +170,21 @@ void expect_error(lua_State* L, FunctionArgument action, std::string_view text) 
     }
 }
 
+constexpr Field kTolerance = within(
+    number_field("tolerance", PictureTolerance{}.color, "0.03", "how far a color may be off, 0 to 1"), 0, 1);
+constexpr Field kShare = within(
+    number_field("share", PictureTolerance{}.share, "0.001", "of the pixels that may be farther off"), 0, 1);
+constexpr const Field* kPictureOwn[] = {&kTolerance, &kShare};
+constexpr FieldSet kPictureFields{kPictureOwn};
+
+void expect_picture(lua_State* L, std::string_view path, std::optional<TableArgument> fields) {
+    if (!fields) lua_newtable(L);
+    const FieldReader reader(L, fields ? fields->index : -1, kPictureFields);
+    const auto problem = driver(L).check_picture(
+        L, std::string(path), {.color = reader.number(kTolerance), .share = reader.number(kShare)});
+    if (problem) raise(L, *problem);
+}
+
 // ---- Outcomes
 
 void push_result(lua_State* L, const std::optional<GameResult>& result) {
@@ -238,6 +253,12 @@ constexpr Function kFunctions[] = {
     function<&expect_near>("expect_near", "actual, expected, tolerance", "", ""),
     function<&expect_error>("expect_error", "action, text", "",
                             "`action()` must raise an error whose message contains the text."),
+    function<&expect_picture>(
+        "expect_picture", "path, fields = {}", "",
+        "What the game draws now must look like the picture, a PNG file of the game such as "
+        "`tests/pictures/start.png`. `cairn test GAME --approve-pictures` writes it; where they differ, the "
+        "new picture and one of the differences are kept, and the message tells where.",
+        &kPictureFields),
     function_pushing<&result>("result", "", "result", kReturnsResult,
                               "What `cairn.result` reported last, or nil."),
     function<&state_hash>("state_hash", "", "hash", "That of `--hash`: all worlds and the gameplay stream."),

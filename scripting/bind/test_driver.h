@@ -10,6 +10,7 @@
 #include <cairn/engine/result.h>
 
 #include "bind/context.h"
+#include "bridge/picture_check.h"
 
 namespace cairn::scripting {
 
@@ -28,6 +29,9 @@ class TestDriver {
     virtual std::string state_hash(lua_State* L) = 0;
     /// Plays a recording from its first frame to its last in a game of its own.
     virtual engine::Result<std::optional<GameResult>> play_replay(const std::string& path) = 0;
+    /// Draws the game and compares it with an approved picture of the game's files. Gives what is wrong.
+    virtual std::optional<std::string> check_picture(lua_State* L, const std::string& path,
+                                                     const PictureTolerance& tolerance) = 0;
     /// The run so far, as the text of a replay.
     virtual std::string recording(lua_State* L) = 0;
 };

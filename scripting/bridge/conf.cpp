@@ -30,6 +30,7 @@ Schema conf_schema() {
     Schema conf = schema_of(SchemaType::Table);
     conf.has_fields = true;
     conf.fields.push_back({"background", std::move(color)});
+    conf.fields.push_back({"developer_keys", schema_of(SchemaType::Boolean)});
     Schema height = schema_of(SchemaType::Integer);
     height.min = side.min;
     height.max = side.max;
@@ -67,6 +68,8 @@ engine::Result<Conf> parse_conf(std::string_view text, const std::string& path,
     if (const Value* height = value->find("height")) conf.size.height = static_cast<int>(height->number());
     if (const Value* resizable = value->find("resizable"))
         conf.is_resizable = std::get<bool>(resizable->content);
+    if (const Value* keys = value->find("developer_keys"))
+        conf.has_developer_keys = std::get<bool>(keys->content);
     if (const Value* background = value->find("background")) {
         float* const parts[] = {&conf.background.r, &conf.background.g, &conf.background.b};
         for (const Entry& entry : background->entries()) {

@@ -14,6 +14,7 @@ struct Conf {
     std::string identity;  ///< names the save folder
     engine::Size size{1280, 720};
     bool is_resizable = true;
+    bool has_developer_keys = true;  ///< F1, F2 ... open tools instead of reaching the game
     engine::Color background{0, 0, 0, 1};
 };
 

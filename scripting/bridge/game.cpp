@@ -271,6 +271,7 @@ std::optional<ScriptError> Game::update(std::span<const InputEvent> events) {
 std::optional<ScriptError> Game::draw(double alpha) {
     context_.alpha = alpha;
     context_.draw = {};
+    context_.world_view.reset();
     context_.is_drawing = true;
     auto error = call("draw", nullptr, alpha);
     context_.is_drawing = false;

@@ -49,6 +49,8 @@ class Game {
     [[nodiscard]] bool wants_quit() const { return context_.wants_quit; }
     [[nodiscard]] std::uint64_t frame() const { return context_.frame; }
     [[nodiscard]] lua_State* lua() const { return state_.get(); }
+    [[nodiscard]] const Context& context() const { return context_; }
+    [[nodiscard]] const State& state() const { return state_; }
 
   private:
     /// A call of a callback, made inside a protected call because pushing its arguments needs memory.

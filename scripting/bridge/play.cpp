@@ -12,12 +12,14 @@
 #include <cairn/engine/fixed_step.h>
 #include <cairn/engine/image.h>
 #include <cairn/engine/native_file.h>
+#include <cairn/engine/video.h>
 #include <cairn/scripting/play.h>
 
 #include "bridge/error_screen.h"
 #include "bridge/game.h"
 #include "bridge/machine.h"
 #include "bridge/replay.h"
+#include "debug/developer_tools.h"
 
 namespace cairn::scripting {
 namespace {
@@ -25,6 +27,9 @@ namespace {
 using engine::InputEvent;
 using engine::InputKind;
 using Outcome = std::optional<ScriptError>;
+
+/// Of videos: a picture for each update.
+constexpr int kFramesPerSecond = 60;
 
 int fail(const std::string& message) {
     std::fprintf(stderr, "cairn: error: %s\n", message.c_str());
@@ -58,8 +63,12 @@ class Session {
     }
 
     int run() {
+        for (const std::string& tool : options_.shown_tools) {
+            if (auto shown = tools_.show(tool); !shown) return fail(shown.error().message);
+        }
         Outcome error = start();
         if (options_.headless) {
+            if (!error && !options_.video.empty()) error = start_video();
             if (!error) error = run_headless();
             if (error) return report(*error);
         } else if (!run_in_window(std::move(error))) {
@@ -90,6 +99,7 @@ class Session {
             }
         }
         for (const InputEvent& event : events) recorded_.push_back({game_->frame() + 1, event});
+        const FrameMeter::Scope scope(tools_.meter(), FramePart::Update);
         Outcome error = game_->update(events);
         events.clear();
         return error;
@@ -101,10 +111,36 @@ class Session {
     Outcome draw(double alpha, bool captures) {
         engine::Renderer& renderer = *machine_.renderer;
         renderer.begin_frame(machine_.conf.background);
-        Outcome error = game_->draw(alpha);
+        Outcome error;
+        {
+            const FrameMeter::Scope scope(tools_.meter(), FramePart::Draw);
+            error = game_->draw(alpha);
+        }
+        if (!error) tools_.draw(*game_);
+        if (!error && video_ && filmed_frame_ < game_->frame()) error = film();
         if (!error && captures) error = write_screenshot();
-        renderer.end_frame();
+        {
+            const FrameMeter::Scope scope(tools_.meter(), FramePart::Present);
+            renderer.end_frame();
+        }
+        tools_.end_frame(*game_);
         return error;
+    }
+
+    Outcome start_video() {
+        auto video = engine::VideoWriter::create(options_.video, machine_.conf.size, kFramesPerSecond);
+        if (!video) return ScriptError{video.error().message, {}};
+        video_ = *std::move(video);
+        return std::nullopt;
+    }
+
+    Outcome film() {
+        filmed_frame_ = game_->frame();
+        const auto image = machine_.renderer->capture();
+        if (!image) return ScriptError{image.error().message, {}};
+        if (const auto written = video_->write(*image); !written)
+            return ScriptError{written.error().message, {}};
+        return std::nullopt;
     }
 
     Outcome write_screenshot() {
@@ -132,7 +168,7 @@ class Session {
             if (Outcome error = update(events)) return error;
             const bool captures = captures_now();
             const bool is_sample = options_.screenshot.empty() && game_->frame() % kFramesPerPicture == 1;
-            if (captures || is_sample) {
+            if (captures || is_sample || video_) {
                 if (Outcome error = draw(1, captures)) return error;
             }
         }
@@ -156,10 +192,18 @@ class Session {
                 continue;
             }
             platform.poll_events(waiting);
+            if (machine_.conf.has_developer_keys) tools_.take_keys(waiting);
+            if (tools_.take_restart()) {
+                error = start();
+                waiting.clear();
+                step.reset();
+                continue;
+            }
             if (replay_ && asks_to_quit(waiting)) return true;
             const double now = platform.now_s();
-            const engine::FixedStep::Frame frame = step.advance(now - then);
+            engine::FixedStep::Frame frame = step.advance(tools_.time().game_time_s(now - then));
             then = now;
+            if (tools_.time().is_paused()) frame = {.updates = tools_.time().take_steps(), .alpha = 1};
             // A late picture has several updates; the one of the screenshot must not fall between two
             // pictures.
             for (int i = 0; i < frame.updates && !error && !is_over() && !captures_now(); ++i)
@@ -208,11 +252,16 @@ class Session {
     static int report(const ScriptError& error) { return fail(error.to_text()); }
 
     int finish() {
-        if (const auto& result = game_->result()) {
+        if (const auto& result = game_->result(); result && options_.result != nullptr) {
+            *options_.result = {result->outcome, result->level};
+        } else if (result) {
             std::printf("result: %s\n", result->outcome.c_str());
             if (result->level) std::printf("level: %s\n", result->level->c_str());
             if (result->score) std::printf("score: %.14g\n", *result->score);
             if (result->stars) std::printf("stars: %lld\n", static_cast<long long>(*result->stars));
+        }
+        if (video_) {
+            if (const auto finished = video_->finish(); !finished) return fail(finished.error().message);
         }
         const std::uint64_t hash = game_->state_hash();
         if (options_.print_hash) std::printf("hash: %s\n", hash_text(hash).c_str());
@@ -249,9 +298,12 @@ class Session {
     std::uint64_t seed_ = 1;
     std::optional<std::uint64_t> last_frame_;
     std::unique_ptr<Game> game_;
+    DeveloperTools tools_;
+    std::unique_ptr<engine::VideoWriter> video_;
     std::vector<ReplayEvent> recorded_;
     std::size_t next_event_ = 0;
     bool is_captured_ = false;
+    std::uint64_t filmed_frame_ = 0;  ///< the last one in the video
 };
 
 /// What a recording says about its game must fit the game at hand.
@@ -272,7 +324,9 @@ std::optional<std::string> misfit(const Replay& replay, const PlayOptions& optio
 
 }  // namespace
 
-int play(const PlayOptions& options) {
+int play(const PlayOptions& given) {
+    PlayOptions options = given;
+    if (!options.video.empty()) options.headless = true;
     std::optional<Replay> replay;
     if (!options.replay.empty()) {
         auto read = read_replay(options.replay);
@@ -281,7 +335,8 @@ int play(const PlayOptions& options) {
     }
     MachineKind kind = MachineKind::Window;
     if (options.headless)
-        kind = options.screenshot.empty() ? MachineKind::Headless : MachineKind::HeadlessDrawing;
+        kind = options.screenshot.empty() && options.video.empty() ? MachineKind::Headless
+                                                                   : MachineKind::HeadlessDrawing;
     auto machine = make_machine(options.source, kind);
     if (!machine) return fail(machine.error().message);
     if (replay) {

@@ -1,10 +1,14 @@
 // Every test gets a state of its own: the file is run anew for each, and then the one test is called.
+#include <chrono>
 #include <cstdio>
+#include <filesystem>
 
+#include <cairn/engine/native_file.h>
 #include <cairn/scripting/test_game.h>
 
 #include "bind/test_driver.h"
 #include "bridge/game.h"
+#include "bridge/junit.h"
 #include "bridge/machine.h"
 #include "bridge/replay.h"
 
@@ -13,7 +17,8 @@ namespace {
 
 class Driver : public TestDriver {
   public:
-    Driver(Machine& machine, const std::string& game_name) : machine_(machine), game_name_(game_name) {}
+    Driver(Machine& machine, const GameSource& source, const TestOptions& options)
+        : machine_(machine), source_(source), options_(options) {}
     /// The game whose state runs the test.
     void attach(Game& game) { game_ = &game; }
 
@@ -76,9 +81,24 @@ class Driver : public TestDriver {
         return game.result();
     }
 
+    std::optional<std::string> check_picture(lua_State* L, const std::string& path,
+                                             const PictureTolerance& tolerance) override {
+        require_main_thread(L);
+        require_started(L);
+        engine::Renderer& renderer = *machine_.renderer;
+        renderer.begin_frame(machine_.conf.background);
+        const auto error = game_->draw(1);
+        const auto actual = renderer.capture();
+        renderer.end_frame();
+        rethrow(L, error);
+        if (!actual) return actual.error().message;
+        if (options_.approves_pictures) return approve(path, *actual);
+        return compare(path, *actual, tolerance);
+    }
+
     std::string recording(lua_State* L) override {
         require_started(L);
-        return to_text({.game = game_name_,
+        return to_text({.game = source_.name,
                         .seed = seed_,
                         .size = machine_.conf.size,
                         .frames = game_->frame(),
@@ -87,6 +107,58 @@ class Driver : public TestDriver {
     }
 
   private:
+    std::optional<std::string> approve(const std::string& path, const engine::Image& actual) const {
+        namespace fs = std::filesystem;
+        if (const auto fine = engine::check_virtual_path(path); !fine) return fine.error().message;
+        std::error_code failed;
+        fs::path root = source_.path;
+        if (!fs::is_directory(root, failed)) root = root.parent_path();
+        fs::create_directories((root / path).parent_path(), failed);
+        if (failed) return "cannot make the folder of " + path + ": " + failed.message();
+        if (const auto saved = engine::save_png(actual, (root / path).string()); !saved)
+            return saved.error().message;
+        return std::nullopt;
+    }
+
+    std::optional<std::string> compare(const std::string& path, const engine::Image& actual,
+                                       const PictureTolerance& tolerance) const {
+        const auto file = machine_.files->read_bytes(path);
+        if (!file)
+            return "no approved picture: " + file.error().message +
+                   "; cairn test GAME --approve-pictures writes it";
+        const auto approved = engine::decode_image(*file, path);
+        if (!approved) return approved.error().message;
+        const auto text = [](engine::Size s) {
+            return std::to_string(s.width) + " x " + std::to_string(s.height) + " pixels";
+        };
+        if (approved->size != actual.size)
+            return path + " is " + text(approved->size) + ", and the game draws " + text(actual.size);
+        const auto difference = compare_pictures(actual, *approved, tolerance);
+        if (!difference) return std::nullopt;
+        char share[32];
+        std::snprintf(share, sizeof share, "%.3g %%", 100 * difference->share);
+        return "the picture is not " + path + ": " + share + " of it is off by more than allowed" +
+               keep_difference(path, actual, difference->picture);
+    }
+
+    /// Where the pictures lie for who wants to look, or nothing when they cannot be written.
+    std::string keep_difference(const std::string& path, const engine::Image& actual,
+                                const engine::Image& difference) const {
+        namespace fs = std::filesystem;
+        std::error_code failed;
+        fs::path folder = options_.differences;
+        if (folder.empty()) folder = fs::temp_directory_path(failed) / "cairn-differences" / source_.name;
+        fs::create_directories(folder, failed);
+        const fs::path stem = folder / fs::path(path).stem();
+        const std::string of_actual = stem.string() + "-actual.png";
+        const std::string of_difference = stem.string() + "-difference.png";
+        const auto saved = engine::save_png(actual, of_actual);
+        if (!saved) return "; " + saved.error().message;
+        if (const auto other = engine::save_png(difference, of_difference); !other)
+            return "; " + other.error().message;
+        return "; see " + of_difference + " and " + of_actual;
+    }
+
     void require_started(lua_State* L) const {
         if (!is_started_) raise(L, "no game runs; call cairn.test.start first");
     }
@@ -101,7 +173,8 @@ class Driver : public TestDriver {
     }
 
     Machine& machine_;
-    const std::string& game_name_;
+    const GameSource& source_;
+    const TestOptions& options_;
     Game* game_ = nullptr;
     std::vector<Test> tests_;
     bool is_started_ = false;
@@ -112,8 +185,8 @@ class Driver : public TestDriver {
 
 /// A driver and a game with the test file run in it.
 struct Bench {
-    Bench(Machine& machine, const std::string& game_name)
-        : driver(machine, game_name), game(machine.services(), {.plays_saves = true, .test = &driver}) {
+    Bench(Machine& machine, const GameSource& source, const TestOptions& options)
+        : driver(machine, source, options), game(machine.services(), {.plays_saves = true, .test = &driver}) {
         driver.attach(game);
     }
 
@@ -121,79 +194,116 @@ struct Bench {
     Game game;
 };
 
-void print_error(const ScriptError& error) {
-    std::printf("        %s\n", error.message.c_str());
-    for (const std::string& line : error.traceback) std::printf("            %s\n", line.c_str());
-}
+/// Runs the tests, file by file, and prints what comes of each.
+class Runner {
+  public:
+    Runner(Machine& machine, const GameSource& source, const TestOptions& options)
+        : machine_(machine), source_(source), options_(options) {}
 
-struct Tally {
-    int run = 0;
-    int failed = 0;
-};
-
-void run_test(Machine& machine, const std::string& game_name, const std::string& path, std::size_t index,
-              Tally& tally) {
-    Bench bench(machine, game_name);
-    std::optional<ScriptError> error = bench.game.run_file(path);
-    std::string name = "test " + std::to_string(index + 1);
-    if (!error && index < bench.driver.tests().size()) {
-        const Driver::Test& test = bench.driver.tests()[index];
-        name = test.name;
-        lua_rawgeti(bench.game.lua(), LUA_REGISTRYINDEX, test.function);
-        error = protected_call(bench.game.lua(), 0, 0);
-    }
-    ++tally.run;
-    std::printf("  %s  %s\n", error ? "FAIL" : "ok  ", name.c_str());
-    if (!error) return;
-    ++tally.failed;
-    print_error(*error);
-}
-
-void run_file(Machine& machine, const std::string& game_name, const std::string& path, Tally& tally) {
-    std::printf("%s\n", path.c_str());
-    std::size_t count = 0;
-    {
-        Bench bench(machine, game_name);
-        if (const auto error = bench.game.run_file(path)) {
-            ++tally.run;
-            ++tally.failed;
-            std::printf("  FAIL  the file itself\n");
-            print_error(*error);
-            return;
+    void run_file(const std::string& path) {
+        std::printf("%s\n", path.c_str());
+        std::size_t count = 0;
+        {
+            Bench bench(machine_, source_, options_);
+            if (auto error = bench.game.run_file(path)) {
+                add({.file = path, .name = "the file itself", .error = std::move(error)});
+                return;
+            }
+            count = bench.driver.tests().size();
         }
-        count = bench.driver.tests().size();
+        for (std::size_t i = 0; i < count; ++i) run_test(path, i);
     }
-    for (std::size_t i = 0; i < count; ++i) run_test(machine, game_name, path, i, tally);
-}
+
+    [[nodiscard]] const std::vector<TestResult>& results() const { return results_; }
+    [[nodiscard]] int failed() const { return failed_; }
+
+  private:
+    void run_test(const std::string& path, std::size_t index) {
+        const auto start = std::chrono::steady_clock::now();
+        Bench bench(machine_, source_, options_);
+        TestResult result{.file = path, .name = "test " + std::to_string(index + 1)};
+        result.error = bench.game.run_file(path);
+        if (!result.error && index < bench.driver.tests().size()) {
+            const Driver::Test& test = bench.driver.tests()[index];
+            result.name = test.name;
+            lua_rawgeti(bench.game.lua(), LUA_REGISTRYINDEX, test.function);
+            result.error = protected_call(bench.game.lua(), 0, 0);
+        }
+        result.duration_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        add(std::move(result));
+    }
+
+    void add(TestResult result) {
+        std::printf("  %s  %s\n", result.error ? "FAIL" : "ok  ", result.name.c_str());
+        if (result.error) {
+            ++failed_;
+            std::printf("        %s\n", result.error->message.c_str());
+            for (const std::string& line : result.error->traceback)
+                std::printf("            %s\n", line.c_str());
+        }
+        results_.push_back(std::move(result));
+    }
+
+    Machine& machine_;
+    const GameSource& source_;
+    const TestOptions& options_;
+    std::vector<TestResult> results_;
+    int failed_ = 0;
+};
 
 bool is_lua_file(const std::string& name) {
     return name.size() > 4 && name.substr(name.size() - 4) == ".lua";
 }
 
-}  // namespace
-
-int test_game(const GameSource& source) {
-    auto machine = make_machine(source, MachineKind::Headless);
-    if (!machine) {
-        std::fprintf(stderr, "cairn: error: %s\n", machine.error().message.c_str());
-        return 1;
-    }
-    const auto names = (*machine)->files->list("tests");
-    Tally tally;
-    if (names) {
+/// Paths of the files with tests.
+std::vector<std::string> test_files(const engine::Files& files) {
+    std::vector<std::string> paths;
+    if (const auto names = files.list("tests")) {
         for (const std::string& name : *names) {
-            if (is_lua_file(name)) run_file(**machine, source.name, "tests/" + name, tally);
+            if (is_lua_file(name)) paths.push_back("tests/" + name);
         }
     }
-    std::fflush(stdout);
-    if (tally.run == 0) {
-        std::fprintf(stderr,
-                     "cairn: error: %s has no tests: expected tests/*.lua that call cairn.test.test\n",
-                     source.path.c_str());
-        return 1;
+    return paths;
+}
+
+/// Drawing costs time and textures, which tests that never look need not pay.
+bool compares_pictures(const engine::Files& files) {
+    for (const std::string& path : test_files(files)) {
+        const auto text = files.read_text(path);
+        if (text && text->find("expect_picture") != std::string::npos) return true;
     }
-    std::printf("%d test%s, %d failed\n", tally.run, tally.run == 1 ? "" : "s", tally.failed);
-    return tally.failed == 0 ? 0 : 1;
+    return false;
+}
+
+int fail(const std::string& message) {
+    std::fflush(stdout);
+    std::fprintf(stderr, "cairn: error: %s\n", message.c_str());
+    return 1;
+}
+
+}  // namespace
+
+int test_game(const GameSource& source, const TestOptions& options) {
+    auto machine = make_machine(source, MachineKind::Headless);
+    if (!machine) return fail(machine.error().message);
+    if (compares_pictures(*(*machine)->files)) {
+        machine->reset();  // there can be one at a time
+        machine = make_machine(source, MachineKind::HeadlessDrawing);
+        if (!machine) return fail(machine.error().message);
+    }
+    Runner runner(**machine, source, options);
+    for (const std::string& path : test_files(*(*machine)->files)) runner.run_file(path);
+    const std::size_t count = runner.results().size();
+    if (count == 0)
+        return fail(source.path + " has no tests: expected tests/*.lua that call cairn.test.test");
+    std::printf("%zu test%s, %d failed\n", count, count == 1 ? "" : "s", runner.failed());
+    std::fflush(stdout);
+    if (!options.junit.empty()) {
+        const auto written =
+            engine::write_native_file(options.junit, junit_xml(source.name, runner.results()));
+        if (!written) return fail("the results: " + written.error().message);
+    }
+    return runner.failed() == 0 ? 0 : 1;
 }
 
 }  // namespace cairn::scripting

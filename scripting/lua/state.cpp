@@ -38,7 +38,9 @@ void* State::allocate(void* memory_pointer, void* block, std::size_t old_size, s
     }
     if (new_size > old_size && memory.used - old_size + new_size > memory.cap) return nullptr;
     void* moved = std::realloc(block, new_size);
-    if (moved != nullptr) memory.used += new_size - old_size;
+    if (moved == nullptr) return nullptr;
+    memory.used += new_size - old_size;
+    if (new_size > old_size) memory.allocated += new_size - old_size;
     return moved;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <lua.hpp>
 #include <memory>
 #include <string>
@@ -25,6 +26,8 @@ class State {
 
     [[nodiscard]] lua_State* get() const { return lua_; }
     [[nodiscard]] std::size_t used_bytes() const { return memory_.used; }
+    /// All that was ever asked for, whether it has been freed since or not.
+    [[nodiscard]] std::uint64_t allocated_bytes() const { return memory_.allocated; }
 
     /// What bindings find with context_of(); null until it is set. Must outlive the state.
     void set_context(Context* context);
@@ -33,6 +36,7 @@ class State {
     struct Memory {
         std::size_t used = 0;
         std::size_t cap = 0;
+        std::uint64_t allocated = 0;
     };
     static void* allocate(void* memory, void* block, std::size_t old_size, std::size_t new_size);
 

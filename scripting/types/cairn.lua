@@ -2224,6 +2224,19 @@ function cairn.graphics.draw_body(body) end
 ---@param world World
 function cairn.graphics.draw_world(world) end
 
+---@class cairn.graphics.draw_debug.Fields
+---@field shapes? boolean true outlines, with a mark of how they are turned
+---@field contacts? boolean points, and impulses along normal and surface
+---@field joints? boolean by kind, with anchors and limits
+---@field islands? boolean one color for bodies that fall asleep together
+---@field boxes? boolean of the broad phase
+---@field centers? boolean of mass
+
+---Draws what the physics works with, under the present camera: `draw_debug(world, { islands = true })`. Sleeping bodies are dark. In a window, F2 draws it over every game.
+---@param world World
+---@param options table?
+function cairn.graphics.draw_debug(world, options) end
+
 ---The logical size of the picture.
 ---@return integer width [px]
 ---@return integer height [px]
@@ -3336,6 +3349,15 @@ function cairn.test.expect_near(actual, expected, tolerance) end
 ---@param action function
 ---@param text string
 function cairn.test.expect_error(action, text) end
+
+---@class cairn.test.expect_picture.Fields
+---@field tolerance? number how far a color may be off, 0 to 1
+---@field share? number of the pixels that may be farther off
+
+---What the game draws now must look like the picture, a PNG file of the game such as `tests/pictures/start.png`. `cairn test GAME --approve-pictures` writes it; where they differ, the new picture and one of the differences are kept, and the message tells where.
+---@param path string
+---@param fields cairn.test.expect_picture.Fields?
+function cairn.test.expect_picture(path, fields) end
 
 ---What `cairn.result` reported last, or nil.
 ---@return table? result

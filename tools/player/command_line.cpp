@@ -121,13 +121,13 @@ std::string unknown_word_message(const CLI::App& app, const std::string& word) {
 
 }  // namespace
 
-ParsedLine parse_command_line(int argc, char** argv) {
+ParsedLine parse_command_line(int argc, char** argv, bool can_launch) {
     ParsedLine parsed;
     CommandLine& line = parsed.line;
     scripting::PlayOptions& play = line.play;
     PlayTexts texts;
     CLI::App app("Cairn, a 2D game framework with Lua scripting.", "cairn");
-    app.footer("cairn COMMAND --help says more about a command.");
+    app.footer("cairn alone shows the bundled games; cairn COMMAND --help says more about a command.");
     app.require_subcommand(0, 1);  // in `cairn help play`, "play" is an argument
     bool wants_version = false;
     app.add_flag("--version", wants_version, "print the version");
@@ -149,7 +149,13 @@ ParsedLine parse_command_line(int argc, char** argv) {
     play_command
         ->add_option("--screenshot", texts.screenshot, "write a PNG picture of a frame (default: the last)")
         ->type_name("FILE.png[@FRAME]");
+    play_command
+        ->add_option("--video", play.video, "film the run with ffmpeg, without a window: .mp4, .webm, .gif")
+        ->type_name("FILE");
     play_command->add_flag("--hash", play.print_hash, "print the hash of the last state");
+    play_command->add_option("--show", play.shown_tools, "open tools: help, debug, profiler")
+        ->type_name("TOOL,...")
+        ->delimiter(',');
 
     CLI::App* run_command = app.add_subcommand("run", "run a Lua file headlessly");
     run_command->add_option("FILE", line.target, "the .lua file")->required();
@@ -158,6 +164,14 @@ ParsedLine parse_command_line(int argc, char** argv) {
 
     CLI::App* test_command = app.add_subcommand("test", "run the tests of a game: its tests/*.lua");
     test_command->add_option("GAME", line.target, "as for cairn play")->required();
+    test_command->add_option("--junit", line.test.junit, "write the results to FILE as JUnit's XML")
+        ->type_name("FILE");
+    test_command->add_flag("--approve-pictures", line.test.approves_pictures,
+                           "write the pictures that tests compare with");
+    test_command
+        ->add_option("--differences", line.test.differences,
+                     "keep pictures that differ in DIR (default: the folder for temporary files)")
+        ->type_name("DIR");
 
     CLI::App* check_command =
         app.add_subcommand("check", "examine a game's levels, scripts and assets; tells every fault");
@@ -204,6 +218,7 @@ ParsedLine parse_command_line(int argc, char** argv) {
         return parsed;
     }
     play.arguments = line.arguments;
+    if (argc == 1 && can_launch) line.command = Command::Launch;
     if (wants_version) line.command = Command::Version;
     if (play_command->parsed()) line.command = Command::Play;
     if (run_command->parsed()) {

@@ -5,16 +5,18 @@
 #include <vector>
 
 #include <cairn/scripting/play.h>
+#include <cairn/scripting/test_game.h>
 
 namespace cairn::player {
 
-enum class Command { Help, Play, Run, Test, Check, New, Reference, Levels, Types, Version };
+enum class Command { Launch, Help, Play, Run, Test, Check, New, Reference, Levels, Types, Version };
 
 struct CommandLine {
     Command command = Command::Help;
     std::string target;  ///< the game, file or folder
     std::vector<std::string> arguments;
     scripting::PlayOptions play;  ///< without its source
+    scripting::TestOptions test;
 };
 
 /// Either a command line, or what was printed and the exit status.
@@ -24,6 +26,7 @@ struct ParsedLine {
     CommandLine line;
 };
 
-ParsedLine parse_command_line(int argc, char** argv);
+/// Without arguments it is Launch, where that can be, or Help.
+ParsedLine parse_command_line(int argc, char** argv, bool can_launch);
 
 }  // namespace cairn::player

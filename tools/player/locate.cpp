@@ -17,9 +17,6 @@ bool is_game_folder(const fs::path& folder) {
     return fs::is_regular_file(folder / "main.lua", ignored);
 }
 
-/// Where bundled games are, and the smaller ones among them.
-constexpr const char* kGameFolders[] = {"games", "games/examples"};
-
 fs::path own_folder(const std::string& program_path) {
     std::error_code failed;
     // argv[0] has no path when the shell found the program; Linux knows.
@@ -37,16 +34,36 @@ std::string data_folder(const std::string& program_path) {
     return CAIRN_SOURCE_DATA;
 }
 
-std::vector<std::string> bundled_games(const std::string& data_folder) {
-    std::vector<std::string> names;
-    std::error_code failed;
-    for (const char* folder : kGameFolders) {
-        for (const auto& entry : fs::directory_iterator(fs::path(data_folder) / folder, failed)) {
-            if (is_game_folder(entry.path())) names.push_back(entry.path().filename().string());
+std::vector<BundledGame> bundled_games(const std::string& data_folder) {
+    std::vector<BundledGame> games;
+    const fs::path root = fs::path(data_folder) / "games";
+    const auto look_into = [&](const fs::path& folder, const auto& look_deeper) {
+        std::error_code failed;
+        for (const auto& entry : fs::directory_iterator(folder, failed)) {
+            if (is_game_folder(entry.path())) {
+                games.push_back({entry.path().filename().string(),
+                                 entry.path().lexically_relative(root).generic_string()});
+            } else {
+                look_deeper(entry.path());
+            }
         }
+    };
+    look_into(root, [&](const fs::path& folder) { look_into(folder, [](const fs::path&) {}); });
+    std::sort(games.begin(), games.end(),
+              [](const BundledGame& a, const BundledGame& b) { return a.name < b.name; });
+    return games;
+}
+
+scripting::GameSource launcher(const std::string& program_path) {
+    const fs::path data = data_folder(program_path);
+    std::error_code ignored;
+    fs::path folder = data / "launcher";
+    if (!is_game_folder(folder)) folder = fs::path(CAIRN_SOURCE_DATA) / "tools" / "player" / "launcher";
+    scripting::GameSource source{.program_path = program_path, .path = folder.string(), .name = "launcher"};
+    for (const char* seen : {"assets", "games"}) {
+        if (fs::is_directory(data / seen, ignored)) source.assets.push_back((data / seen).string());
     }
-    std::sort(names.begin(), names.end());
-    return names;
+    return source;
 }
 
 engine::Result<scripting::GameSource> locate_game(const std::string& game, const std::string& program_path) {
@@ -72,12 +89,12 @@ engine::Result<scripting::GameSource> locate_game(const std::string& game, const
     if (fs::is_directory(path, ignored)) {
         return engine::Error{"the folder \"" + game + "\" is no game: it holds no main.lua"};
     }
-    const std::vector<std::string> names = bundled_games(data.string());
-    if (std::find(names.begin(), names.end(), game) != names.end()) {
-        for (const char* folder : kGameFolders) {
-            if (is_game_folder(data / folder / game)) source.path = (data / folder / game).string();
-        }
-        source.name = game;
+    std::vector<std::string> names;
+    for (const BundledGame& bundled : bundled_games(data.string())) {
+        names.push_back(bundled.name);
+        if (bundled.name != game && bundled.folder != game) continue;
+        source.path = (data / "games" / bundled.folder).string();
+        source.name = bundled.name;
         return source;
     }
     std::string message = "no game \"" + game +

@@ -13,8 +13,16 @@ namespace cairn::player {
 /// source tree.
 std::string data_folder(const std::string& program_path);
 
-/// Names of the bundled games, sorted.
-std::vector<std::string> bundled_games(const std::string& data_folder);
+struct BundledGame {
+    std::string name;    ///< of its folder: what `cairn play` knows it by
+    std::string folder;  ///< below games/
+};
+
+/// The folders with main.lua in games/ and one level below, sorted by name.
+std::vector<BundledGame> bundled_games(const std::string& data_folder);
+
+/// What `cairn` alone plays: it shows the bundled games, and its result names the folder of one.
+scripting::GameSource launcher(const std::string& program_path);
 
 /// A folder with main.lua, a .lua file, or the name of a bundled game. The error lists the bundled games.
 engine::Result<scripting::GameSource> locate_game(const std::string& game, const std::string& program_path);

@@ -1,5 +1,6 @@
 // The cairn program.
 #include <cstdio>
+#include <cstdlib>
 
 #include <cairn/scripting/check_game.h>
 #include <cairn/scripting/play.h>
@@ -23,13 +24,38 @@ int fail(const std::string& message) {
 
 void print_bundled_games(const std::string& program_path) {
     std::printf("\nBundled games (cairn play NAME):\n");
-    for (const std::string& name : cairn::player::bundled_games(cairn::player::data_folder(program_path))) {
-        std::printf("  %s\n", name.c_str());
+    for (const auto& game : cairn::player::bundled_games(cairn::player::data_folder(program_path))) {
+        std::printf("  %s\n", game.name.c_str());
+    }
+}
+
+/// Where there is none, `cairn` alone prints its help.
+bool has_display() {
+    for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY", "SDL_VIDEODRIVER"}) {
+        const char* value = std::getenv(name);
+        if (value != nullptr && *value != '\0') return true;
+    }
+    return false;
+}
+
+/// Shows the shelf of games, plays what is chosen, and comes back to the shelf, until nothing is chosen.
+int launch(const std::string& program_path) {
+    while (true) {
+        cairn::scripting::PlayResult chosen;
+        const int status =
+            cairn::scripting::play({.source = cairn::player::launcher(program_path), .result = &chosen});
+        if (status != 0 || chosen.outcome != "play" || !chosen.level) return status;
+        const auto source = cairn::player::locate_game(*chosen.level, program_path);
+        if (!source) return fail(source.error().message);
+        // A game that failed has shown its error; the shelf is still of use.
+        static_cast<void>(cairn::scripting::play({.source = *source}));
     }
 }
 
 int run(const CommandLine& line, const std::string& program_path) {
     switch (line.command) {
+        case Command::Launch:
+            return launch(program_path);
         case Command::Help:
             print_bundled_games(program_path);
             return 0;
@@ -60,7 +86,7 @@ int run(const CommandLine& line, const std::string& program_path) {
     const auto source = line.command == Command::Run ? cairn::player::locate_script(line.target, program_path)
                                                      : cairn::player::locate_game(line.target, program_path);
     if (!source) return fail(source.error().message);
-    if (line.command == Command::Test) return cairn::scripting::test_game(*source);
+    if (line.command == Command::Test) return cairn::scripting::test_game(*source, line.test);
     if (line.command == Command::Check) return cairn::scripting::check_game(*source);
     if (line.command == Command::Run) return cairn::scripting::run_script(*source, line.arguments);
     cairn::scripting::PlayOptions options = line.play;
@@ -71,7 +97,7 @@ int run(const CommandLine& line, const std::string& program_path) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    const cairn::player::ParsedLine parsed = cairn::player::parse_command_line(argc, argv);
+    const cairn::player::ParsedLine parsed = cairn::player::parse_command_line(argc, argv, has_display());
     const int status = parsed.is_done ? parsed.status : run(parsed.line, argv[0]);
     // What was asked for may not have arrived: a full disk shows only now.
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)

@@ -17,6 +17,12 @@ struct GameSource {
     std::string save_root;            ///< holds the save folders; empty: the user's data folder
 };
 
+/// What the game reported last with cairn.result.
+struct PlayResult {
+    std::string outcome;  ///< empty: nothing was reported
+    std::optional<std::string> level;
+};
+
 struct PlayOptions {
     GameSource source;
     bool headless = false;
@@ -27,8 +33,12 @@ struct PlayOptions {
     std::string replay;                 ///< file to take the input from; empty: none
     std::string screenshot;             ///< PNG file to write; empty: none
     std::optional<std::uint64_t> screenshot_frame;  ///< default: the last one
+    /// File to film the run to, with ffmpeg, a frame for each update; empty: none. Then there is no window.
+    std::string video;
     bool print_hash = false;
+    std::vector<std::string> shown_tools;  ///< "help", "debug": open from the start
     std::vector<std::string> arguments;  ///< for cairn.load
+    PlayResult* result = nullptr;        ///< takes what the game reports, instead of standard output
 };
 
 /// Ten seconds of game time.

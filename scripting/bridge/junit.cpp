@@ -1,0 +1,82 @@
+// The schema is that of Jenkins' JUnit plugin, which the others follow.
+#include "bridge/junit.h"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace cairn::scripting {
+namespace {
+
+/// For text and for attributes. XML 1.0 has no way to write most control characters: they become question
+/// marks.
+std::string escaped(const std::string& text) {
+    std::string out;
+    for (const char c : text) {
+        switch (c) {
+            case '&':
+                out += "&amp;";
+                break;
+            case '<':
+                out += "&lt;";
+                break;
+            case '>':
+                out += "&gt;";
+                break;
+            case '"':
+                out += "&quot;";
+                break;
+            case '\n':
+                out += "&#10;";
+                break;
+            case '\t':
+                out += "&#9;";
+                break;
+            default:
+                out += static_cast<unsigned char>(c) < 0x20 ? '?' : c;
+        }
+    }
+    return out;
+}
+
+std::string seconds(double duration_s) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.3f", duration_s);
+    return text;
+}
+
+/// name="..." tests="..." failures="..." time="..."
+std::string totals(const std::string& name, const TestResult* first, const TestResult* last) {
+    double duration_s = 0;
+    for (const TestResult* result = first; result != last; ++result) duration_s += result->duration_s;
+    const auto failures =
+        std::count_if(first, last, [](const TestResult& result) { return result.error.has_value(); });
+    return "name=\"" + escaped(name) + "\" tests=\"" + std::to_string(last - first) + "\" failures=\"" +
+           std::to_string(failures) + "\" time=\"" + seconds(duration_s) + '"';
+}
+
+}  // namespace
+
+std::string junit_xml(const std::string& game, const std::vector<TestResult>& results) {
+    const TestResult* const end = results.data() + results.size();
+    std::string xml = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites " +
+                      totals(game, results.data(), end) + ">\n";
+    for (const TestResult* first = results.data(); first != end;) {
+        const TestResult* last =
+            std::find_if(first, end, [&](const TestResult& result) { return result.file != first->file; });
+        xml += "  <testsuite " + totals(first->file, first, last) + ">\n";
+        for (; first != last; ++first) {
+            xml += "    <testcase classname=\"" + escaped(game + '.' + first->file) + "\" name=\"" +
+                   escaped(first->name) + "\" time=\"" + seconds(first->duration_s) + '"';
+            if (!first->error) {
+                xml += "/>\n";
+                continue;
+            }
+            xml += ">\n      <failure message=\"" + escaped(first->error->message) + "\">" +
+                   escaped(first->error->to_text()) + "</failure>\n    </testcase>\n";
+        }
+        xml += "  </testsuite>\n";
+    }
+    return xml + "</testsuites>\n";
+}
+
+}  // namespace cairn::scripting

@@ -1,0 +1,180 @@
+// Keys and pictures of the tools.
+#include "debug/developer_tools.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include <cairn/scripting/suggest.h>
+
+#include "bind/physics_objects.h"
+
+namespace cairn::scripting {
+namespace {
+
+using engine::Color;
+using engine::InputEvent;
+using engine::InputKind;
+using engine::Key;
+using engine::Vec2;
+
+constexpr Color kPanel{0.07f, 0.09f, 0.12f, 0.86f};
+constexpr Color kText{0.92f, 0.93f, 0.94f, 1};
+constexpr Color kQuiet{0.65f, 0.70f, 0.75f, 1};
+constexpr Color kVeil{0.05f, 0.06f, 0.08f, 0.55f};
+
+struct KeyHelp {
+    Key key;
+    const char* name;
+    const char* what;
+};
+constexpr KeyHelp kKeys[] = {
+    {Key::F1, "F1", "this help"},
+    {Key::F2, "F2", "physics: shapes, contacts and joints; again: islands; again: boxes and centres; off"},
+    {Key::F3, "F3", "profiler: where the time of a frame goes, and how exact the physics is"},
+    {Key::F5, "F5", "start the game anew"},
+    {Key::F6, "F6", "pause, go on"},
+    {Key::F7, "F7", "pause, and go on by one update; held, by one after the other"},
+    {Key::F8, "F8", "half as fast"},
+    {Key::F9, "F9", "twice as fast"},
+};
+
+bool is_tool_key(Key key) {
+    return std::any_of(std::begin(kKeys), std::end(kKeys), [&](const KeyHelp& k) { return k.key == key; });
+}
+
+/// All of a world's bodies, with a margin: for worlds that no camera shows.
+engine::Affine2 view_of_all(const physics::World& world, engine::Size size) {
+    physics::Position low{-5, -5};
+    physics::Position high{5, 5};
+    bool is_first = true;
+    for (const physics::DebugBox& box : world.debug_boxes()) {
+        const auto body = world.body(world.shape(box.shape)->body());
+        // Grounds tend to be endless.
+        if (body->type() == physics::BodyType::Static && !is_first) continue;
+        low = is_first ? box.lower_m
+                       : physics::Position{std::min(low.x, box.lower_m.x), std::min(low.y, box.lower_m.y)};
+        high = is_first ? box.upper_m
+                        : physics::Position{std::max(high.x, box.upper_m.x), std::max(high.y, box.upper_m.y)};
+        is_first = false;
+    }
+    const double width = std::max(high.x - low.x, 1e-3);
+    const double height = std::max(high.y - low.y, 1e-3);
+    const double scale = 0.9 * std::min(size.width / width, size.height / height);
+    const double x = 0.5 * size.width - scale * 0.5 * (low.x + high.x);
+    const double y = 0.5 * size.height + scale * 0.5 * (low.y + high.y);
+    return {static_cast<float>(scale), 0, 0, static_cast<float>(-scale), static_cast<float>(x),
+            static_cast<float>(y)};
+}
+
+}  // namespace
+
+engine::Result<void> DeveloperTools::show(std::string_view name) {
+    static const std::array<std::string, 3> kNames{"help", "debug", "profiler"};
+    if (name == "help") {
+        shows_help_ = true;
+    } else if (name == "debug") {
+        layer_ = DebugLayer::Everything;
+    } else if (name == "profiler") {
+        shows_profiler_ = true;
+    } else {
+        return engine::Error{"--show is \"" + std::string(name) + "\": no such tool" +
+                             suggestion(name, kNames)};
+    }
+    return {};
+}
+
+void DeveloperTools::take_keys(std::vector<InputEvent>& events) {
+    std::erase_if(events, [&](const InputEvent& event) {
+        const bool is_press = event.kind == InputKind::KeyPressed;
+        if ((!is_press && event.kind != InputKind::KeyReleased) || !is_tool_key(event.key)) return false;
+        if (is_press && (!event.is_repeat || event.key == Key::F7)) press(event.key);
+        return true;
+    });
+}
+
+void DeveloperTools::press(Key key) {
+    if (time_.press(key)) return;
+    if (key == Key::F1) shows_help_ = !shows_help_;
+    if (key == Key::F2)
+        layer_ = layer_ == DebugLayer::Everything ? DebugLayer::Off
+                                                  : static_cast<DebugLayer>(static_cast<int>(layer_) + 1);
+    if (key == Key::F3) shows_profiler_ = !shows_profiler_;
+    if (key == Key::F5) wants_restart_ = true;
+}
+
+bool DeveloperTools::take_restart() {
+    return std::exchange(wants_restart_, false);
+}
+
+void DeveloperTools::end_frame(const Game& game) {
+    if (meter_.is_on() != shows_profiler_) meter_.turn(shows_profiler_, game.context());
+    meter_.end_frame(game.context(), game.state().allocated_bytes());
+}
+
+void DeveloperTools::draw(const Game& game) {
+    const std::string label = time_.label();
+    if (!shows_help_ && !shows_profiler_ && layer_ == DebugLayer::Off && label.empty()) return;
+    const Context& context = game.context();
+    engine::Renderer& renderer = context.services.renderer;
+    // The game may have left the renderer in any state.
+    while (!renderer.current_canvas().is_null() && renderer.end_canvas()) {
+    }
+    renderer.reset_transform();
+    renderer.set_scissor(std::nullopt);
+    renderer.set_blend_mode(engine::BlendMode::Alpha);
+    if (layer_ != DebugLayer::Off) draw_worlds(context);
+    const float size = std::max(10.0f, static_cast<float>(renderer.logical_size().height) / 45);
+    const auto font = renderer.load_font("fonts/default.ttf", size);
+    if (!font) return;
+    if (shows_profiler_) profiler_.draw(meter_, context, game.state().used_bytes(), *font);
+    if (!label.empty()) draw_label(renderer, *font, label);
+    if (shows_help_) draw_help(renderer, *font);
+}
+
+void DeveloperTools::draw_worlds(const Context& context) const {
+    engine::Renderer& renderer = context.services.renderer;
+    const engine::Size size = renderer.logical_size();
+    renderer.fill_rectangle({0, 0, static_cast<float>(size.width), static_cast<float>(size.height)}, kVeil);
+    for (const WorldObject* object : context.worlds) {
+        const physics::World& world = *object->world;
+        renderer.reset_transform();
+        renderer.apply_transform(context.world_view ? *context.world_view : view_of_all(world, size));
+        draw_debug(renderer, world,
+                   {.islands = layer_ >= DebugLayer::Islands,
+                    .boxes = layer_ == DebugLayer::Everything,
+                    .centers = layer_ == DebugLayer::Everything,
+                    .alpha = static_cast<float>(context.alpha)});
+    }
+    renderer.reset_transform();
+}
+
+void DeveloperTools::draw_label(engine::Renderer& renderer, engine::FontId font,
+                                const std::string& label) const {
+    const Vec2 size = renderer.measure_text(font, label);
+    const float middle = 0.5f * static_cast<float>(renderer.logical_size().width);
+    renderer.fill_rectangle({middle - size.x / 2 - size.y, 0, size.x + 2 * size.y, 1.5f * size.y}, kPanel);
+    renderer.draw_text(
+        font, label,
+        {.position = {middle, 0.25f * size.y}, .color = kText, .align = engine::TextAlign::Center});
+}
+
+void DeveloperTools::draw_help(engine::Renderer& renderer, engine::FontId font) const {
+    const float line = 1.35f * renderer.line_height(font);
+    float width = 0;
+    for (const KeyHelp& key : kKeys) width = std::max(width, renderer.measure_text(font, key.what).x);
+    const float key_width = renderer.measure_text(font, "F10").x + 2 * line;
+    const float height = line * (static_cast<float>(std::size(kKeys)) + 1);
+    const auto screen = renderer.logical_size();
+    const Vec2 corner{0.5f * (static_cast<float>(screen.width) - width - key_width - line),
+                      0.5f * (static_cast<float>(screen.height) - height)};
+    renderer.fill_rectangle({corner.x, corner.y, width + key_width + line, height}, kPanel);
+    float y = corner.y + line / 2;
+    for (const KeyHelp& key : kKeys) {
+        renderer.draw_text(font, key.name, {.position = {corner.x + line, y}, .color = kText});
+        renderer.draw_text(font, key.what, {.position = {corner.x + key_width, y}, .color = kQuiet});
+        y += line;
+    }
+}
+
+}  // namespace cairn::scripting

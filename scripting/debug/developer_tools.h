@@ -1,0 +1,60 @@
+// The tools that every game has in a window: help (F1), debug drawing (F2), profiler (F3),
+// restart (F5), time (F6 to F9).
+// Invariant: their keys never reach the game or a recording, they draw after the game did, and they change
+// nothing that the game can notice.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <cairn/engine/input.h>
+#include <cairn/engine/renderer.h>
+#include <cairn/engine/result.h>
+
+#include "bridge/game.h"
+#include "debug/debug_draw.h"
+#include "debug/frame_meter.h"
+#include "debug/profiler_overlay.h"
+#include "debug/time_control.h"
+
+namespace cairn::scripting {
+
+/// How much of the worlds F2 shows.
+enum class DebugLayer { Off, Shapes, Islands, Everything };
+
+class DeveloperTools {
+  public:
+    /// Opens "help", "debug" or "profiler", as their keys do. The error lists the names.
+    engine::Result<void> show(std::string_view name);
+
+    /// Takes the keys that are the tools' own out of the events, and does what they ask for.
+    void take_keys(std::vector<engine::InputEvent>& events);
+    /// F7 repeats while it is held.
+    [[nodiscard]] TimeControl& time() { return time_; }
+    /// Whether F5 was pressed since this was asked last.
+    [[nodiscard]] bool take_restart();
+
+    /// Over the game's picture, before the frame ends.
+    void draw(const Game& game);
+    /// After the picture was handed to the display.
+    void end_frame(const Game& game);
+    /// What a frame takes is measured while the profiler is open.
+    [[nodiscard]] FrameMeter& meter() { return meter_; }
+
+  private:
+    void press(engine::Key key);
+    void draw_worlds(const Context& context) const;
+    void draw_label(engine::Renderer& renderer, engine::FontId font, const std::string& label) const;
+    void draw_help(engine::Renderer& renderer, engine::FontId font) const;
+
+    bool shows_help_ = false;
+    DebugLayer layer_ = DebugLayer::Off;
+    bool shows_profiler_ = false;
+    bool wants_restart_ = false;
+    TimeControl time_;
+    FrameMeter meter_;
+    ProfilerOverlay profiler_;
+};
+
+}  // namespace cairn::scripting
