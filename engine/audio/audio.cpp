@@ -125,6 +125,12 @@ Result<SoundId> Audio::load_sound(std::string_view path) {
     return id;
 }
 
+std::vector<std::string> Audio::loaded_sounds() const {
+    std::vector<std::string> paths;
+    for (const auto& [path, sound] : state_->sounds_by_path) paths.push_back(path);
+    return paths;
+}
+
 bool Audio::is_valid(SoundId sound) const {
     return state_->sounds.find(sound) != nullptr;
 }

@@ -11,6 +11,14 @@
 
 namespace cairn::engine {
 
+std::vector<TextureInfo> Renderer::loaded_textures() const {
+    std::vector<TextureInfo> list;
+    state_->textures.for_each([&](TextureId, const Texture& texture) {
+        list.push_back({texture.path, texture.size, texture.is_canvas});
+    });
+    return list;
+}
+
 void Renderer::draw_image(TextureId texture, const ImageDraw& draw) {
     const Texture* found = state_->find_texture(texture, "draw_image");
     if (!found) return;

@@ -4,6 +4,7 @@
 #include "bind/fracture.h"
 #include "bind/modules.h"
 #include "bind/physics_fields.h"
+#include "bind/physics_names.h"
 #include "bind/physics_objects.h"
 #include "bind/world_queries.h"
 #include "lua/state.h"
@@ -19,15 +20,7 @@ using FloatPair = std::tuple<float, float>;
 using Place = std::tuple<double, double, float>;
 
 std::string_view type(BodyRef self) {
-    switch (self.body.type()) {
-        case physics::BodyType::Static:
-            return "static";
-        case physics::BodyType::Kinematic:
-            return "kinematic";
-        case physics::BodyType::Dynamic:
-            return "dynamic";
-    }
-    return "";
+    return name_of(self.body.type());
 }
 
 Pair position(BodyRef self) {

@@ -1,6 +1,7 @@
 // The methods of Shape.
 #include "bind/modules.h"
 #include "bind/physics_fields.h"
+#include "bind/physics_names.h"
 #include "bind/physics_objects.h"
 
 namespace cairn::scripting {
@@ -15,19 +16,7 @@ Pushed body(lua_State* L, ShapeRef self) {
 }
 
 std::string_view kind(ShapeRef self) {
-    switch (self.shape.outline().kind) {
-        case physics::ShapeKind::Circle:
-            return "circle";
-        case physics::ShapeKind::Capsule:
-            return "capsule";
-        case physics::ShapeKind::Polygon:
-            return "polygon";
-        case physics::ShapeKind::Segment:
-            return "segment";
-        case physics::ShapeKind::ChainSegment:
-            return "chain_segment";
-    }
-    return "";
+    return name_of(self.shape.outline().kind);
 }
 
 Pushed points(lua_State* L, ShapeRef self) {

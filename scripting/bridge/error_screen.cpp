@@ -13,6 +13,7 @@ constexpr Color kBackground{0.13f, 0.16f, 0.20f, 1};
 constexpr Color kPanel{0.10f, 0.12f, 0.15f, 1};
 constexpr Color kHeadline{0.95f, 0.76f, 0.46f, 1};
 constexpr Color kText{0.92f, 0.93f, 0.94f, 1};
+constexpr Color kButton{0.20f, 0.24f, 0.29f, 1};
 constexpr Color kQuiet{0.60f, 0.65f, 0.70f, 1};
 
 std::vector<std::string> split_lines(const std::string& text) {
@@ -51,6 +52,23 @@ std::string cut_to_width(const engine::Renderer& renderer, engine::FontId font, 
         (renderer.measure_text(font, cut(middle)).x <= width ? fits : too_many) = middle;
     }
     return cut(fits);
+}
+
+struct Button {
+    ErrorChoice choice;
+    const char* label;
+};
+constexpr Button kButtons[] = {{ErrorChoice::TryAgain, "R: try again"},
+                               {ErrorChoice::Copy, "C: copy the message"},
+                               {ErrorChoice::Quit, "Esc: quit"}};
+
+engine::Rect area_of(std::size_t button, engine::Size screen) {
+    const auto width = static_cast<float>(screen.width);
+    const auto height = static_cast<float>(screen.height);
+    const float margin = width / 16;
+    const float gap = width / 64;
+    const float wide = (width - 2 * margin - 2 * gap) / 3;
+    return {margin + static_cast<float>(button) * (wide + gap), height - height / 9, wide, height / 14};
 }
 
 /// Writes lines one below the other.
@@ -93,6 +111,33 @@ ErrorScreen make_error_screen(const ScriptError& error, const engine::Files& fil
     return screen;
 }
 
+ErrorChoice choice_of(const engine::InputEvent& event, engine::Size screen) {
+    using engine::GamepadButton;
+    using engine::InputKind;
+    using engine::Key;
+    if (event.kind == InputKind::QuitRequested) return ErrorChoice::Quit;
+    if (event.kind == InputKind::KeyPressed) {
+        if (event.key == Key::Escape) return ErrorChoice::Quit;
+        if (event.key == Key::R || event.key == Key::F5) return ErrorChoice::TryAgain;
+        if (event.key == Key::C) return ErrorChoice::Copy;
+    }
+    if (event.kind == InputKind::GamepadPressed) {
+        const GamepadButton button = event.gamepad_button;
+        if (button == GamepadButton::B || button == GamepadButton::Back) return ErrorChoice::Quit;
+        if (button == GamepadButton::A || button == GamepadButton::Start) return ErrorChoice::TryAgain;
+        if (button == GamepadButton::X) return ErrorChoice::Copy;
+    }
+    // The first finger is the mouse too.
+    if (event.kind == InputKind::MousePressed) {
+        for (std::size_t i = 0; i < std::size(kButtons); ++i) {
+            const engine::Rect area = area_of(i, screen);
+            const Vec2 p = event.position - Vec2{area.x, area.y};
+            if (p.x >= 0 && p.x < area.width && p.y >= 0 && p.y < area.height) return kButtons[i].choice;
+        }
+    }
+    return ErrorChoice::None;
+}
+
 void draw_error_screen(const ErrorScreen& screen, engine::Renderer& renderer) {
     const auto width = static_cast<float>(renderer.logical_size().width);
     const auto height = static_cast<float>(renderer.logical_size().height);
@@ -118,6 +163,8 @@ void draw_error_screen(const ErrorScreen& screen, engine::Renderer& renderer) {
         const float number_width = renderer.measure_text(*small, "00000").x;
         for (const SourceLine& source : screen.excerpt) {
             const Color color = source.is_faulty ? kHeadline : kQuiet;
+            if (source.is_faulty)
+                renderer.fill_rectangle({margin - padding, column.y(), padding / 2, line}, kHeadline);
             renderer.draw_text(*small, std::to_string(source.number),
                                {.position = {margin + number_width, column.y()},
                                 .color = color,
@@ -129,13 +176,21 @@ void draw_error_screen(const ErrorScreen& screen, engine::Renderer& renderer) {
         }
         column.skip(height / 40 + padding);
     }
-    const float bottom = height - height / 9;
+    const float bottom = area_of(0, renderer.logical_size()).y;
     for (const std::string& call : screen.error.traceback) {
         if (column.y() > bottom - renderer.line_height(*small)) break;
         column.write(call, kQuiet);
     }
-    renderer.draw_text(*small, "R: try again      C: copy the message      Esc: quit",
-                       {.position = {margin, bottom + height / 40}, .color = kText});
+    for (std::size_t i = 0; i < std::size(kButtons); ++i) {
+        const engine::Rect area = area_of(i, renderer.logical_size());
+        const bool is_done = kButtons[i].choice == ErrorChoice::Copy && screen.was_copied;
+        renderer.fill_rectangle(area, kButton);
+        renderer.draw_text(
+            *small, is_done ? "copied" : kButtons[i].label,
+            {.position = {area.x + area.width / 2, area.y + (area.height - renderer.line_height(*small)) / 2},
+             .color = kText,
+             .align = engine::TextAlign::Center});
+    }
 }
 
 }  // namespace cairn::scripting

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <cairn/engine/files.h>
+#include <cairn/engine/input.h>
 #include <cairn/engine/renderer.h>
 
 #include "lua/errors.h"
@@ -20,7 +21,14 @@ struct SourceLine {
 struct ErrorScreen {
     ScriptError error;
     std::vector<SourceLine> excerpt;
+    bool was_copied = false;  ///< the button says so
 };
+
+enum class ErrorChoice { None, TryAgain, Copy, Quit };
+
+/// What an event at the screen asks for: R or F5, C, Escape; A or start, X, B of a gamepad; the buttons by
+/// mouse or finger; closing the window.
+ErrorChoice choice_of(const engine::InputEvent& event, engine::Size screen);
 
 /// Reads the lines around the place of the error, if the game has that file.
 ErrorScreen make_error_screen(const ScriptError& error, const engine::Files& files);

@@ -66,6 +66,7 @@ class Session {
         for (const std::string& tool : options_.shown_tools) {
             if (auto shown = tools_.show(tool); !shown) return fail(shown.error().message);
         }
+        if (options_.print_timings) tools_.measure();
         Outcome error = start();
         if (options_.headless) {
             if (!error && !options_.video.empty()) error = start_video();
@@ -79,6 +80,8 @@ class Session {
 
   private:
     Outcome start() {
+        tools_.forget_game();
+        tools_.set_can_change(options_.record.empty() && !replay_);
         game_ = std::make_unique<Game>(machine_.services(),
                                        GameOptions{.seed = seed_,
                                                    .visual_seed = options_.headless ? 1 : seed_by_clock(),
@@ -170,6 +173,8 @@ class Session {
             const bool is_sample = options_.screenshot.empty() && game_->frame() % kFramesPerPicture == 1;
             if (captures || is_sample || video_) {
                 if (Outcome error = draw(1, captures)) return error;
+            } else {
+                tools_.end_frame(*game_);
             }
         }
         return captures_at_end() ? draw(1, true) : std::nullopt;
@@ -193,7 +198,8 @@ class Session {
             }
             platform.poll_events(waiting);
             if (machine_.conf.has_developer_keys) tools_.take_keys(waiting);
-            if (tools_.take_restart()) {
+            tools_.take_input(waiting, *game_);
+            if (wants_restart()) {
                 error = start();
                 waiting.clear();
                 step.reset();
@@ -223,30 +229,41 @@ class Session {
         return false;
     }
 
+    /// Whether the game is to be started anew: F5, from within it and from the error screen.
+    bool wants_restart() { return tools_.take_restart(); }
+
     /// True: try again; false: quit.
     bool wait_at_error_screen(const ScriptError& error) {
-        const ErrorScreen screen = make_error_screen(error, *machine_.files);
+        ErrorScreen screen = make_error_screen(error, *machine_.files);
         std::vector<InputEvent> events;
-        while (true) {
+        while (!wants_restart()) {
             events.clear();
             machine_.platform->poll_events(events);
             for (const InputEvent& event : events) {
-                if (event.kind == InputKind::QuitRequested) return false;
-                if (event.kind != InputKind::KeyPressed) continue;
-                if (event.key == engine::Key::Escape) return false;
-                if (event.key == engine::Key::R) return true;
-                if (event.key == engine::Key::C) copy(error);
+                switch (choice_of(event, machine_.renderer->logical_size())) {
+                    case ErrorChoice::None:
+                        break;
+                    case ErrorChoice::TryAgain:
+                        return true;
+                    case ErrorChoice::Copy:
+                        screen.was_copied = copy(error);
+                        break;
+                    case ErrorChoice::Quit:
+                        return false;
+                }
             }
             machine_.renderer->begin_frame(machine_.conf.background);
             draw_error_screen(screen, *machine_.renderer);
             machine_.renderer->end_frame();
             machine_.platform->sleep_s(engine::FixedStep::kDefaultStep_s);
         }
+        return true;
     }
 
-    void copy(const ScriptError& error) {
-        if (auto copied = machine_.platform->set_clipboard_text(error.to_text()); !copied)
-            fail(copied.error().message);
+    bool copy(const ScriptError& error) {
+        const auto copied = machine_.platform->set_clipboard_text(error.to_text());
+        if (!copied) fail(copied.error().message);
+        return static_cast<bool>(copied);
     }
 
     static int report(const ScriptError& error) { return fail(error.to_text()); }
@@ -260,6 +277,7 @@ class Session {
             if (result->score) std::printf("score: %.14g\n", *result->score);
             if (result->stars) std::printf("stars: %lld\n", static_cast<long long>(*result->stars));
         }
+        if (options_.print_timings) print_timings();
         if (video_) {
             if (const auto finished = video_->finish(); !finished) return fail(finished.error().message);
         }
@@ -279,6 +297,18 @@ class Session {
                         hash_text(*replay_->hash) + ", now " + hash_text(hash));
         }
         return 0;
+    }
+
+    void print_timings() {
+        const FrameTotals& totals = tools_.meter().totals();
+        const FrameFigures& slowest = totals.slowest;
+        const double frames = static_cast<double>(std::max<std::uint64_t>(totals.frames, 1));
+        std::printf("frames: %llu, on average %.2f ms of work, at most %d draw calls\n",
+                    static_cast<unsigned long long>(totals.frames), totals.work_ms / frames,
+                    totals.draw_calls);
+        std::printf("slowest: %.2f ms: update %.2f (physics %.2f), draw %.2f, present %.2f\n",
+                    slowest.work_ms(), slowest[FramePart::Update], slowest.physics_ms,
+                    slowest[FramePart::Draw], slowest[FramePart::Present]);
     }
 
     int write_recording(std::uint64_t hash) {

@@ -141,26 +141,31 @@ class WorldPainter {
         if (!renderer.push_transform()) return;  // the game has used up the stack
         renderer.translate(origin);
         renderer.rotate(xf.q.angle_rad());
+        float reach = 0;
         if (options_.shapes) {
             for (const physics::ShapeId shape_id : body.shapes()) {
                 const auto shape = pen_.world().shape(shape_id);
-                if (!shape || !view_.shows(origin, reach_of(shape->outline()))) continue;
+                if (!shape) continue;
+                reach = std::max(reach, reach_of(shape->outline()));
+                if (!view_.shows(origin, reach_of(shape->outline()))) continue;
                 const Color color = shape->is_sensor() ? kSensor : color_of(body);
                 draw_outline(pen_, shape->outline(), color, shape->is_sensor());
             }
         }
-        if (body.type() == BodyType::Dynamic && view_.shows(origin, 0)) draw_axes(body);
+        if (body.type() == BodyType::Dynamic && view_.shows(origin, 0)) draw_axes(body, reach);
         static_cast<void>(renderer.pop_transform());
     }
 
     /// The centre of mass, and the direction in which the body's x axis points.
-    void draw_axes(const physics::Body& body) const {
+    void draw_axes(const physics::Body& body, float reach_m) const {
         const physics::Vec2 center = body.mass_data().center_m;
         const Vec2 c{center.x, center.y};
-        if (options_.shapes) pen_.line(c, c + Vec2{pen_.pixels(9), 0}, 1, color_of(body));
+        const float most = reach_m > 0 ? 0.5f * reach_m : pen_.pixels(9);  // small bodies have small marks
+        const auto arm = [&](float length_px) { return std::min(pen_.pixels(length_px), most); };
+        if (options_.shapes) pen_.line(c, c + Vec2{arm(9), 0}, 1, color_of(body));
         if (!options_.centers) return;
-        pen_.line(c - Vec2{pen_.pixels(5), 0}, c + Vec2{pen_.pixels(5), 0}, 1.5f, kCenter);
-        pen_.line(c - Vec2{0, pen_.pixels(5)}, c + Vec2{0, pen_.pixels(5)}, 1.5f, kCenter);
+        pen_.line(c - Vec2{arm(5), 0}, c + Vec2{arm(5), 0}, 1.5f, kCenter);
+        pen_.line(c - Vec2{0, arm(5)}, c + Vec2{0, arm(5)}, 1.5f, kCenter);
     }
 
     void draw_joints() const {

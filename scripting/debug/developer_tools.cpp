@@ -5,9 +5,11 @@
 #include <array>
 #include <utility>
 
+#include <cairn/engine/log.h>
 #include <cairn/scripting/suggest.h>
 
 #include "bind/physics_objects.h"
+#include "debug/colors.h"
 
 namespace cairn::scripting {
 namespace {
@@ -18,9 +20,6 @@ using engine::InputKind;
 using engine::Key;
 using engine::Vec2;
 
-constexpr Color kPanel{0.07f, 0.09f, 0.12f, 0.86f};
-constexpr Color kText{0.92f, 0.93f, 0.94f, 1};
-constexpr Color kQuiet{0.65f, 0.70f, 0.75f, 1};
 constexpr Color kVeil{0.05f, 0.06f, 0.08f, 0.55f};
 
 struct KeyHelp {
@@ -37,6 +36,7 @@ constexpr KeyHelp kKeys[] = {
     {Key::F7, "F7", "pause, and go on by one update; held, by one after the other"},
     {Key::F8, "F8", "half as fast"},
     {Key::F9, "F9", "twice as fast"},
+    {Key::F10, "F10", "inspector: worlds, bodies, joints, values of the script, assets, log"},
 };
 
 bool is_tool_key(Key key) {
@@ -70,13 +70,15 @@ engine::Affine2 view_of_all(const physics::World& world, engine::Size size) {
 }  // namespace
 
 engine::Result<void> DeveloperTools::show(std::string_view name) {
-    static const std::array<std::string, 3> kNames{"help", "debug", "profiler"};
+    static const std::array<std::string, 4> kNames{"help", "debug", "profiler", "inspector"};
     if (name == "help") {
         shows_help_ = true;
     } else if (name == "debug") {
         layer_ = DebugLayer::Everything;
     } else if (name == "profiler") {
         shows_profiler_ = true;
+    } else if (name == "inspector") {
+        shows_inspector_ = true;
     } else {
         return engine::Error{"--show is \"" + std::string(name) + "\": no such tool" +
                              suggestion(name, kNames)};
@@ -100,6 +102,7 @@ void DeveloperTools::press(Key key) {
         layer_ = layer_ == DebugLayer::Everything ? DebugLayer::Off
                                                   : static_cast<DebugLayer>(static_cast<int>(layer_) + 1);
     if (key == Key::F3) shows_profiler_ = !shows_profiler_;
+    if (key == Key::F10) shows_inspector_ = !shows_inspector_;
     if (key == Key::F5) wants_restart_ = true;
 }
 
@@ -108,13 +111,15 @@ bool DeveloperTools::take_restart() {
 }
 
 void DeveloperTools::end_frame(const Game& game) {
-    if (meter_.is_on() != shows_profiler_) meter_.turn(shows_profiler_, game.context());
+    const bool is_wanted = shows_profiler_ || measures_;
+    if (meter_.is_on() != is_wanted) meter_.turn(is_wanted, game.context());
     meter_.end_frame(game.context(), game.state().allocated_bytes());
 }
 
 void DeveloperTools::draw(const Game& game) {
     const std::string label = time_.label();
-    if (!shows_help_ && !shows_profiler_ && layer_ == DebugLayer::Off && label.empty()) return;
+    if (!shows_help_ && !shows_profiler_ && !shows_inspector_ && layer_ == DebugLayer::Off && label.empty())
+        return;
     const Context& context = game.context();
     engine::Renderer& renderer = context.services.renderer;
     // The game may have left the renderer in any state.
@@ -124,12 +129,33 @@ void DeveloperTools::draw(const Game& game) {
     renderer.set_scissor(std::nullopt);
     renderer.set_blend_mode(engine::BlendMode::Alpha);
     if (layer_ != DebugLayer::Off) draw_worlds(context);
+    if (shows_inspector_) draw_inspector(game);
     const float size = std::max(10.0f, static_cast<float>(renderer.logical_size().height) / 45);
     const auto font = renderer.load_font("fonts/default.ttf", size);
     if (!font) return;
     if (shows_profiler_) profiler_.draw(meter_, context, game.state().used_bytes(), *font);
     if (!label.empty()) draw_label(renderer, *font, label);
     if (shows_help_) draw_help(renderer, *font);
+}
+
+void DeveloperTools::take_input(std::vector<InputEvent>& events, const Game& game) {
+    if (shows_inspector_ && inspector_ != nullptr) inspector_->take_events(events, game);
+}
+
+void DeveloperTools::forget_game() {
+    inspector_.reset();
+}
+
+void DeveloperTools::draw_inspector(const Game& game) {
+    if (inspector_ == nullptr) {
+        auto made = Inspector::create(game.context().services);
+        if (!made) {
+            shows_inspector_ = false;
+            return engine::log(engine::LogLevel::Warning, made.error().message);
+        }
+        inspector_ = *std::move(made);
+    }
+    inspector_->draw(game, can_change_);
 }
 
 void DeveloperTools::draw_worlds(const Context& context) const {
@@ -153,10 +179,11 @@ void DeveloperTools::draw_label(engine::Renderer& renderer, engine::FontId font,
                                 const std::string& label) const {
     const Vec2 size = renderer.measure_text(font, label);
     const float middle = 0.5f * static_cast<float>(renderer.logical_size().width);
-    renderer.fill_rectangle({middle - size.x / 2 - size.y, 0, size.x + 2 * size.y, 1.5f * size.y}, kPanel);
+    renderer.fill_rectangle({middle - size.x / 2 - size.y, 0, size.x + 2 * size.y, 1.5f * size.y},
+                            panel::kGround);
     renderer.draw_text(
         font, label,
-        {.position = {middle, 0.25f * size.y}, .color = kText, .align = engine::TextAlign::Center});
+        {.position = {middle, 0.25f * size.y}, .color = panel::kText, .align = engine::TextAlign::Center});
 }
 
 void DeveloperTools::draw_help(engine::Renderer& renderer, engine::FontId font) const {
@@ -168,11 +195,11 @@ void DeveloperTools::draw_help(engine::Renderer& renderer, engine::FontId font) 
     const auto screen = renderer.logical_size();
     const Vec2 corner{0.5f * (static_cast<float>(screen.width) - width - key_width - line),
                       0.5f * (static_cast<float>(screen.height) - height)};
-    renderer.fill_rectangle({corner.x, corner.y, width + key_width + line, height}, kPanel);
+    renderer.fill_rectangle({corner.x, corner.y, width + key_width + line, height}, panel::kGround);
     float y = corner.y + line / 2;
     for (const KeyHelp& key : kKeys) {
-        renderer.draw_text(font, key.name, {.position = {corner.x + line, y}, .color = kText});
-        renderer.draw_text(font, key.what, {.position = {corner.x + key_width, y}, .color = kQuiet});
+        renderer.draw_text(font, key.name, {.position = {corner.x + line, y}, .color = panel::kText});
+        renderer.draw_text(font, key.what, {.position = {corner.x + key_width, y}, .color = panel::kQuiet});
         y += line;
     }
 }

@@ -1,5 +1,5 @@
 // The tools that every game has in a window: help (F1), debug drawing (F2), profiler (F3),
-// restart (F5), time (F6 to F9).
+// restart (F5), time (F6 to F9), inspector (F10).
 // Invariant: their keys never reach the game or a recording, they draw after the game did, and they change
 // nothing that the game can notice.
 #pragma once
@@ -15,6 +15,7 @@
 #include "bridge/game.h"
 #include "debug/debug_draw.h"
 #include "debug/frame_meter.h"
+#include "debug/inspector.h"
 #include "debug/profiler_overlay.h"
 #include "debug/time_control.h"
 
@@ -25,11 +26,15 @@ enum class DebugLayer { Off, Shapes, Islands, Everything };
 
 class DeveloperTools {
   public:
-    /// Opens "help", "debug" or "profiler", as their keys do. The error lists the names.
+    /// Opens "help", "debug", "profiler" or "inspector", as their keys do. The error lists the names.
     engine::Result<void> show(std::string_view name);
 
     /// Takes the keys that are the tools' own out of the events, and does what they ask for.
     void take_keys(std::vector<engine::InputEvent>& events);
+    /// Takes what is meant for the inspector.
+    void take_input(std::vector<engine::InputEvent>& events, const Game& game);
+    /// Whether the inspector may change things; not when a run is recorded or replayed.
+    void set_can_change(bool can_change) { can_change_ = can_change; }
     /// F7 repeats while it is held.
     [[nodiscard]] TimeControl& time() { return time_; }
     /// Whether F5 was pressed since this was asked last.
@@ -37,24 +42,33 @@ class DeveloperTools {
 
     /// Over the game's picture, before the frame ends.
     void draw(const Game& game);
+    /// The game is about to be made anew.
+    void forget_game();
     /// After the picture was handed to the display.
     void end_frame(const Game& game);
+    /// Measures from now on, whether the profiler is open or not.
+    void measure() { measures_ = true; }
     /// What a frame takes is measured while the profiler is open.
     [[nodiscard]] FrameMeter& meter() { return meter_; }
 
   private:
     void press(engine::Key key);
     void draw_worlds(const Context& context) const;
+    void draw_inspector(const Game& game);
     void draw_label(engine::Renderer& renderer, engine::FontId font, const std::string& label) const;
     void draw_help(engine::Renderer& renderer, engine::FontId font) const;
 
     bool shows_help_ = false;
     DebugLayer layer_ = DebugLayer::Off;
     bool shows_profiler_ = false;
+    bool measures_ = false;
     bool wants_restart_ = false;
     TimeControl time_;
     FrameMeter meter_;
     ProfilerOverlay profiler_;
+    bool shows_inspector_ = false;
+    bool can_change_ = true;
+    std::unique_ptr<Inspector> inspector_;  ///< made when it is first shown
 };
 
 }  // namespace cairn::scripting

@@ -12,6 +12,7 @@ void FrameMeter::turn(bool on, const Context& context) {
     frames_.clear();
     next_ = 0;
     now_ = {};
+    totals_ = {};
     frame_start_ = {};
     for (WorldObject* world : context.worlds) world->world->set_profiling(on);
 }
@@ -33,6 +34,10 @@ void FrameMeter::end_frame(const Context& context, std::uint64_t lua_allocated) 
     if (!is_first) {
         now_.frame_ms = ms_since(frame_start_);
         now_.lua_allocated = lua_allocated - std::min(lua_allocated, lua_allocated_before_);
+        ++totals_.frames;
+        totals_.work_ms += now_.work_ms();
+        if (now_.work_ms() > totals_.slowest.work_ms()) totals_.slowest = now_;
+        totals_.draw_calls = std::max(totals_.draw_calls, context.services.renderer.stats().draw_calls);
         if (frames_.size() < kHistory) {
             frames_.push_back(now_);
         } else {

@@ -29,6 +29,20 @@ struct FrameFigures {
     std::uint64_t lua_allocated = 0;  ///< bytes
 
     [[nodiscard]] double operator[](FramePart part) const { return part_ms[static_cast<std::size_t>(part)]; }
+    /// Of all parts: without waiting for the display.
+    [[nodiscard]] double work_ms() const {
+        double work = 0;
+        for (const double ms : part_ms) work += ms;
+        return work;
+    }
+};
+
+/// Of all frames since measuring began.
+struct FrameTotals {
+    std::uint64_t frames = 0;
+    double work_ms = 0;
+    FrameFigures slowest;  ///< the one with the most work
+    int draw_calls = 0;    ///< the most in a frame
 };
 
 class FrameMeter {
@@ -60,6 +74,7 @@ class FrameMeter {
     /// The picture is done: takes the figures down. `lua_allocated` counts from the start of the state.
     void end_frame(const Context& context, std::uint64_t lua_allocated);
 
+    [[nodiscard]] const FrameTotals& totals() const { return totals_; }
     /// Oldest first; at most kHistory.
     [[nodiscard]] std::vector<FrameFigures> history() const;
     /// The mean of the last quarter of a second, which a person can read.
@@ -73,6 +88,7 @@ class FrameMeter {
 
     bool is_on_ = false;
     FrameFigures now_;
+    FrameTotals totals_;
     Clock::time_point frame_start_{};
     std::uint64_t lua_allocated_before_ = 0;
     std::vector<std::uint64_t> steps_before_;  ///< of the worlds, in their order

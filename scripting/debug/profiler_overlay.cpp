@@ -7,15 +7,13 @@
 #include <unistd.h>
 
 #include "bind/physics_objects.h"
+#include "debug/colors.h"
 
 namespace cairn::scripting {
 namespace {
 
 using engine::Color;
 
-constexpr Color kPanel{0.07f, 0.09f, 0.12f, 0.86f};
-constexpr Color kText{0.92f, 0.93f, 0.94f, 1};
-constexpr Color kQuiet{0.65f, 0.70f, 0.75f, 1};
 constexpr Color kPhysics{0.98f, 0.72f, 0.42f, 1};
 constexpr Color kScripts{0.55f, 0.78f, 0.98f, 1};
 constexpr Color kDraw{0.62f, 0.86f, 0.56f, 1};
@@ -55,9 +53,9 @@ class Sheet {
 
     void write(const std::string& left, const std::string& right, Color color, bool has_mark = false) {
         if (has_mark) renderer_.fill_rectangle({x_, y_ + 0.3f * line_, 0.4f * line_, 0.4f * line_}, color);
-        renderer_.draw_text(font_, left, {.position = {x_ + 0.8f * line_, y_}, .color = kQuiet});
+        renderer_.draw_text(font_, left, {.position = {x_ + 0.8f * line_, y_}, .color = panel::kQuiet});
         renderer_.draw_text(font_, right,
-                            {.position = {x_ + 7 * line_, y_}, .color = has_mark ? color : kText});
+                            {.position = {x_ + 7 * line_, y_}, .color = has_mark ? color : panel::kText});
         y_ += line_;
     }
     [[nodiscard]] float y() const { return y_; }
@@ -113,15 +111,21 @@ void ProfilerOverlay::update_slow(const Context& context) {
     frames_until_slow_ = kFramesBetween;
     slow_ = {};
     for (const WorldObject* object : context.worlds) {
-        const physics::Counts counts = object->world->counts();
+        const physics::WorldReport report = object->world->report();
+        const physics::Counts& counts = report.counts;
         slow_.counts.bodies += counts.bodies;
         slow_.counts.awake_bodies += counts.awake_bodies;
         slow_.counts.shapes += counts.shapes;
         slow_.counts.joints += counts.joints;
         slow_.counts.contacts += counts.contacts;
         slow_.counts.touching += counts.touching;
-        slow_.penetration_m =
-            std::max(slow_.penetration_m, static_cast<double>(object->world->max_penetration_m()));
+        slow_.islands += report.islands;
+        const auto worst = [](double& known, float found) {
+            known = std::max(known, static_cast<double>(found));
+        };
+        worst(slow_.penetration_m, report.max_penetration_m);
+        worst(slow_.joint_error_m, report.max_joint_error_m);
+        worst(slow_.joint_error_rad, report.max_joint_error_rad);
     }
     slow_.resident_mb = resident_mb();
 }
@@ -138,29 +142,35 @@ void ProfilerOverlay::draw(const FrameMeter& meter, const Context& context, std:
     const float margin = 0.5f * line;
     const float width = 20 * line;
     const float graph_height = 5 * line;
-    constexpr int kLines = 12 + static_cast<int>(physics::kStages.size());
-    renderer.fill_rectangle({0, 0, width + 2 * margin, kLines * line + graph_height + 3 * margin}, kPanel);
+    constexpr int kLines = 14 + static_cast<int>(physics::kStages.size());
+    renderer.fill_rectangle({0, 0, width + 2 * margin, kLines * line + graph_height + 3 * margin},
+                            panel::kGround);
 
     Sheet sheet(renderer, font, margin, margin);
-    sheet.write("frame", text("%.1f ms, slowest of 240: %.1f", mean.frame_ms, slowest_ms), kText);
+    sheet.write("frame", text("%.1f ms, slowest of 240: %.1f", mean.frame_ms, slowest_ms), panel::kText);
     sheet.write("physics", text("%.2f ms", mean.physics_ms), kPhysics, true);
     for (const physics::Stage stage : physics::kStages)
-        sheet.write("  " + std::string(name(stage)), text("%.3f", mean.stages[stage]), kText);
+        sheet.write("  " + std::string(name(stage)), text("%.3f", mean.stages[stage]), panel::kText);
     sheet.write("scripts", text("%.2f ms", scripts_ms(mean)), kScripts, true);
     sheet.write("draw", text("%.2f ms", mean[FramePart::Draw]), kDraw, true);
     sheet.write("present", text("%.2f ms", mean[FramePart::Present]), kPresent, true);
-    sheet.write("overlap", text("%.3g mm at most", 1e3 * slow_.penetration_m), kText);
+    sheet.write("overlap", text("%.3g mm at most", 1e3 * slow_.penetration_m), panel::kText);
+    sheet.write("joint error",
+                text("%.3g mm, %.3g mrad", 1e3 * slow_.joint_error_m, 1e3 * slow_.joint_error_rad),
+                panel::kText);
     const physics::Counts& counts = slow_.counts;
     sheet.write("bodies", text("%d, %d awake; %d shapes", counts.bodies, counts.awake_bodies, counts.shapes),
-                kText);
-    sheet.write("contacts", text("%d, %d touch", counts.contacts, counts.touching), kText);
-    sheet.write("joints", text("%d", counts.joints), kText);
+                panel::kText);
+    sheet.write("contacts", text("%d, %d touch", counts.contacts, counts.touching), panel::kText);
+    sheet.write("joints", text("%d", counts.joints), panel::kText);
+    sheet.write("islands", text("%d awake", slow_.islands), panel::kText);
     const engine::RenderStats& stats = renderer.stats();
-    sheet.write("drawn", text("%d calls, %d triangles", stats.draw_calls, stats.triangles), kText);
+    sheet.write("drawn", text("%d calls, %d triangles", stats.draw_calls, stats.triangles), panel::kText);
     sheet.write("memory",
                 text("%.0f MB, Lua %.2f MB", slow_.resident_mb, static_cast<double>(lua_bytes) / (1 << 20)),
-                kText);
-    sheet.write("garbage", text("%.2f kB a frame", static_cast<double>(mean.lua_allocated) / 1024), kText);
+                panel::kText);
+    sheet.write("garbage", text("%.2f kB a frame", static_cast<double>(mean.lua_allocated) / 1024),
+                panel::kText);
     draw_graph(renderer, meter, {margin, sheet.y() + margin, width, graph_height});
 }
 

@@ -18,6 +18,9 @@ class ProfilerOverlay {
     struct Slow {
         physics::Counts counts;
         double penetration_m = 0;
+        double joint_error_m = 0;
+        double joint_error_rad = 0;
+        int islands = 0;
         double resident_mb = 0;
     };
     void update_slow(const Context& context);

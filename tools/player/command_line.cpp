@@ -153,7 +153,8 @@ ParsedLine parse_command_line(int argc, char** argv, bool can_launch) {
         ->add_option("--video", play.video, "film the run with ffmpeg, without a window: .mp4, .webm, .gif")
         ->type_name("FILE");
     play_command->add_flag("--hash", play.print_hash, "print the hash of the last state");
-    play_command->add_option("--show", play.shown_tools, "open tools: help, debug, profiler")
+    play_command->add_flag("--timings", play.print_timings, "print what frames took on average and at most");
+    play_command->add_option("--show", play.shown_tools, "open tools: help, debug, profiler, inspector")
         ->type_name("TOOL,...")
         ->delimiter(',');
 

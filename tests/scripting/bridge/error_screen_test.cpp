@@ -62,5 +62,42 @@ TEST_CASE("a source line that is too long ends before the edge of the panel") {
     CHECK(light_in_margin == 0);
 }
 
+TEST_CASE("each way to choose at the screen means what its label says") {
+    using engine::InputEvent;
+    using engine::InputKind;
+    constexpr engine::Size kScreen{1280, 720};
+    const auto choice = [&](const InputEvent& event) { return choice_of(event, kScreen); };
+    const auto key = [&](engine::Key key) { return choice({.kind = InputKind::KeyPressed, .key = key}); };
+    CHECK(key(engine::Key::R) == ErrorChoice::TryAgain);
+    CHECK(key(engine::Key::F5) == ErrorChoice::TryAgain);
+    CHECK(key(engine::Key::C) == ErrorChoice::Copy);
+    CHECK(key(engine::Key::Escape) == ErrorChoice::Quit);
+    CHECK(key(engine::Key::Space) == ErrorChoice::None);
+    CHECK(choice({.kind = InputKind::QuitRequested}) == ErrorChoice::Quit);
+    const auto pad = [&](engine::GamepadButton button) {
+        return choice({.kind = InputKind::GamepadPressed, .number = 1, .gamepad_button = button});
+    };
+    CHECK(pad(engine::GamepadButton::A) == ErrorChoice::TryAgain);
+    CHECK(pad(engine::GamepadButton::B) == ErrorChoice::Quit);
+    // From left to right: three buttons, each of a color of its own against the ground between them.
+    LuaBench bench({}, MachineKind::HeadlessDrawing);
+    engine::Renderer& renderer = *bench.machine().renderer;
+    renderer.begin_frame({1, 1, 1, 1});
+    draw_error_screen({{"no", {}}, {}}, renderer);
+    const auto image = renderer.capture();
+    renderer.end_frame();
+    REQUIRE(image);
+    std::vector<ErrorChoice> choices;
+    for (int x = 0; x < kScreen.width; ++x) {
+        const int y = kScreen.height - 78;
+        const auto here = choice({.kind = InputKind::MousePressed, .position = {x + 0.5f, y + 0.5f}});
+        const bool is_button = image->pixel(x, y)[0] > 45;
+        CHECK(is_button == (here != ErrorChoice::None));
+        if (choices.empty() || choices.back() != here) choices.push_back(here);
+    }
+    using enum ErrorChoice;
+    CHECK(choices == std::vector{None, TryAgain, None, Copy, None, Quit, None});
+}
+
 }  // namespace
 }  // namespace cairn::scripting::test

@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "scripting/support/drawing.h"
+#include "scripting/debug/picture_with_tools.h"
 
 namespace cairn::scripting::test {
 namespace {
@@ -48,18 +48,6 @@ TEST_CASE("tools that do not exist are refused by name") {
     const auto shown = tools.show("debgu");
     REQUIRE_FALSE(shown);
     CHECK(shown.error().message.find("did you mean \"debug\"") != std::string::npos);
-}
-
-/// The picture of a game with the tools over it.
-engine::Image picture_with(LuaBench& bench, DeveloperTools& tools) {
-    engine::Renderer& renderer = *bench.machine().renderer;
-    renderer.begin_frame({0, 0, 0, 1});
-    REQUIRE_FALSE(bench.game().draw(1));
-    tools.draw(bench.game());
-    auto image = renderer.capture();
-    renderer.end_frame();
-    REQUIRE(image);
-    return *std::move(image);
 }
 
 TEST_CASE("F2 looks through the game's camera, whatever state the game leaves the renderer in") {

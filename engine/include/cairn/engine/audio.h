@@ -95,6 +95,8 @@ class Audio {
     void advance(double elapsed_s);
 
     AudioStats stats() const;
+    /// Their paths, sorted.
+    std::vector<std::string> loaded_sounds() const;
 
   private:
     struct State;

@@ -101,6 +101,13 @@ struct RenderStats {
     int triangles = 0;
 };
 
+/// A texture that is loaded, for tools.
+struct TextureInfo {
+    std::string path;  ///< empty when it was made in memory
+    Size size;
+    bool is_canvas = false;
+};
+
 class Renderer {
   public:
     /// Platform::create_renderer makes them.
@@ -121,6 +128,8 @@ class Renderer {
     bool is_valid(TextureId texture) const;
     /// A canvas in use stays until the frame ends.
     void destroy_texture(TextureId texture);
+    /// All there are, in order of creation as far as places were not used again.
+    std::vector<TextureInfo> loaded_textures() const;
 
     /// A transparent picture to draw into, which then is drawn like any other; its pixels are logical ones.
     Result<TextureId> create_canvas(Size size, TextureFilter filter = TextureFilter::Linear);

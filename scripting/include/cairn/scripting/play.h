@@ -36,9 +36,10 @@ struct PlayOptions {
     /// File to film the run to, with ffmpeg, a frame for each update; empty: none. Then there is no window.
     std::string video;
     bool print_hash = false;
+    bool print_timings = false;            ///< what frames took, the slowest too
     std::vector<std::string> shown_tools;  ///< "help", "debug": open from the start
-    std::vector<std::string> arguments;  ///< for cairn.load
-    PlayResult* result = nullptr;        ///< takes what the game reports, instead of standard output
+    std::vector<std::string> arguments;    ///< for cairn.load
+    PlayResult* result = nullptr;          ///< takes what the game reports, instead of standard output
 };
 
 /// Ten seconds of game time.
