@@ -208,6 +208,10 @@ void Gui::begin(float elapsed_s) {
     ImGui::NewFrame();
 }
 
+void Gui::discard() {
+    ImGui::EndFrame();
+}
+
 void Gui::end() {
     ImGui::Render();
     const ImDrawData& data = *ImGui::GetDrawData();

@@ -30,6 +30,8 @@ class Gui {
     /// The widgets of a picture are made between these two.
     void begin(float elapsed_s);
     void end();
+    /// Instead of `end`: nothing is drawn. Some widgets find their places only in a second picture.
+    static void discard();
     /// Where the window is that was made last: what happens there is the GUI's from now on.
     void note_window();
 

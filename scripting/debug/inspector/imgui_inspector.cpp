@@ -67,19 +67,28 @@ class ImguiInspector final : public Inspector {
         const float elapsed_s = std::chrono::duration<float>(now - std::exchange(then_, now)).count();
         if (selection_.world >= context.worlds.size()) selection_ = {};
         mark_selection(context);
+        if (std::exchange(is_new_, false)) {
+            gui_->begin(elapsed_s);
+            show_window(game, can_change);
+            Gui::discard();
+        }
         gui_->begin(elapsed_s);
-        const engine::Size size = context.services.renderer.logical_size();
-        ImGui::SetNextWindowPos({0.62f * static_cast<float>(size.width), 20}, ImGuiCond_FirstUseEver);
-        ImGui::SetNextWindowSize(
-            {0.36f * static_cast<float>(size.width), 0.85f * static_cast<float>(size.height)},
-            ImGuiCond_FirstUseEver);
-        if (ImGui::Begin("Inspector (F10)")) show_tabs(game, can_change);
-        gui_->note_window();
-        ImGui::End();
+        show_window(game, can_change);
         gui_->end();
     }
 
   private:
+    void show_window(const Game& game, bool can_change) {
+        const engine::Size size = game.context().services.renderer.logical_size();
+        const auto width = static_cast<float>(size.width);
+        const auto height = static_cast<float>(size.height);
+        ImGui::SetNextWindowPos({0.62f * width, 20}, ImGuiCond_FirstUseEver);
+        ImGui::SetNextWindowSize({0.36f * width, 0.85f * height}, ImGuiCond_FirstUseEver);
+        if (ImGui::Begin("Inspector (F10)")) show_tabs(game, can_change);
+        gui_->note_window();
+        ImGui::End();
+    }
+
     void show_tabs(const Game& game, bool can_change) {
         const Context& context = game.context();
         if (!can_change)
@@ -157,6 +166,7 @@ class ImguiInspector final : public Inspector {
     std::unique_ptr<Gui> gui_;
     LogKeeper log_;
     Selection selection_;
+    bool is_new_ = true;
     bool shows_bodies_ = false;
     bool is_picking_ = false;
     std::vector<LuaValue> values_;
