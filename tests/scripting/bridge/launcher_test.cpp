@@ -35,7 +35,8 @@ PlayResult launch(const std::string& events) {
 TEST_CASE("the launcher gives the folder of the game that is chosen, whatever chooses it") {
     CHECK(launch("5 key_pressed return\n").level == "apple");
     CHECK(launch("5 key_pressed right\n6 key_pressed return\n").level == "more/cake");
-    CHECK(launch("5 key_pressed d\n6 key_pressed d\n7 key_pressed space\n").level == "nuts");
+    CHECK(launch("5 key_pressed d\n6 key_released d\n7 key_pressed d\n8 key_pressed space\n").level ==
+          "nuts");
     CHECK(launch("5 mouse_pressed left 600 200\n6 mouse_released left 600 200\n").level == "more/cake");
     CHECK(
         launch("2 gamepad_connected 1 pad\n5 gamepad_pressed 1 dpad_right\n6 gamepad_pressed 1 a\n").level ==

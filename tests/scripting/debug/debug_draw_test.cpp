@@ -98,7 +98,7 @@ TEST_CASE("a joint of each kind is drawn between its anchors, far from the origi
         "}",
         "w:add_weld_joint{ body_a = a, body_b = b, x = 1002, y = 0 }",
         "w:add_wheel_joint{ body_a = a, body_b = b, x = 1002, y = 0 }",
-        "w:add_motor_joint{ body_a = a, body_b = b, max_force = 1 }",
+        "w:add_motor_joint{ body_a = a, body_b = b, x = 1002, y = 0, max_force = 1 }",
         "w:add_mouse_joint{ body = b, x = 1002, y = 0 }",
         "w:add_filter_joint{ body_a = a, body_b = b }",
     };
