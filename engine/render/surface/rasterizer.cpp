@@ -18,10 +18,23 @@ struct FixedPoint {
     std::int64_t y;
 };
 
-FixedPoint to_fixed(Vec2 p) {
-    return {std::lround(static_cast<double>(p.x) * kSubpixels),
-            std::lround(static_cast<double>(p.y) * kSubpixels)};
+/// Rounds halves away from 0. As std::lround, but inline: 24 bits and a half are exact in a double.
+std::int64_t rounded(double v) {
+    return static_cast<std::int64_t>(v + std::copysign(0.5, v));
 }
+
+FixedPoint to_fixed(Vec2 p) {
+    return {rounded(static_cast<double>(p.x) * kSubpixels), rounded(static_cast<double>(p.y) * kSubpixels)};
+}
+
+/// The first pixel whose middle is not before a place, and the last one not behind it.
+std::int64_t first_pixel(std::int64_t place) {
+    return (place - kSubpixels / 2 + kSubpixels - 1) >> 8;
+}
+std::int64_t last_pixel(std::int64_t place) {
+    return (place - kSubpixels / 2) >> 8;
+}
+static_assert(kSubpixels == 1 << 8);
 
 std::int64_t floor_div(std::int64_t a, std::int64_t b) {
     const std::int64_t quotient = a / b;
@@ -47,6 +60,8 @@ struct Edge {
 
     std::int64_t at(std::int64_t x, std::int64_t y) const { return at_origin + step_x * x + step_y * y; }
 
+    [[nodiscard]] bool has_inside(std::int64_t x, std::int64_t y) const { return at(x, y) + bias >= 0; }
+
     /// Narrows [first, last] to the pixels of row y on the inner side.
     void narrow(std::int64_t y, std::int64_t& first, std::int64_t& last) const {
         const std::int64_t start = at(0, y) + bias;
@@ -58,6 +73,21 @@ struct Edge {
             last = first - 1;
     }
 };
+
+/// Narrows [first, last] to the pixels of row y inside of a triangle. They lie side by side, so in the short
+/// rows of small triangles, which are most, stepping to them costs less than dividing.
+void narrow(const std::array<Edge, 3>& edges, std::int64_t y, std::int64_t& first, std::int64_t& last) {
+    constexpr std::int64_t kShort = 8;
+    if (last - first >= kShort) {
+        for (const Edge& edge : edges) edge.narrow(y, first, last);
+        return;
+    }
+    const auto is_inside = [&](std::int64_t x) {
+        return edges[0].has_inside(x, y) && edges[1].has_inside(x, y) && edges[2].has_inside(x, y);
+    };
+    while (first <= last && !is_inside(first)) ++first;
+    while (last > first && !is_inside(last)) --last;
+}
 
 /// What is interpolated over a triangle: r, g, b, a in 0 .. 255, then u, v.
 using Attributes = std::array<float, 6>;
@@ -150,26 +180,27 @@ void rasterize_triangle(const RenderVertex& a, const RenderVertex& b, const Rend
     // edge[i] lies opposite of corner i, so edge[i].at() / area is the weight of corner i.
     const std::array<Edge, 3> edge = {Edge(p[1], p[2]), Edge(p[2], p[0]), Edge(p[0], p[1])};
 
+    const auto [min_x, max_x] = std::minmax({p[0].x, p[1].x, p[2].x});
     const auto [min_y, max_y] = std::minmax({p[0].y, p[1].y, p[2].y});
-    const std::int64_t first_row = std::max<std::int64_t>(clip.y, floor_div(min_y, kSubpixels));
-    const std::int64_t last_row =
-        std::min<std::int64_t>(clip.y + clip.height - 1, floor_div(max_y, kSubpixels));
+    const std::int64_t first_column = std::max<std::int64_t>(clip.x, first_pixel(min_x));
+    const std::int64_t last_column = std::min<std::int64_t>(clip.x + clip.width - 1, last_pixel(max_x));
+    const std::int64_t first_row = std::max<std::int64_t>(clip.y, first_pixel(min_y));
+    const std::int64_t last_row = std::min<std::int64_t>(clip.y + clip.height - 1, last_pixel(max_y));
+    // Many of the triangles that smooth edges are so thin that they hold the middle of no pixel.
+    if (first_column > last_column || first_row > last_row) return;
 
     const std::array<Attributes, 3> values = {attributes_of(*corner[0]), attributes_of(*corner[1]),
                                               attributes_of(*corner[2])};
     const auto reciprocal_area = 1.0 / static_cast<double>(area);
-    Attributes step;
-    for (std::size_t i = 0; i < step.size(); ++i) {
-        double sum = 0;
-        for (std::size_t k = 0; k < 3; ++k) sum += static_cast<double>(edge[k].step_x) * values[k][i];
-        step[i] = static_cast<float>(sum * reciprocal_area);
-    }
+    const std::size_t used = texture ? values[0].size() : 4;  // without a texture, no places in it
+    Attributes step{};
+    bool has_step = false;
     const bool plain = !texture && a.color == b.color && b.color == c.color;
 
     for (std::int64_t y = first_row; y <= last_row; ++y) {
-        std::int64_t first = clip.x;
-        std::int64_t last = clip.x + clip.width - 1;
-        for (const Edge& e : edge) e.narrow(y, first, last);
+        std::int64_t first = first_column;
+        std::int64_t last = last_column;
+        narrow(edge, y, first, last);
         if (first > last) continue;
 
         std::uint8_t* pixel =
@@ -184,8 +215,16 @@ void rasterize_triangle(const RenderVertex& a, const RenderVertex& b, const Rend
             continue;
         }
 
-        Attributes start;
-        for (std::size_t i = 0; i < start.size(); ++i) {
+        if (!has_step) {
+            for (std::size_t i = 0; i < used; ++i) {
+                double sum = 0;
+                for (std::size_t k = 0; k < 3; ++k) sum += static_cast<double>(edge[k].step_x) * values[k][i];
+                step[i] = static_cast<float>(sum * reciprocal_area);
+            }
+            has_step = true;
+        }
+        Attributes start{};
+        for (std::size_t i = 0; i < used; ++i) {
             double sum = 0;
             for (std::size_t k = 0; k < 3; ++k)
                 sum += static_cast<double>(edge[k].at(first, y)) * values[k][i];
