@@ -65,7 +65,10 @@ int accuracy(const CommandLine& line, Output& output) {
         for (std::size_t metric = 0; metric < problem->metrics.size(); ++metric) {
             for (const std::string& text : accuracy_lines(*problem, metric, points)) output.line(text);
             const std::vector<Summary> summaries = summarize(points, metric);
-            for (const Summary& summary : summaries) output.row(accuracy_row(*problem, metric, summary));
+            for (const Summary& summary : summaries) {
+                output.line(accuracy_summary_line(*problem, metric, summary));
+                output.row(accuracy_row(*problem, metric, summary));
+            }
             if (problem->metrics[metric].compared) {
                 ++compared;
                 best += first_is_best(summaries) ? 1 : 0;

@@ -116,4 +116,14 @@ TEST_CASE("the table says what there is none of") {
                Catch::Contains("made_up/height") && Catch::Contains("never"));
 }
 
+TEST_CASE("a summary is a line of JSON, with null where there is no number") {
+    const std::vector<Summary> all = summarize(points(), 0);
+    const auto line = nlohmann::json::parse(accuracy_summary_line(kProblem, 0, all[1]));
+    CHECK(line["summary"] == "made_up/height");
+    CHECK(line["engine"] == all[1].engine);
+    CHECK(line["error_unit"] == "of the height");
+    CHECK(line["compared"] == true);
+    CHECK(line["cpu_s_to_01_percent"].is_null());
+}
+
 }  // namespace cairn::lab

@@ -31,6 +31,7 @@ TEST_CASE("the line of a case holds its figures and their limits") {
     CHECK(line["figures"]["places"] == 51);
     CHECK_FALSE(line["limits"].contains("places"));
     CHECK(line["figures"]["same_on_threads"] == 1);
+    CHECK(line["broken"] == nlohmann::json::array({"drop_m"}));
     CHECK(line["limits"]["energy_excess"] == kMostEnergyExcess);
     CHECK_FALSE(line.contains("ended_by"));
 }

@@ -143,6 +143,22 @@ std::vector<std::string> accuracy_lines(const Problem& problem, std::size_t metr
     return lines;
 }
 
+std::string accuracy_summary_line(const Problem& problem, std::size_t metric, const Summary& summary) {
+    Json line;
+    line["summary"] = problem.name + "/" + problem.metrics[metric].name;
+    line["engine"] = summary.engine;
+    line["error_unit"] = problem.metrics[metric].unit;
+    line["compared"] = problem.metrics[metric].compared;
+    line["error"] = number(summary.error);
+    line["cpu_s_per_sim_s"] = number(summary.cpu_s_per_sim_s);
+    line["order"] = number(summary.order);
+    line["cpu_s_to_1_percent"] = number(summary.cpu_to_1_percent_s);
+    line["cpu_s_to_01_percent"] = number(summary.cpu_to_01_percent_s);
+    line["error_in_same_time"] = number(summary.error_in_same_time);
+    line["ratio"] = number(summary.ratio);
+    return line.dump();
+}
+
 std::string accuracy_head() {
     return format("%-29s %-10s %10s %9s %6s %10s %10s %12s %9s", "problem/metric", "engine", "error",
                   "CPU us/s", "order", "us to 1 %", "to 0.1 %", "in same time", "ratio");

@@ -44,6 +44,9 @@ double fitted_order(const std::vector<std::pair<double, double>>& x_and_error);
 /// "order", "failed"}, one line for each point; null is no finite number.
 std::vector<std::string> accuracy_lines(const Problem& problem, std::size_t metric,
                                         const std::vector<Point>& points);
+/// {"summary", "engine", "error_unit", "compared", "error", "cpu_s_per_sim_s", "order", "cpu_s_to_1_percent",
+/// "cpu_s_to_01_percent", "error_in_same_time", "ratio"}; null is no finite number.
+std::string accuracy_summary_line(const Problem& problem, std::size_t metric, const Summary& summary);
 std::string accuracy_head();
 std::string accuracy_row(const Problem& problem, std::size_t metric, const Summary& summary);
 

@@ -32,10 +32,12 @@ std::string torture_line(const Case& test, std::string_view engine, const Outcom
     line["passed"] = outcome.passed();
     line["figures"] = Json::object();
     line["limits"] = Json::object();
+    line["broken"] = Json::array();
     if (outcome.ended_by.empty()) {
         for (const Figure& figure : all_figures(outcome)) {
             line["figures"][figure.name] = rounded(figure.value);
             if (!std::isnan(figure.limit)) line["limits"][figure.name] = rounded(figure.limit);
+            if (!figure.holds()) line["broken"].push_back(figure.name);
         }
     } else {
         line["ended_by"] = outcome.ended_by;
