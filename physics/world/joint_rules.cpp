@@ -199,8 +199,8 @@ Fault rules(const FrictionJointDef& def) {
     return Fields(JointKind::Friction)
         .finite("local_anchor_a_m", def.local_anchor_a_m)
         .finite("local_anchor_b_m", def.local_anchor_b_m)
-        .cap("max_force_n", def.max_force_n)
-        .cap("max_torque_nm", def.max_torque_nm)
+        .not_negative("max_force_n", def.max_force_n)
+        .not_negative("max_torque_nm", def.max_torque_nm)
         .fault();
 }
 

@@ -377,6 +377,16 @@ TEST_CASE("bad steps, gravity and queries are refused") {
     });
 }
 
+TEST_CASE("friction joints are refused whose force or torque is not finite") {
+    using Def = FrictionJointDef;
+    require_refusals({
+        bad_def("friction_joint.max_force_n", "inf", Def{.max_force_n = kInfinity}),
+        bad_def("friction_joint.max_force_n", "-1", Def{.max_force_n = -1}),
+        bad_def("friction_joint.max_torque_nm", "inf", Def{.max_torque_nm = kInfinity}),
+        bad_def("friction_joint.max_torque_nm", "nan", Def{.max_torque_nm = kNaN}),
+    });
+}
+
 TEST_CASE("a motor may have infinite torque, and a spring no greatest length") {
     Scene scene;
     CHECK(scene.world.joint(scene.pin)->set_motor(true, 1, kInfinity));
