@@ -2,6 +2,7 @@
 #include "world/prepare.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <cairn/physics/tuning.h>
 
@@ -14,11 +15,23 @@ namespace {
 // rad. Lanes take separations as linear in the angle, which is wrong by half its square times the arm.
 constexpr float kMaxTurn_rad = 0.25f;
 
+// Substeps that gravity alone asks for, so that no setting makes a step endless: enough for 9,200 m/s2 at
+// 1/60 s.
+constexpr int kMostForGravity = 32;
+
 void mark_mover(Motions& motions, int row, Mover mover) {
     if (motions.mover[row] < mover) motions.mover[row] = mover;
 }
 
 }  // namespace
+
+int substeps_under(float gravity_m_s2, float dt_s, int least) {
+    const float needed =
+        std::min(dt_s * std::sqrt(2 * gravity_m_s2 / tuning::kLinearSlop_m), float{kMostForGravity});
+    int substeps = 1;
+    while (static_cast<float>(substeps) < needed) substeps *= 2;
+    return std::max(least, substeps);
+}
 
 StepTime make_step_time(float dt_s, int substeps, float previous_h_s) {
     const float h_s = dt_s / static_cast<float>(substeps);

@@ -14,6 +14,11 @@ struct StepTime {
     float impulse_ratio = 1;
 };
 
+/// As many substeps as were asked for, or more where gravity would take a body from rest further than half
+/// the slop in one: n = dt sqrt(2 g / slop), rounded up to a power of two, at most 32. What is put down would
+/// be inside of what it stands on before a contact can tell.
+int substeps_under(float gravity_m_s2, float dt_s, int least);
+
 StepTime make_step_time(float dt_s, int substeps, float previous_h_s);
 
 /// Stage: the motion of each awake body, and what acts on it in this step.

@@ -10,6 +10,8 @@
 
 #include <algorithm>
 
+#include <cairn/physics/tuning.h>
+
 #include "base/ample.h"
 #include "base/prefetch.h"
 
@@ -100,12 +102,20 @@ class Estimate {
   private:
     [[nodiscard]] bool has_weight(int row) const { return motions_.velocity[row].inverse_mass > 0; }
 
+    // Fast bodies have contacts with what they may meet within the step, however far off: it bears nothing
+    // yet.
+    [[nodiscard]] static bool is_only_ahead(const ContactConstraint& c) {
+        float nearest = c.points[0].separation;
+        if (c.count == 2) nearest = std::min(nearest, c.points[1].separation);
+        return nearest > tuning::kSpeculativeDistance_m;
+    }
+
     void find_support(const ContactConstraint& c, SupportLanes& to, int lane) const {
         const float along = dot(c.normal, up_);
         const bool b_stands = along > 0;
         const int upper = b_stands ? c.b : c.a;
         const int lower = b_stands ? c.a : c.b;
-        if (std::fabs(along) <= kBearing || c.count == 0 || !has_weight(upper)) return;
+        if (std::fabs(along) <= kBearing || c.count == 0 || !has_weight(upper) || is_only_ahead(c)) return;
         to.upper[lane] = upper;
         to.lower[lane] = has_weight(lower) ? lower : kWorldRow;
         to.points[lane] = c.count;

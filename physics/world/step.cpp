@@ -28,7 +28,8 @@ void step_world(WorldState& world, float dt_s) {
     StepScratch& scratch = world.scratch;
     TaskPool& tasks = world.tasks;
     const WorldDef& def = world.def;
-    const StepTime time = make_step_time(dt_s, def.substeps, world.previous_h_s);
+    const StepTime time = make_step_time(dt_s, substeps_under(length(def.gravity_m_s2), dt_s, def.substeps),
+                                         world.previous_h_s);
     const ContactRules rules =
         make_contact_rules(time.h_s, def.max_push_out_speed_m_s, def.restitution_speed_m_s);
 

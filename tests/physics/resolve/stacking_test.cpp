@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "physics/support/making.h"
+#include "world/prepare.h"
 
 namespace cairn::physics {
 namespace {
@@ -219,6 +220,34 @@ TEST_CASE("alternating long and short steps give a standing stack no kick") {
         CHECK(moved.y < 0.005f);
         CHECK(length(moved) < 0.05f);
     });
+}
+
+TEST_CASE("a stack of five stands under gravity of up to 10,000 m/s2") {
+    for (const float g : {1e2f, 1e3f, 1e4f}) {
+        World world({.gravity_m_s2 = {0, -g}});
+        add_ground(world);
+        const std::vector<BodyId> boxes = add_stack(world, 5);
+        float deepest = 0;
+        for (int i = 0; i < 120; ++i) {
+            world.step(kStep_s).value();
+            deepest = std::max(deepest, world.max_penetration_m());
+        }
+        INFO("g = " << g);
+        CHECK(deepest < 0.005f);
+        CHECK(world.body(boxes.back())->position().y == Approx(4.5).margin(0.005));
+    }
+}
+
+TEST_CASE("strong gravity gets as many substeps as n = dt sqrt(2 g / slop) asks for") {
+    CHECK(substeps_under(10, kStep_s, 4) == 4);
+    CHECK(substeps_under(10, kStep_s, 1) == 2);     // 1.05
+    CHECK(substeps_under(143, kStep_s, 4) == 4);    // 3.99
+    CHECK(substeps_under(145, kStep_s, 4) == 8);    // 4.01
+    CHECK(substeps_under(1000, kStep_s, 4) == 16);  // 10.5
+    CHECK(substeps_under(1e4f, kStep_s, 4) == 32);  // 33.3
+    CHECK(substeps_under(1e30f, kStep_s, 4) == 32);
+    CHECK(substeps_under(1e4f, kStep_s, 64) == 64);
+    CHECK(substeps_under(0, kStep_s, 3) == 3);
 }
 
 }  // namespace cairn::physics
