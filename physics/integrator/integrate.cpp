@@ -9,7 +9,8 @@ float decay(float damping_1_s, float time_s) {
     return static_cast<float>(deterministic::exp(static_cast<double>(-damping_1_s * time_s)));
 }
 
-// Damped over the time, and accelerated for `kick_s` of it.
+}  // namespace
+
 VelocityRow accelerated(const VelocityRow& row, const Drive& drive, float k, float time_s, float kick_s) {
     VelocityRow next = row;
     next.v = decay(drive.linear_damping, time_s) * (row.v + kick_s * drive.acceleration);
@@ -17,8 +18,6 @@ VelocityRow accelerated(const VelocityRow& row, const Drive& drive, float k, flo
     next.w = decay(drive.angular_damping, time_s) * (row.w + faster);
     return next;
 }
-
-}  // namespace
 
 // The impulses that contacts gave in the last substep are what its constraints added to the velocity, less
 // what joints did; contacts keep their normals and arms within a step, so their sum per body can be applied

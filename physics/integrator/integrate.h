@@ -8,6 +8,10 @@
 
 namespace cairn::physics {
 
+/// The velocity where only forces and damping act: damped over the time, and accelerated for `kick_s` of it;
+/// k as in PoseRow.
+VelocityRow accelerated(const VelocityRow& row, const Drive& drive, float k, float time_s, float kick_s);
+
 /// v += h a, then damped by e^(-c h); then, unless afresh, the impulses that contacts gave in the
 /// last substep are applied again, as the first guess. Bodies moved by constraints
 /// only.

@@ -61,7 +61,7 @@ HWY_INLINE V response(const Columns& velocity, V arm) {
 
 HWY_INLINE PreparedLanes prepare_part(const PoseLanes& poses, const ManifoldLanes& manifold,
                                       const float* velocity, const float* pose, int lane,
-                                      FeatureLanes& features, float closing_speed_m_s, ContactBlock& block) {
+                                      FeatureLanes& features, float impact_speed_m_s, ContactBlock& block) {
     const V zero = hn::Zero(D());
     const Bodies bodies = load_bodies(block, velocity, pose, lane);
     const V nx = load(manifold.normal_x, lane);
@@ -80,7 +80,7 @@ HWY_INLINE PreparedLanes prepare_part(const PoseLanes& poses, const ManifoldLane
     M used = hn::FirstN(D(), 0);
     M carried = used;
     M swings = used;
-    M closing = used;
+    M fast = used;
     for (int i = 0; i < 2; ++i) {
         const ManifoldPointLanes& from = manifold.points[i];
         ContactBlockPoint& to = block.points[i];
@@ -111,7 +111,7 @@ HWY_INLINE PreparedLanes prepare_part(const PoseLanes& poses, const ManifoldLane
         store(zero, block.total_impulse[i], lane);
         store(id, features[i], lane);
         used = hn::Or(used, is_used);
-        closing = hn::Or(closing, hn::And(is_used, hn::Lt(jv, set(-closing_speed_m_s))));
+        fast = hn::Or(fast, hn::And(is_used, hn::Gt(hn::Abs(jv), set(impact_speed_m_s))));
         carried = hn::Or(carried, hn::And(is_used, last.any));
         swings =
             hn::Or(swings, hn::Gt(hn::Max(hn::Abs(lever_a), hn::Abs(lever_b)), set(tuning::kLinearSlop_m)));
@@ -134,17 +134,17 @@ HWY_INLINE PreparedLanes prepare_part(const PoseLanes& poses, const ManifoldLane
     store(hn::IfThenElseZero(used, effective_mass(bodies, response(bodies.velocity_a, arm_a), arm_b)),
           block.tangent_mass, lane);
     store(hn::IfThenElseZero(carried, load(block.friction_impulse, lane)), block.friction_impulse, lane);
-    return {bits_of(hn::Not(used)), bits_of(closing), bits_of(swings)};
+    return {bits_of(hn::Not(used)), bits_of(fast), bits_of(swings)};
 }
 
 void prepare_block(const PoseLanes& poses, const ManifoldLanes& manifold, const float* velocity,
-                   const float* pose, FeatureLanes& features, float closing_speed_m_s, ContactBlock& block,
+                   const float* pose, FeatureLanes& features, float impact_speed_m_s, ContactBlock& block,
                    PreparedLanes& prepared) {
     for (int lane = 0; lane < kLanes; lane += kStep) {
         const PreparedLanes part =
-            prepare_part(poses, manifold, velocity, pose, lane, features, closing_speed_m_s, block);
+            prepare_part(poses, manifold, velocity, pose, lane, features, impact_speed_m_s, block);
         prepared.apart |= part.apart << lane;
-        prepared.closing |= part.closing << lane;
+        prepared.fast |= part.fast << lane;
         prepared.swings |= part.swings << lane;
     }
 }
@@ -160,10 +160,10 @@ HWY_EXPORT(prepare_block);
 
 PreparedLanes prepare_block(const PoseLanes& poses, const ManifoldLanes& manifold,
                             const VelocityRow* velocity, const PoseRow* pose, FeatureLanes& features,
-                            float closing_speed_m_s, ContactBlock& block) {
+                            float impact_speed_m_s, ContactBlock& block) {
     PreparedLanes prepared;
     HWY_DYNAMIC_DISPATCH(prepare_block)
-    (poses, manifold, &velocity->v.x, &pose->d.x, features, closing_speed_m_s, block, prepared);
+    (poses, manifold, &velocity->v.x, &pose->d.x, features, impact_speed_m_s, block, prepared);
     return prepared;
 }
 

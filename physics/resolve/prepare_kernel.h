@@ -11,15 +11,15 @@ namespace cairn::physics {
 using FeatureLanes = std::array<Lanes<std::int32_t>, 2>;
 
 struct PreparedLanes {
-    unsigned apart = 0;    // bits: lanes without points
-    unsigned closing = 0;  // lanes of which a point closes faster than was asked for
-    unsigned swings = 0;   // lanes whose points would go far astray if a body turned by a quarter radian
+    unsigned apart = 0;   // bits: lanes without points
+    unsigned fast = 0;    // lanes of which a point closes or opens faster than was asked for
+    unsigned swings = 0;  // lanes whose points would go far astray if a body turned by a quarter radian
 };
 
 /// The rows `a` and `b` of the block, its friction and its impulses are given; the rest is made. `features`
 /// are those of the last step, and become those of the manifold.
 PreparedLanes prepare_block(const PoseLanes& poses, const ManifoldLanes& manifold,
                             const VelocityRow* velocity, const PoseRow* pose, FeatureLanes& features,
-                            float closing_speed_m_s, ContactBlock& block);
+                            float impact_speed_m_s, ContactBlock& block);
 
 }  // namespace cairn::physics

@@ -281,7 +281,7 @@ class Update {
                           scratch_.motions.pose.data(), pairs.features, impact_speed_, block);
         const unsigned gone = gone_lanes(stores_.fat_boxes, pairs, places.boxes_moved);
         const unsigned apart = prepared.apart & lanes_of(block_index) & ~gone;
-        const unsigned told = (pairs.reports | (pairs.impacts & prepared.closing)) & ~prepared.apart;
+        const unsigned told = (pairs.reports | (pairs.impacts & prepared.fast)) & ~prepared.apart;
         const unsigned loose = ((places.turn_far & prepared.swings) | places.direct) & ~prepared.apart;
         block.reports = told != 0;
         for (unsigned rest = apart; rest != 0; rest &= rest - 1) {

@@ -5,6 +5,7 @@
 
 #include "base/stage_clock.h"
 #include "integrator/integrate.h"
+#include "world/bounces.h"
 #include "world/breakables.h"
 #include "world/contact_events.h"
 #include "world/contacts.h"
@@ -69,6 +70,7 @@ void step_world(WorldState& world, float dt_s) {
     clock.enter(Stage::Store);
     fly_freely(scratch.motions, scratch.drives, time.dt_s);
     collect_outcomes(stores.contacts, scratch);
+    place_bounces(stores.bodies.rows(RowSet::Awake), scratch, time, rules);
     apply_restitution(scratch.contacts, scratch.motions, scratch.drives, rules);
 
     report_contacts(stores, scratch, def.hit_speed_m_s, world.events);

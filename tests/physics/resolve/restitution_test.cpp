@@ -26,9 +26,7 @@ TEST_CASE("a ball dropped from h rises to e^2 h") {
             add_ground(world, {.material = {.restitution = static_cast<float>(e)}});
             const BodyId ball = add(world, {.position_m = {0, 0.5 + h}}, Circle{});
             INFO("e = " << e << ", h = " << h);
-            // While the contact is near, substeps of h = 1/240 s move the ball: semi-implicit Euler shifts
-            // the place by g h dt / 2 = 0.35 mm in each of at most two steps.
-            CHECK(next_bounce_height(world, ball, 0.5) == Approx(e * e * h).epsilon(1e-3).margin(7e-4));
+            CHECK(next_bounce_height(world, ball, 0.5) == Approx(e * e * h).epsilon(1e-4));
         }
     }
 }
@@ -49,6 +47,39 @@ TEST_CASE("a perfectly elastic ball neither gains nor loses height in ten bounce
     add_ground(world, {.material = {.restitution = 1}});
     const BodyId ball = add(world, {.position_m = {0, 4.5}}, Circle{});
     for (int n = 1; n <= 10; ++n) CHECK(next_bounce_height(world, ball, 0.5) == Approx(4).epsilon(2e-3));
+}
+
+TEST_CASE("a perfectly elastic ball keeps its energy and its rhythm over hundreds of bounces") {
+    const double radius = 0.1, height = 0.25, g = 10;
+    World world({.enable_sleep = false});
+    add_ground(world, {.material = {.restitution = 1}});
+    const BodyId ball = add(world, {.position_m = {0, height + radius}}, Circle{{}, 0.1f});
+    const double period_s = 2 * std::sqrt(2 * height / g);
+    const int steps = 60 * 200;
+    int bounces = 0;
+    double before = 0;
+    for (int i = 0; i < steps; ++i) {
+        world.step(kStep_s).value();
+        const auto speed = static_cast<double>(world.body(ball)->linear_velocity().y);
+        const double energy = g * (world.body(ball)->position().y - radius) + 0.5 * speed * speed;
+        // Where a step passes the ground, the ball is inside until the next one turns it: not counted.
+        if (world.body(ball)->position().y > radius) CHECK(energy == Approx(g * height).epsilon(1e-3));
+        if (before < 0 && speed > 0) ++bounces;
+        before = speed;
+    }
+    CHECK(bounces == Approx(steps / 60.0 / period_s).margin(2));
+}
+
+TEST_CASE("two elastic balls that meet in free flight end the step where they would be") {
+    World world({.gravity_m_s2 = {0, 0}, .enable_sleep = false});
+    const ShapeDef elastic{.material = {.friction = 0, .restitution = 1}};
+    const BodyId left = add(world, {.position_m = {-1, 0}, .linear_velocity_m_s = {3, 0}}, Circle{}, elastic);
+    const BodyId right =
+        add(world, {.position_m = {1, 0}, .linear_velocity_m_s = {-3, 0}}, Circle{}, elastic);
+    // Apart by 1 m, they meet after 1/6 s, and half a second later each is 1.5 m further out.
+    run_for(world, 1.0 / 6 + 0.5);
+    CHECK(world.body(left)->position().x == Approx(-0.5 - 1.5).margin(1e-4));
+    CHECK(world.body(right)->position().x == Approx(0.5 + 1.5).margin(1e-4));
 }
 
 TEST_CASE("a flat box bounces as a ball does, and does not turn") {
