@@ -166,8 +166,8 @@ void DirectComponent::satisfy(const DirectScene& scene, Phase phase) {
         for (std::size_t i = 0; i < impulse_at_start_.size(); ++i)
             system_.equations[i].impulse = impulse_at_start_[i];
         describe(scene, phase);
-        const bool keeps_bounds = system_.satisfy(velocity_before_);
-        if (keeps_bounds && !is_contradictory()) return;
+        system_.satisfy(velocity_before_);
+        if (!is_contradictory()) return;
     }
     // Not a number, or beyond all bounds: the joints rest in this substep.
     system_.velocity = velocity_before_;

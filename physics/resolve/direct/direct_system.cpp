@@ -10,7 +10,6 @@
 namespace cairn::physics {
 namespace {
 
-constexpr int kMaxPivots = 300;
 // So often all may change over without fewer being wrong.
 constexpr int kChances = 3;
 constexpr int kMaxFrictionRounds = 4;
@@ -107,35 +106,35 @@ void DirectSystem::push(int member, int equation, double impulse) {
     }
 }
 
-void DirectSystem::fill() {
-    factors_.clear();
+void DirectSystem::factor(BlockLdl& factors) const {
+    factors.clear();
     for (std::size_t b = 0; b < bodies.size(); ++b) {
-        double* diagonal = factors_.diagonal(static_cast<int>(b));
+        double* diagonal = factors.diagonal(static_cast<int>(b));
         diagonal[0] = diagonal[4] = bodies[b].mass;
         diagonal[8] = bodies[b].inertia;
     }
     int node = static_cast<int>(bodies.size());
     for (const Member& m : members) {
         const int n = m.equations();
-        double* diagonal = factors_.diagonal(node++);
+        double* diagonal = factors.diagonal(node++);
         for (int row = 0; row < n; ++row) {
             const DirectEquation& e = equations[at(m.first_equation + row)];
             diagonal[row * n + row] = e.state == State::Acts ? -e.give : -1;
         }
         const double* j = j_.data() + m.first_j;
         for (int l = m.first_link; l < m.last_link; ++l) {
-            const BlockLdl::EdgeBlock edge = factors_.edge(links[at(l)].edge);
+            const BlockLdl::EdgeBlock edge = factors.edge(links[at(l)].edge);
             for (int row = 0; row < n; ++row, j += 3) {
                 if (equations[at(m.first_equation + row)].state != State::Acts) continue;
                 for (int column = 0; column < 3; ++column) edge.set(row, column, j[column]);
             }
         }
     }
-    factors_.factor();
+    factors.factor();
 }
 
-// Velocities and impulses that fulfil the equations as they are now.
-void DirectSystem::balance() {
+// Velocities and impulses that fulfil the equations as they are now; with their factors.
+void DirectSystem::balance(const BlockLdl& factors) {
     velocity = velocity_before_;
     for (int m = 0; m < static_cast<int>(members.size()); ++m) {
         for (int i = members[at(m)].first_equation; i < members[at(m)].last_equation; ++i) {
@@ -147,7 +146,6 @@ void DirectSystem::balance() {
             if (e.impulse != 0) push(m, i, e.impulse);
         }
     }
-    fill();
     std::fill(x_.begin(), x_.end(), 0.0);
     for (int m = 0; m < static_cast<int>(members.size()); ++m) {
         double* x = x_.data() + place_of_member(m);
@@ -155,7 +153,7 @@ void DirectSystem::balance() {
             if (equations[at(i)].state == State::Acts) *x = equations[at(i)].wanted - speed(m, i);
         }
     }
-    factors_.solve(x_);
+    factors.solve(x_);
     for (int b = 0; b < static_cast<int>(bodies.size()); ++b) {
         const double* x = x_.data() + place_of_body(b);
         for (int i = 0; i < 3; ++i) velocity[at(3 * b + i)] += x[i];
@@ -201,18 +199,22 @@ void DirectSystem::change_over(int equation) {
     }
 }
 
-// With bounds as they are.
+void DirectSystem::find_wrong() {
+    wrong_.clear();
+    for (int m = 0; m < static_cast<int>(members.size()); ++m) {
+        for (int i = members[at(m)].first_equation; i < members[at(m)].last_equation; ++i) {
+            if (is_wrong(equations[at(i)], m, i)) wrong_.push_back(i);
+        }
+    }
+}
+
+// All that are wrong change over, as long as that makes fewer wrong now and then; whether none is left.
 bool DirectSystem::pivot() {
     std::size_t fewest = std::numeric_limits<std::size_t>::max();
-    int chances = kChances;
-    for (int pivots = 0; pivots < kMaxPivots; ++pivots) {
-        balance();
-        wrong_.clear();
-        for (int m = 0; m < static_cast<int>(members.size()); ++m) {
-            for (int i = members[at(m)].first_equation; i < members[at(m)].last_equation; ++i) {
-                if (is_wrong(equations[at(i)], m, i)) wrong_.push_back(i);
-            }
-        }
+    for (int chances = kChances; chances >= 0;) {
+        factor(factors_);
+        balance(factors_);
+        find_wrong();
         if (wrong_.empty()) return true;
         if (wrong_.size() < fewest) {
             fewest = wrong_.size();
@@ -220,11 +222,7 @@ bool DirectSystem::pivot() {
         } else {
             --chances;
         }
-        if (chances < 0) {
-            change_over(wrong_.back());
-        } else {
-            for (const int i : wrong_) change_over(i);
-        }
+        for (const int i : wrong_) change_over(i);
     }
     return false;
 }
@@ -253,13 +251,12 @@ bool DirectSystem::renew_friction() {
     return changed;
 }
 
-bool DirectSystem::satisfy(std::span<const double> velocity_before) {
+void DirectSystem::satisfy(std::span<const double> velocity_before) {
     velocity_before_.assign(velocity_before.begin(), velocity_before.end());
     for (int round = 0; round < kMaxFrictionRounds; ++round) {
-        if (!pivot()) return false;
+        if (!pivot()) descend();
         if (!renew_friction()) break;
     }
-    return true;
 }
 
 }  // namespace cairn::physics

@@ -5,9 +5,9 @@
 // Bounds make it a linear complementarity problem with a positive definite matrix: each impulse is either
 // within its bounds, and its equation holds, or at one of them, and the speed is on the side to which that
 // bound gives way. The right choice is found by principal pivoting: all that are on the wrong side change
-// over at once, and one by one where that does not lead on, which comes to an end. Bounds of friction follow
-// the impulses that press, in a few rounds. Sources: Judice and Pires, "A block principal pivoting algorithm
-// for large-scale strictly monotone linear complementarity problems" (1994); Murty (1974).
+// over at once. Where that goes round in circles, it is found by descent (direct_descent.cpp). Bounds of
+// friction follow the impulses that press, in a few rounds. Source: Judice and Pires, "A block principal
+// pivoting algorithm for large-scale strictly monotone linear complementarity problems" (1994).
 #pragma once
 
 #include <cstdint>
@@ -97,9 +97,9 @@ class DirectSystem {
     void weigh();
     [[nodiscard]] double speed(int member, int equation) const;
 
-    /// Finds impulses, and velocities from those given, starting from the states that are set; false when no
-    /// states were found that keep all bounds.
-    [[nodiscard]] bool satisfy(std::span<const double> velocity_before);
+    /// Finds impulses, and velocities from those given, starting from the states that are set. Bounds are
+    /// kept; equations too, but in the few systems that are too hard for so many factorizations as are tried.
+    void satisfy(std::span<const double> velocity_before);
     /// dv for other right-hand sides of the equations that act, in x, with the factors of the last solution.
     void solve(std::vector<double>& x) const { factors_.solve(x); }
     [[nodiscard]] int unknowns() const { return factors_.size(); }
@@ -115,16 +115,38 @@ class DirectSystem {
     std::vector<double> velocity;  // three per body: m/s, m/s, rad/s
 
   private:
+    struct Bounded {
+        int member = 0;
+        int equation = 0;
+        double impulse = 0;  // with what was given before
+        double excess = 0;   // J v + E p - w
+        double aim = 0;      // impulse
+        bool stays = false;  // at its bound, though its equation would let it go
+    };
+
     void push(int member, int equation, double impulse);
-    void fill();
-    void balance();
+    void factor(BlockLdl& factors) const;
+    void balance(const BlockLdl& factors);
+    void find_wrong();
     bool pivot();
+    void descend();
+    [[nodiscard]] double excess(const Bounded& b) const;
+    void hold(const Bounded& b, double impulse);
+    void release();
+    [[nodiscard]] double way_to_first_bound() const;
+    bool go(double part);
+    bool advance();
+    void settle();
+    bool shorten_wrong();
     [[nodiscard]] bool is_wrong(const DirectEquation& e, int member, int equation) const;
     void change_over(int equation);
     bool renew_friction();
 
     std::vector<double> velocity_before_;
     std::vector<int> wrong_;  // equations
+    // While descending.
+    std::vector<Bounded> bounded_;
+    BlockLdl unbounded_factors_;
     std::vector<double> j_;
     std::vector<double> x_;  // right-hand side and solution
     BlockLdl factors_;

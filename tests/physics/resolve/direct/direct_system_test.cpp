@@ -114,16 +114,11 @@ TEST_CASE("equations and bounds are kept, and what the impulses do is what happe
     Random random(1);
     const double mass_ratio = GENERATE(1.0, 1e3, 1e6);
     int at_bounds = 0;
-    int given_up = 0;
     for (int trial = 0; trial < 100; ++trial) {
-        const int bodies = 1 + random.below(12);
+        const int bodies = 1 + random.below(30);
         DirectSystem system = make_row(bodies, random, mass_ratio);
         const std::vector<double> before = random_velocity(bodies, random);
-        // Few are too hard for so many pivots.
-        if (!system.satisfy(before)) {
-            ++given_up;
-            continue;
-        }
+        system.satisfy(before);
         CAPTURE(mass_ratio, trial, bodies);
         CHECK(imbalance(system, before) < 1e-9);
         for (int m = 0; m < bodies; ++m) {
@@ -135,7 +130,6 @@ TEST_CASE("equations and bounds are kept, and what the impulses do is what happe
         }
     }
     CHECK(at_bounds > 100);
-    CHECK(given_up <= 2);
 }
 
 TEST_CASE("impulses of an earlier phase count towards the bounds") {
@@ -152,10 +146,10 @@ TEST_CASE("impulses of an earlier phase count towards the bounds") {
     system.j(0, 0, 0)[0] = 1;
     system.weigh();
     // To stop the body 2 N s must go back, of the 3 that were given; then 5, of which 3 can.
-    REQUIRE(system.satisfy(std::vector<double>{1, 0, 0}));
+    system.satisfy(std::vector<double>{1, 0, 0});
     CHECK(system.equations[0].impulse == Approx(-2));
     CHECK(system.velocity[0] == Approx(0).margin(1e-12));
-    REQUIRE(system.satisfy(std::vector<double>{2.5, 0, 0}));
+    system.satisfy(std::vector<double>{2.5, 0, 0});
     CHECK(system.equations[0].impulse == Approx(-3));
     CHECK(system.velocity[0] == Approx(1));
 }
@@ -179,7 +173,7 @@ TEST_CASE("friction holds up to its share of what presses, and slides beyond") {
     system.j(0, 0, 1)[0] = 1;
     system.weigh();
     for (DirectEquation& e : system.equations) e.give = 1e-10 * e.inverse_mass;
-    REQUIRE(system.satisfy(std::vector<double>{along, -1, 0}));
+    system.satisfy(std::vector<double>{along, -1, 0});
     CHECK(system.velocity[1] == Approx(0).margin(1e-8));
     const double slid = std::max(std::fabs(along) - 0.5, 0.0);
     CHECK(system.velocity[0] == Approx(std::copysign(slid, along)).margin(2e-3));
