@@ -134,15 +134,16 @@ void prepare_joints(Stores& stores, const StepTime& time, StepScratch& scratch, 
         springs = springs || c.has_spring;
         for (int i = 0; i < c.bodies; ++i) mark_turning(scratch.motions, c.rows[static_cast<std::size_t>(i)]);
     }
+    place_joints(joints, scratch.motions, scratch.joint_places);
     JointLanes& lanes = stores.joints.lanes;
     if (!lanes.empty()) {
         lanes.place(stores.bodies.places, scratch.motions, time.impulse_ratio, time.dt_s, tasks);
     }
     if (!springs && !lanes.springs_changed()) return;
     scratch.spring_loads.assign(static_cast<std::size_t>(scratch.motions.size()), 0);
-    add_spring_loads(joints, scratch.motions, scratch.spring_loads);
+    add_spring_loads(joints, scratch.joint_places, scratch.motions, scratch.spring_loads);
     lanes.add_spring_loads(scratch.motions, scratch.spring_loads);
-    make_springs(joints, scratch.motions, time.h_s, scratch.spring_loads);
+    make_springs(joints, time.h_s, scratch.spring_loads);
     lanes.settle_springs(scratch.spring_loads, springs);
 }
 

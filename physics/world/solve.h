@@ -43,7 +43,7 @@ inline JointPassTime joint_time(float h_s) {
 /// How fast springs are before anything acts.
 inline void note_spring_speeds(JointLanes& joints, StepScratch& scratch, TaskPool& tasks) {
     if (scratch.joints.empty() && joints.empty()) return;
-    note_spring_speeds(scratch.joints, scratch.motions);
+    note_spring_speeds(scratch.joints, scratch.joint_places, scratch.motions);
     joints.note_spring_speeds(scratch.motions, tasks);
 }
 
@@ -70,10 +70,10 @@ inline void solve_joints(JointLanes& lanes, StepScratch& scratch, float h_s, Act
     const JointPassTime time = joint_time(h_s);
     for_rows(begin_joints);
     if (pass == Pass::Biased) {
-        warm_start_joints(scratch.joints, motions);
+        warm_start_joints(scratch.joints, scratch.joint_places, motions);
         lanes.warm_start(motions, tasks);
     }
-    solve_joints(scratch.joints, motions, h_s, pass);
+    solve_joints(scratch.joints, scratch.joint_places, motions, h_s, pass);
     if (pass == Pass::Biased) {
         lanes.solve(motions, time, tasks);
     } else {

@@ -107,4 +107,11 @@ struct JointConstraint {
     float total_angular_impulse = 0;  // about its anchor, N m s
 };
 
+/// Where the directions of a joint point, and what follows from it; the same until bodies move on.
+struct JointPlace {
+    Directions directions;
+    std::array<std::array<float, kMaxDirections>, kMaxDirections> inverse_mass{};  // K; the lower triangle
+    float least_mobility = 0;  // pivots of K up to this count as locked altogether (base/motion.h)
+};
+
 }  // namespace cairn::physics

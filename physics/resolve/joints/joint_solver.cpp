@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/ample.h"
 #include "resolve/joints/kinds.h"
 #include "resolve/joints/small_system.h"
 
@@ -25,10 +26,6 @@ class Bodies {
   public:
     Bodies(const JointConstraint& c, const Motions& motions) : c_(c) {
         for (int i = 0; i < c.bodies; ++i) bodies_[i] = motions.get(c.rows[i]);
-        for (int i = 0; i < c.bodies; ++i) {
-            locked_ = locked_ || bodies_[i].locked != 0;
-            inverse_mass_ += bodies_[i].inverse_mass;
-        }
     }
 
     [[nodiscard]] float speed(const Direction& d) const {
@@ -62,20 +59,26 @@ class Bodies {
         for (int i = 0; i < c_.bodies; ++i) motions.set(c_.rows[i], bodies_[i]);
     }
 
-    // Pivots up to this count as locked altogether (base/motion.h).
-    [[nodiscard]] float least_mobility() const { return locked_ ? kLeastMobility * inverse_mass_ : 0; }
+    [[nodiscard]] float least_mobility() const {
+        bool locked = false;
+        float inverse_mass = 0;
+        for (int i = 0; i < c_.bodies; ++i) {
+            locked = locked || bodies_[i].locked != 0;
+            inverse_mass += bodies_[i].inverse_mass;
+        }
+        return locked ? kLeastMobility * inverse_mass : 0;
+    }
 
   private:
     const JointConstraint& c_;
     std::array<Motion, kMaxJointBodies> bodies_;
-    float inverse_mass_ = 0;
-    bool locked_ = false;
 };
 
 // One law with its directions.
 struct Task {
     JointConstraint& c;
     JointLaw& law;
+    const JointPlace& place;
     const Direction* directions;  // the first
     float sign;                   // upper limits look back
 
@@ -85,17 +88,28 @@ struct Task {
     [[nodiscard]] float error(int i) const { return sign * (directions[i].q - law.target); }
 };
 
-Task task_of(JointConstraint& c, JointLaw& law, const Directions& directions) {
-    return {c, law, &directions[law.direction], law.kind == LawKind::Upper ? -1.0f : 1.0f};
+Task task_of(JointConstraint& c, JointLaw& law, const JointPlace& place) {
+    return {c, law, place, &place.directions[law.direction], law.kind == LawKind::Upper ? -1.0f : 1.0f};
 }
 
-SmallSystem inverse_mass_of(const Task& task, const Bodies& bodies) {
-    SmallSystem system;
-    system.size = task.law.count;
-    for (int i = 0; i < system.size; ++i) {
-        for (int j = 0; j <= i; ++j) system.k[i][j] = bodies.coupling(task.directions[i], task.directions[j]);
+void place_joint(const JointConstraint& c, std::span<const JointConstraint> all, const Motions& motions,
+                 JointPlace& at) {
+    place(c, all, motions, at.directions);
+    const Bodies bodies(c, motions);
+    at.least_mobility = bodies.least_mobility();
+    for (int l = 0; l < c.law_count; ++l) {
+        const int first = c.laws[l].direction;
+        for (int i = first; i < first + c.laws[l].count; ++i) {
+            for (int j = first; j <= i; ++j)
+                at.inverse_mass[i][j] = bodies.coupling(at.directions[i], at.directions[j]);
+        }
     }
-    return system;
+}
+
+// K x = b.
+Values solve(const Task& task, const Values& b) {
+    return solve_small(task.place.inverse_mass, task.law.direction, task.law.count, b,
+                       task.place.least_mobility);
 }
 
 void apply(const Task& task, Bodies& bodies, const Values& wanted) {
@@ -122,7 +136,7 @@ Values solve_soft(const Task& task, const Bodies& bodies, const Softness& soft) 
     for (int i = 0; i < task.law.count; ++i) {
         rhs[i] = -(bodies.speed(task.directions[i]) * task.sign + soft.bias_rate * task.error(i));
     }
-    Values change = solve(inverse_mass_of(task, bodies), rhs, bodies.least_mobility());
+    Values change = solve(task, rhs);
     for (int i = 0; i < task.law.count; ++i) {
         change[i] = soft.mass_scale * change[i] + (1 - soft.impulse_scale) * task.impulse(i);
     }
@@ -162,26 +176,26 @@ void solve_motor(const Task& task, Bodies& bodies, float h_s, Pass pass) {
     Values rhs{};
     for (int i = 0; i < task.law.count; ++i)
         rhs[i] = motor_speed(task, i, h_s, pass) - bodies.speed(task.directions[i]);
-    Values wanted = solve(inverse_mass_of(task, bodies), rhs, bodies.least_mobility());
+    Values wanted = solve(task, rhs);
     for (int i = 0; i < task.law.count; ++i) wanted[i] += task.impulse(i);
     clamp(task.law, wanted);
     apply(task, bodies, wanted);
 }
 
-Values spring_impulse(const Task& task, const Bodies& bodies, const Values& speed) {
+Values spring_impulse(const Task& task, const Values& speed) {
     const ExactSpring& spring = task.law.spring;
     Values rhs{};
     for (int i = 0; i < task.law.count; ++i) {
         rhs[i] = -(spring.d1 * speed[i] + spring.d0 * task.law.speed_before[i] +
                    spring.stiffness_per_s * task.error(i));
     }
-    return solve(inverse_mass_of(task, bodies), rhs, bodies.least_mobility());
+    return solve(task, rhs);
 }
 
 void solve_spring(const Task& task, Bodies& bodies) {
     Values speed{};
     for (int i = 0; i < task.law.count; ++i) speed[i] = bodies.speed(task.directions[i]);
-    Values wanted = spring_impulse(task, bodies, speed);
+    Values wanted = spring_impulse(task, speed);
     const float d1 = task.law.spring.d1;
     for (int i = 0; i < task.law.count; ++i) wanted[i] = (wanted[i] + d1 * task.impulse(i)) / (1 + d1);
     clamp(task.law, wanted);
@@ -200,25 +214,32 @@ void add_reaction(JointConstraint& c, const Directions& directions, const Motion
     }
 }
 
-// Calls visit(constraint, law, its first direction).
-template <class Visit>
-void for_each_spring(std::span<JointConstraint> joints, const Motions& motions, Visit&& visit) {
-    for (JointConstraint& c : joints) {
-        if (!c.has_spring) continue;
-        Directions directions;
-        place(c, joints, motions, directions);
-        for (int l = 0; l < c.law_count; ++l) {
-            JointLaw& law = c.laws[l];
-            if (law.kind == LawKind::Spring) visit(c, law, directions[law.direction]);
+// Calls visit(number of the joint, law) for the springs.
+template <class Joints, class Visit>
+void for_each_spring(Joints joints, Visit&& visit) {
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+        if (!joints[i].has_spring) continue;
+        for (int l = 0; l < joints[i].law_count; ++l) {
+            if (joints[i].laws[l].kind == LawKind::Spring) visit(i, joints[i].laws[l]);
         }
     }
 }
 
 }  // namespace
 
-void add_spring_loads(std::span<JointConstraint> joints, const Motions& motions,
-                      std::vector<double>& together) {
-    for_each_spring(joints, motions, [&](JointConstraint& c, JointLaw& law, const Direction& d) {
+void place_joints(std::span<const JointConstraint> joints, const Motions& motions,
+                  std::vector<JointPlace>& places) {
+    resize_amply(places, joints.size());
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+        if (!joints[i].direct || joints[i].has_spring) place_joint(joints[i], joints, motions, places[i]);
+    }
+}
+
+void add_spring_loads(std::span<const JointConstraint> joints, std::span<const JointPlace> places,
+                      const Motions& motions, std::vector<double>& together) {
+    for_each_spring(joints, [&](std::size_t joint, const JointLaw& law) {
+        const JointConstraint& c = joints[joint];
+        const Direction& d = places[joint].directions[law.direction];
         const Bodies bodies(c, motions);
         const double w = 2 * static_cast<double>(kPi) * static_cast<double>(law.spring_frequency_hz);
         const float k = bodies.coupling(d, d);
@@ -229,9 +250,9 @@ void add_spring_loads(std::span<JointConstraint> joints, const Motions& motions,
     });
 }
 
-void make_springs(std::span<JointConstraint> joints, const Motions& motions, float h_s,
-                  const std::vector<double>& together) {
-    for_each_spring(joints, motions, [&](JointConstraint& c, JointLaw& law, const Direction&) {
+void make_springs(std::span<JointConstraint> joints, float h_s, const std::vector<double>& together) {
+    for_each_spring(joints, [&](std::size_t joint, JointLaw& law) {
+        const JointConstraint& c = joints[joint];
         const double frequency = static_cast<double>(law.spring_frequency_hz);
         const double w = 2 * static_cast<double>(kPi) * frequency;
         double sum = 0;
@@ -241,33 +262,27 @@ void make_springs(std::span<JointConstraint> joints, const Motions& motions, flo
     });
 }
 
-void note_spring_speeds(std::span<JointConstraint> joints, const Motions& motions) {
-    for (JointConstraint& c : joints) {
-        if (!c.has_spring || c.direct) continue;
-        Directions directions;
-        place(c, joints, motions, directions);
-        const Bodies bodies(c, motions);
-        for (int l = 0; l < c.law_count; ++l) {
-            JointLaw& law = c.laws[l];
-            if (law.kind != LawKind::Spring) continue;
-            for (int i = 0; i < law.count; ++i)
-                law.speed_before[i] = bodies.speed(directions[law.direction + i]);
-        }
-    }
+void note_spring_speeds(std::span<JointConstraint> joints, std::span<const JointPlace> places,
+                        const Motions& motions) {
+    for_each_spring(joints, [&](std::size_t joint, JointLaw& law) {
+        if (joints[joint].direct) return;
+        const Bodies bodies(joints[joint], motions);
+        for (int i = 0; i < law.count; ++i)
+            law.speed_before[i] = bodies.speed(places[joint].directions[law.direction + i]);
+    });
 }
 
-void warm_start_joints(std::span<JointConstraint> joints, Motions& motions) {
-    for (JointConstraint& c : joints) {
+void warm_start_joints(std::span<JointConstraint> joints, std::span<const JointPlace> places,
+                       Motions& motions) {
+    for (std::size_t joint = 0; joint < joints.size(); ++joint) {
+        JointConstraint& c = joints[joint];
         if (c.direct) continue;
-        Directions directions;
-        place(c, joints, motions, directions);
         Bodies bodies(c, motions);
         for (int l = 0; l < c.law_count; ++l) {
-            const Task task = task_of(c, c.laws[l], directions);
+            const Task task = task_of(c, c.laws[l], places[joint]);
             if (task.law.kind == LawKind::Spring && !task.law.spring.damped) {
                 // The impulse of the last substep is a quarter of a period late for what swings freely.
-                Values guess =
-                    spring_impulse(task, bodies, {task.law.speed_before[0], task.law.speed_before[1]});
+                Values guess = spring_impulse(task, {task.law.speed_before[0], task.law.speed_before[1]});
                 clamp(task.law, guess);
                 for (int i = 0; i < task.law.count; ++i) task.impulse(i) = guess[i];
             }
@@ -279,14 +294,16 @@ void warm_start_joints(std::span<JointConstraint> joints, Motions& motions) {
     }
 }
 
-void solve_joints(std::span<JointConstraint> joints, Motions& motions, float h_s, Pass pass) {
-    for (JointConstraint& c : joints) {
+void solve_joints(std::span<JointConstraint> joints, std::span<JointPlace> places, Motions& motions,
+                  float h_s, Pass pass) {
+    for (std::size_t joint = 0; joint < joints.size(); ++joint) {
+        JointConstraint& c = joints[joint];
         if (c.direct) continue;
-        Directions directions;
-        place(c, joints, motions, directions);
+        JointPlace& at = places[joint];
+        if (pass == Pass::Relax) place_joint(c, joints, motions, at);
         Bodies bodies(c, motions);
         for (int l = 0; l < c.law_count; ++l) {
-            const Task task = task_of(c, c.laws[l], directions);
+            const Task task = task_of(c, c.laws[l], at);
             switch (task.law.kind) {
                 case LawKind::Hold:
                     solve_hold(task, bodies, pass);
@@ -303,7 +320,7 @@ void solve_joints(std::span<JointConstraint> joints, Motions& motions, float h_s
                     break;
             }
         }
-        if (pass == Pass::Relax) add_reaction(c, directions, motions);
+        if (pass == Pass::Relax) add_reaction(c, at.directions, motions);
         bodies.write(motions);
     }
 }

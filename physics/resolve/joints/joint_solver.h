@@ -8,20 +8,26 @@
 
 namespace cairn::physics {
 
-// Once per step, when all constraints are described: spring constants, which depend on the springs around.
-// `together` is of each row what its springs are to it together, 1/s^2; those of joints in lanes are added
-// between the two.
-void add_spring_loads(std::span<JointConstraint> joints, const Motions& motions,
-                      std::vector<double>& together);
-void make_springs(std::span<JointConstraint> joints, const Motions& motions, float h_s,
-                  const std::vector<double>& together);
+/// Once per step, when all constraints are described and no body has moved yet.
+void place_joints(std::span<const JointConstraint> joints, const Motions& motions,
+                  std::vector<JointPlace>& places);
+
+// Next, spring constants, which depend on the springs around. `together` is of each row what its springs are
+// to it together, 1/s^2; those of joints in lanes are added between the two.
+void add_spring_loads(std::span<const JointConstraint> joints, std::span<const JointPlace> places,
+                      const Motions& motions, std::vector<double>& together);
+void make_springs(std::span<JointConstraint> joints, float h_s, const std::vector<double>& together);
 
 /// At the start of each substep, before anything acts: how fast springs are.
-void note_spring_speeds(std::span<JointConstraint> joints, const Motions& motions);
+void note_spring_speeds(std::span<JointConstraint> joints, std::span<const JointPlace> places,
+                        const Motions& motions);
 
 /// The impulses of the last substep, as the first guess for this one.
-void warm_start_joints(std::span<JointConstraint> joints, Motions& motions);
+void warm_start_joints(std::span<JointConstraint> joints, std::span<const JointPlace> places,
+                       Motions& motions);
 
-void solve_joints(std::span<JointConstraint> joints, Motions& motions, float h_s, Pass pass);
+/// Before relaxing, bodies have moved on: joints take their places anew.
+void solve_joints(std::span<JointConstraint> joints, std::span<JointPlace> places, Motions& motions,
+                  float h_s, Pass pass);
 
 }  // namespace cairn::physics

@@ -2,7 +2,7 @@
 // now.
 //
 // `describe` is called once per step, with the anchors, the axis and the bodies of the constraint set;
-// `place_*` in each pass.
+// `place_*` at its start and before each relaxing pass.
 #pragma once
 
 #include <span>

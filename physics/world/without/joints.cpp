@@ -54,9 +54,9 @@ void break_joints(Stores&, StepScratch&, Events&) {}
 Softness softness_of(const JointStiffness&, float) {
     return {};
 }
-void note_spring_speeds(std::span<JointConstraint>, const Motions&) {}
-void warm_start_joints(std::span<JointConstraint>, Motions&) {}
-void solve_joints(std::span<JointConstraint>, Motions&, float, Pass) {}
+void note_spring_speeds(std::span<JointConstraint>, std::span<const JointPlace>, const Motions&) {}
+void warm_start_joints(std::span<JointConstraint>, std::span<const JointPlace>, Motions&) {}
+void solve_joints(std::span<JointConstraint>, std::span<JointPlace>, Motions&, float, Pass) {}
 void JointLanes::note_spring_speeds(const Motions&, TaskPool&) {}
 void JointLanes::warm_start(Motions&, TaskPool&) {}
 void JointLanes::solve(Motions&, const JointPassTime&, TaskPool&) {}

@@ -28,6 +28,7 @@ struct Twins {
     std::vector<JointConstraint> constraints;
     JointLanes lanes;
     std::vector<JointSeat> seats;
+    std::vector<JointPlace> joint_places;
     TaskPool tasks{1, nullptr};
 
     Twins(bool drives, bool anchored) {
@@ -41,8 +42,9 @@ struct Twins {
         std::vector<double> together(places.size(), 0);
         lanes.arrange();
         lanes.place(places, in_lanes, 1, 4 * kSubstep_s, tasks);
-        add_spring_loads(constraints, swept, together);
-        make_springs(constraints, swept, kSubstep_s, together);
+        place_joints(constraints, swept, joint_places);
+        add_spring_loads(constraints, joint_places, swept, together);
+        make_springs(constraints, kSubstep_s, together);
         lanes.settle_springs(together, false);
     }
 
@@ -118,20 +120,20 @@ struct Twins {
 
     void substep() {
         const JointPassTime time{softness_of(JointStiffness{}, kSubstep_s), 1 / kSubstep_s};
-        note_spring_speeds(constraints, swept);
+        note_spring_speeds(constraints, joint_places, swept);
         lanes.note_spring_speeds(in_lanes, tasks);
         for (Motions* motions : {&swept, &in_lanes}) {
             for (std::size_t row = 1; row < places.size(); ++row) {
                 if (motions->velocity[row].inverse_mass > 0) motions->velocity[row].v += Vec2{0, -0.04f};
             }
         }
-        warm_start_joints(constraints, swept);
+        warm_start_joints(constraints, joint_places, swept);
         lanes.warm_start(in_lanes, tasks);
-        solve_joints(constraints, swept, kSubstep_s, Pass::Biased);
+        solve_joints(constraints, joint_places, swept, kSubstep_s, Pass::Biased);
         lanes.solve(in_lanes, time, tasks);
         integrate_positions(swept, kSubstep_s);
         integrate_positions(in_lanes, kSubstep_s);
-        solve_joints(constraints, swept, kSubstep_s, Pass::Relax);
+        solve_joints(constraints, joint_places, swept, kSubstep_s, Pass::Relax);
         lanes.relax(in_lanes, time, tasks);
     }
 
@@ -176,6 +178,7 @@ TEST_CASE("pins and drives in lanes do what the scalar solver does, at every SIM
 TEST_CASE("a lane that another takes keeps its impulses, and the rest stay dense") {
     JointLanes lanes;
     std::vector<JointSeat> seats;
+    std::vector<JointPlace> joint_places;
     const int bucket = joint_bucket(3, JointBlockKind::TwoBodies);
     for (int joint = 0; joint < 20; ++joint) {
         seats.push_back(lanes.add_pin(bucket, {.joint = joint}));
