@@ -173,7 +173,7 @@ struct StepScratch {
     std::vector<int> scalar_contacts;     // those of them
     std::vector<JointConstraint> joints;  // the swept ones, in their order
     std::vector<JointPlace> joint_places;
-    std::vector<int> unseated;            // joints that may get a lane, or break
+    std::vector<int> unseated;  // joints that may get a lane, or break
     std::vector<double> spring_loads;
     std::vector<int> met;      // contacts that were near and have points now
     std::vector<int> parted;   // contacts that have none any more

@@ -21,16 +21,24 @@ namespace {
 
 using Values = std::array<float, kMaxDirections>;
 
-// The bodies of one joint while it is worked on.
+// Of one body in K.
+float share(const Motion& body, const Jacobian& d, const Jacobian& e) {
+    return dot(d.linear, velocity_change(body, e.linear)) + body.inverse_inertia * d.angular * e.angular;
+}
+
+// The bodies of one joint while it is worked on: two, or up to so many.
+template <int kMany>
 class Bodies {
   public:
     Bodies(const JointConstraint& c, const Motions& motions) : c_(c) {
-        for (int i = 0; i < c.bodies; ++i) bodies_[i] = motions.get(c.rows[i]);
+        for (int i = 0; i < count(); ++i) bodies_[i] = motions.get(c.rows[i]);
     }
+
+    [[nodiscard]] int count() const { return kMany == 2 ? 2 : c_.bodies; }
 
     [[nodiscard]] float speed(const Direction& d) const {
         float sum = 0;
-        for (int i = 0; i < c_.bodies; ++i) {
+        for (int i = 0; i < count(); ++i) {
             sum += dot(d.j[i].linear, bodies_[i].v) + d.j[i].angular * bodies_[i].w;
         }
         return sum;
@@ -38,31 +46,25 @@ class Bodies {
 
     [[nodiscard]] float coupling(const Direction& d, const Direction& e) const {
         float sum = 0;
-        for (int i = 0; i < c_.bodies; ++i) sum += share(i, d, e);
+        for (int i = 0; i < count(); ++i) sum += share(bodies_[i], d.j[i], e.j[i]);
         return sum;
     }
 
-    // Of body i.
-    [[nodiscard]] float share(int i, const Direction& d, const Direction& e) const {
-        return dot(d.j[i].linear, velocity_change(bodies_[i], e.j[i].linear)) +
-               bodies_[i].inverse_inertia * d.j[i].angular * e.j[i].angular;
-    }
-
     void push(const Direction& d, float impulse) {
-        for (int i = 0; i < c_.bodies; ++i) {
+        for (int i = 0; i < count(); ++i) {
             bodies_[i].v += velocity_change(bodies_[i], impulse * d.j[i].linear);
             bodies_[i].w += bodies_[i].inverse_inertia * (impulse * d.j[i].angular);
         }
     }
 
     void write(Motions& motions) const {
-        for (int i = 0; i < c_.bodies; ++i) motions.set(c_.rows[i], bodies_[i]);
+        for (int i = 0; i < count(); ++i) motions.set(c_.rows[i], bodies_[i]);
     }
 
     [[nodiscard]] float least_mobility() const {
         bool locked = false;
         float inverse_mass = 0;
-        for (int i = 0; i < c_.bodies; ++i) {
+        for (int i = 0; i < count(); ++i) {
             locked = locked || bodies_[i].locked != 0;
             inverse_mass += bodies_[i].inverse_mass;
         }
@@ -71,8 +73,20 @@ class Bodies {
 
   private:
     const JointConstraint& c_;
-    std::array<Motion, kMaxJointBodies> bodies_;
+    std::array<Motion, kMany> bodies_;
 };
+
+// Calls work(bodies) with those of the joint; nearly all have two.
+template <class Work>
+void with_bodies(const JointConstraint& c, const Motions& motions, Work&& work) {
+    if (c.bodies == 2) {
+        Bodies<2> bodies(c, motions);
+        work(bodies);
+    } else {
+        Bodies<kMaxJointBodies> bodies(c, motions);
+        work(bodies);
+    }
+}
 
 // One law with its directions.
 struct Task {
@@ -95,15 +109,16 @@ Task task_of(JointConstraint& c, JointLaw& law, const JointPlace& place) {
 void place_joint(const JointConstraint& c, std::span<const JointConstraint> all, const Motions& motions,
                  JointPlace& at) {
     place(c, all, motions, at.directions);
-    const Bodies bodies(c, motions);
-    at.least_mobility = bodies.least_mobility();
-    for (int l = 0; l < c.law_count; ++l) {
-        const int first = c.laws[l].direction;
-        for (int i = first; i < first + c.laws[l].count; ++i) {
-            for (int j = first; j <= i; ++j)
-                at.inverse_mass[i][j] = bodies.coupling(at.directions[i], at.directions[j]);
+    with_bodies(c, motions, [&](const auto& bodies) {
+        at.least_mobility = bodies.least_mobility();
+        for (int l = 0; l < c.law_count; ++l) {
+            const int first = c.laws[l].direction;
+            for (int i = first; i < first + c.laws[l].count; ++i) {
+                for (int j = first; j <= i; ++j)
+                    at.inverse_mass[i][j] = bodies.coupling(at.directions[i], at.directions[j]);
+            }
         }
-    }
+    });
 }
 
 // K x = b.
@@ -112,7 +127,8 @@ Values solve(const Task& task, const Values& b) {
                        task.place.least_mobility);
 }
 
-void apply(const Task& task, Bodies& bodies, const Values& wanted) {
+template <int kMany>
+void apply(const Task& task, Bodies<kMany>& bodies, const Values& wanted) {
     for (int i = 0; i < task.law.count; ++i) {
         bodies.push(task.directions[i], task.sign * (wanted[i] - task.impulse(i)));
         task.impulse(i) = wanted[i];
@@ -131,7 +147,8 @@ void clamp(const JointLaw& law, Values& wanted) {
     }
 }
 
-Values solve_soft(const Task& task, const Bodies& bodies, const Softness& soft) {
+template <int kMany>
+Values solve_soft(const Task& task, const Bodies<kMany>& bodies, const Softness& soft) {
     Values rhs{};
     for (int i = 0; i < task.law.count; ++i) {
         rhs[i] = -(bodies.speed(task.directions[i]) * task.sign + soft.bias_rate * task.error(i));
@@ -143,12 +160,14 @@ Values solve_soft(const Task& task, const Bodies& bodies, const Softness& soft) 
     return change;
 }
 
-void solve_hold(const Task& task, Bodies& bodies, Pass pass) {
+template <int kMany>
+void solve_hold(const Task& task, Bodies<kMany>& bodies, Pass pass) {
     apply(task, bodies, solve_soft(task, bodies, pass == Pass::Biased ? task.law.softness : kRigid));
 }
 
 // A gap may close, but no further.
-void solve_limit(const Task& task, Bodies& bodies, float h_s, Pass pass) {
+template <int kMany>
+void solve_limit(const Task& task, Bodies<kMany>& bodies, float h_s, Pass pass) {
     const float gap = task.error(0);
     Softness soft = pass == Pass::Biased ? task.law.softness : kRigid;
     if (gap > 0) soft = {1 / h_s, 1, 0};
@@ -172,7 +191,8 @@ float motor_speed(const Task& task, int part, float h_s, Pass pass) {
     return speed;
 }
 
-void solve_motor(const Task& task, Bodies& bodies, float h_s, Pass pass) {
+template <int kMany>
+void solve_motor(const Task& task, Bodies<kMany>& bodies, float h_s, Pass pass) {
     Values rhs{};
     for (int i = 0; i < task.law.count; ++i)
         rhs[i] = motor_speed(task, i, h_s, pass) - bodies.speed(task.directions[i]);
@@ -192,7 +212,8 @@ Values spring_impulse(const Task& task, const Values& speed) {
     return solve(task, rhs);
 }
 
-void solve_spring(const Task& task, Bodies& bodies) {
+template <int kMany>
+void solve_spring(const Task& task, Bodies<kMany>& bodies) {
     Values speed{};
     for (int i = 0; i < task.law.count; ++i) speed[i] = bodies.speed(task.directions[i]);
     Values wanted = spring_impulse(task, speed);
@@ -200,6 +221,42 @@ void solve_spring(const Task& task, Bodies& bodies) {
     for (int i = 0; i < task.law.count; ++i) wanted[i] = (wanted[i] + d1 * task.impulse(i)) / (1 + d1);
     clamp(task.law, wanted);
     apply(task, bodies, wanted);
+}
+
+template <int kMany>
+void warm_start(JointConstraint& c, const JointPlace& at, Bodies<kMany>& bodies) {
+    for (int l = 0; l < c.law_count; ++l) {
+        const Task task = task_of(c, c.laws[l], at);
+        if (task.law.kind == LawKind::Spring && !task.law.spring.damped) {
+            // The impulse of the last substep is a quarter of a period late for what swings freely.
+            Values guess = spring_impulse(task, {task.law.speed_before[0], task.law.speed_before[1]});
+            clamp(task.law, guess);
+            for (int i = 0; i < task.law.count; ++i) task.impulse(i) = guess[i];
+        }
+        for (int i = 0; i < task.law.count; ++i) bodies.push(task.directions[i], task.sign * task.impulse(i));
+    }
+}
+
+template <int kMany>
+void solve_laws(JointConstraint& c, const JointPlace& at, Bodies<kMany>& bodies, float h_s, Pass pass) {
+    for (int l = 0; l < c.law_count; ++l) {
+        const Task task = task_of(c, c.laws[l], at);
+        switch (task.law.kind) {
+            case LawKind::Hold:
+                solve_hold(task, bodies, pass);
+                break;
+            case LawKind::Spring:
+                if (pass == Pass::Biased) solve_spring(task, bodies);
+                break;
+            case LawKind::Motor:
+                solve_motor(task, bodies, h_s, pass);
+                break;
+            case LawKind::Lower:
+            case LawKind::Upper:
+                solve_limit(task, bodies, h_s, pass);
+                break;
+        }
+    }
 }
 
 // What the joint gave body b in this substep, as a force at its anchor and a torque.
@@ -240,12 +297,11 @@ void add_spring_loads(std::span<const JointConstraint> joints, std::span<const J
     for_each_spring(joints, [&](std::size_t joint, const JointLaw& law) {
         const JointConstraint& c = joints[joint];
         const Direction& d = places[joint].directions[law.direction];
-        const Bodies bodies(c, motions);
         const double w = 2 * static_cast<double>(kPi) * static_cast<double>(law.spring_frequency_hz);
-        const float k = bodies.coupling(d, d);
+        const float k = places[joint].inverse_mass[law.direction][law.direction];
         for (int i = 0; k > 0 && i < c.bodies; ++i) {
             together[static_cast<std::size_t>(c.rows[i])] +=
-                w * w * static_cast<double>(bodies.share(i, d, d) / k);
+                w * w * static_cast<double>(share(motions.get(c.rows[i]), d.j[i], d.j[i]) / k);
         }
     });
 }
@@ -266,9 +322,10 @@ void note_spring_speeds(std::span<JointConstraint> joints, std::span<const Joint
                         const Motions& motions) {
     for_each_spring(joints, [&](std::size_t joint, JointLaw& law) {
         if (joints[joint].direct) return;
-        const Bodies bodies(joints[joint], motions);
-        for (int i = 0; i < law.count; ++i)
-            law.speed_before[i] = bodies.speed(places[joint].directions[law.direction + i]);
+        with_bodies(joints[joint], motions, [&](const auto& bodies) {
+            for (int i = 0; i < law.count; ++i)
+                law.speed_before[i] = bodies.speed(places[joint].directions[law.direction + i]);
+        });
     });
 }
 
@@ -277,20 +334,10 @@ void warm_start_joints(std::span<JointConstraint> joints, std::span<const JointP
     for (std::size_t joint = 0; joint < joints.size(); ++joint) {
         JointConstraint& c = joints[joint];
         if (c.direct) continue;
-        Bodies bodies(c, motions);
-        for (int l = 0; l < c.law_count; ++l) {
-            const Task task = task_of(c, c.laws[l], places[joint]);
-            if (task.law.kind == LawKind::Spring && !task.law.spring.damped) {
-                // The impulse of the last substep is a quarter of a period late for what swings freely.
-                Values guess = spring_impulse(task, {task.law.speed_before[0], task.law.speed_before[1]});
-                clamp(task.law, guess);
-                for (int i = 0; i < task.law.count; ++i) task.impulse(i) = guess[i];
-            }
-            for (int i = 0; i < task.law.count; ++i) {
-                bodies.push(task.directions[i], task.sign * task.impulse(i));
-            }
-        }
-        bodies.write(motions);
+        with_bodies(c, motions, [&](auto& bodies) {
+            warm_start(c, places[joint], bodies);
+            bodies.write(motions);
+        });
     }
 }
 
@@ -301,27 +348,11 @@ void solve_joints(std::span<JointConstraint> joints, std::span<JointPlace> place
         if (c.direct) continue;
         JointPlace& at = places[joint];
         if (pass == Pass::Relax) place_joint(c, joints, motions, at);
-        Bodies bodies(c, motions);
-        for (int l = 0; l < c.law_count; ++l) {
-            const Task task = task_of(c, c.laws[l], at);
-            switch (task.law.kind) {
-                case LawKind::Hold:
-                    solve_hold(task, bodies, pass);
-                    break;
-                case LawKind::Spring:
-                    if (pass == Pass::Biased) solve_spring(task, bodies);
-                    break;
-                case LawKind::Motor:
-                    solve_motor(task, bodies, h_s, pass);
-                    break;
-                case LawKind::Lower:
-                case LawKind::Upper:
-                    solve_limit(task, bodies, h_s, pass);
-                    break;
-            }
-        }
+        with_bodies(c, motions, [&](auto& bodies) {
+            solve_laws(c, at, bodies, h_s, pass);
+            bodies.write(motions);
+        });
         if (pass == Pass::Relax) add_reaction(c, at.directions, motions);
-        bodies.write(motions);
     }
 }
 

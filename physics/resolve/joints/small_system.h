@@ -17,6 +17,10 @@ using SmallVector = std::array<float, kMaxDirections>;
 template <int N>
 SmallVector solve_small(const SmallMatrix& all, int first, SmallVector b, float least) {
     constexpr float kLost = 1e-6f;
+    if constexpr (N == 1) {
+        const float k = all[first][first];
+        return {k > least && k > 0 ? b[0] / k : 0};
+    }
     SmallMatrix k{};
     std::array<int, N> order{};
     std::array<float, N> start{};
