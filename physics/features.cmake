@@ -66,12 +66,17 @@ cairn_feature(FRACTURE "cuts, breaks and breakable bodies"
   world/fracture.cpp
   world/fragments.cpp
   world/world_fracture.cpp)
+cairn_feature(RESTITUTION "impacts that give back speed"
+  resolve/restitution.cpp
+  world/bounces.cpp)
+cairn_feature(ROLLING_RESISTANCE "torques that resist rolling"
+  resolve/rolling.cpp)
 
 if(CAIRN_WITH_DIRECT_SOLVER AND NOT CAIRN_WITH_JOINTS)
   message(FATAL_ERROR "CAIRN_WITH_DIRECT_SOLVER=ON needs CAIRN_WITH_JOINTS=ON: it solves what joints describe.")
 endif()
 if(CAIRN_TESTS AND PROJECT_IS_TOP_LEVEL)
-  foreach(feature JOINTS DIRECT_SOLVER SENSORS CHAINS EVENTS FRACTURE)
+  foreach(feature JOINTS DIRECT_SOLVER SENSORS CHAINS EVENTS FRACTURE RESTITUTION ROLLING_RESISTANCE)
     if(NOT CAIRN_WITH_${feature})
       message(FATAL_ERROR "CAIRN_WITH_${feature}=OFF needs CAIRN_TESTS=OFF: the tests use all features.")
     endif()

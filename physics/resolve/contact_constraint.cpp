@@ -9,16 +9,10 @@
 
 #include <cairn/physics/tuning.h>
 
+#include "resolve/contact_points.h"
+
 namespace cairn::physics {
 namespace {
-
-Vec2 velocity_at(const Motion& body, Vec2 r) {
-    return body.v + cross(body.w, r);
-}
-
-Vec2 relative_velocity(const Motion& a, const Motion& b, Vec2 r_a, Vec2 r_b) {
-    return velocity_at(b, r_b) - velocity_at(a, r_a);
-}
 
 void apply(Motion& a, Motion& b, Vec2 r_a, Vec2 r_b, Vec2 impulse) {
     a.v -= velocity_change(a, impulse);
@@ -46,11 +40,6 @@ float current_separation(const Motion& a, const Motion& b, const ContactPointCon
 void set_impulse(ContactConstraint& c, ContactPointConstraint& p, Motion& a, Motion& b, float impulse) {
     apply(a, b, p.r_a, p.r_b, (impulse - p.normal_impulse) * c.normal);
     p.normal_impulse = impulse;
-}
-
-float normal_velocity(const ContactConstraint& c, const ContactPointConstraint& p, const Motion& a,
-                      const Motion& b) {
-    return dot(relative_velocity(a, b, p.r_a, p.r_b), c.normal);
 }
 
 // The impulse about which the point is soft.
@@ -110,7 +99,30 @@ std::optional<Impulses> solve_both(const ContactConstraint& c, const Motion& a, 
     return Impulses{0, 0};
 }
 
-// Brings the points to their target velocities: both at once, since sweeping leaves a part.
+// Gaps may close within the substep, but no more; what touches comes to rest.
+std::array<float, 2> relaxed_targets(ContactConstraint& c, const Motion& a, const Motion& b, float h_s) {
+    std::array<float, 2> targets{};
+    for (int i = 0; i < c.count; ++i) {
+        ContactPointConstraint& p = c.points[i];
+        p.end_separation = current_separation(a, b, p, c.normal);
+        targets[i] = is_apart(p.end_separation, base_of(p)) ? -p.end_separation / h_s : 0;
+    }
+    return targets;
+}
+
+void solve_friction(ContactConstraint& c, Motion& a, Motion& b) {
+    const Vec2 tangent = right_perp(c.normal);
+    const float jv =
+        dot(relative_velocity(a, b, c.friction_r_a, c.friction_r_b), tangent) - c.surface_speed_m_s;
+    const float limit = c.friction * total_normal(c);
+    const float impulse = std::clamp(c.friction_impulse - c.tangent_mass * jv, -limit, limit);
+    const float change = impulse - c.friction_impulse;
+    c.friction_impulse = impulse;
+    apply(a, b, c.friction_r_a, c.friction_r_b, change * tangent);
+}
+
+}  // namespace
+
 void reach_targets(ContactConstraint& c, Motion& a, Motion& b, const std::array<float, 2>& targets) {
     if (c.count == 2) {
         if (const auto both = solve_both(c, a, b, targets[0], targets[1])) {
@@ -125,61 +137,6 @@ void reach_targets(ContactConstraint& c, Motion& a, Motion& b, const std::array<
         set_impulse(c, p, a, b, std::max(wanted, 0.0f));
     }
 }
-
-// Gaps may close within the substep, but no more; what touches comes to rest.
-std::array<float, 2> relaxed_targets(ContactConstraint& c, const Motion& a, const Motion& b, float h_s) {
-    std::array<float, 2> targets{};
-    for (int i = 0; i < c.count; ++i) {
-        ContactPointConstraint& p = c.points[i];
-        p.end_separation = current_separation(a, b, p, c.normal);
-        targets[i] = is_apart(p.end_separation, base_of(p)) ? -p.end_separation / h_s : 0;
-    }
-    return targets;
-}
-
-float total_normal(const ContactConstraint& c) {
-    float sum = 0;
-    for (int i = 0; i < c.count; ++i) sum += c.points[i].normal_impulse;
-    return sum;
-}
-
-// Coulomb's law for turning: |lambda| <= rolling_m lambda_n against wB - wA.
-void solve_rolling(ContactConstraint& c, Motion& a, Motion& b) {
-    if (c.rolling_m == 0) return;
-    const float limit = c.rolling_m * total_normal(c);
-    const float impulse = std::clamp(c.rolling_impulse - c.rolling_mass * (b.w - a.w), -limit, limit);
-    const float change = impulse - c.rolling_impulse;
-    c.rolling_impulse = impulse;
-    a.w -= a.inverse_inertia * change;
-    b.w += b.inverse_inertia * change;
-}
-
-void solve_friction(ContactConstraint& c, Motion& a, Motion& b) {
-    const Vec2 tangent = right_perp(c.normal);
-    const float jv =
-        dot(relative_velocity(a, b, c.friction_r_a, c.friction_r_b), tangent) - c.surface_speed_m_s;
-    const float limit = c.friction * total_normal(c);
-    const float impulse = std::clamp(c.friction_impulse - c.tangent_mass * jv, -limit, limit);
-    const float change = impulse - c.friction_impulse;
-    c.friction_impulse = impulse;
-    apply(a, b, c.friction_r_a, c.friction_r_b, change * tangent);
-}
-
-// The speed to leave with. Steps do not end where surfaces meet, so both the closing speed (known at
-// separation s0) and the leaving speed (given at s) are carried to s = 0 along the acceleration g of the
-// pair:
-//     impact^2 = Jv0^2 - 2 g s0,    leave^2 = (e impact)^2 + 2 g s
-// Without this a bounce gains or loses height by where in the step it falls.
-float leaving_speed(const ContactConstraint& c, const ContactPointConstraint& p,
-                    std::span<const Drive> drives) {
-    const float g = dot(drives[c.b].acceleration - drives[c.a].acceleration, c.normal);
-    const float impact_squared =
-        std::max(p.closing_velocity * p.closing_velocity - 2 * g * p.separation, 0.0f);
-    return std::sqrt(
-        std::max(c.restitution * c.restitution * impact_squared + 2 * g * p.end_separation, 0.0f));
-}
-
-}  // namespace
 
 float separation_now(const ContactConstraint& c, const ContactPointConstraint& p, const Motions& motions) {
     return current_separation(motions.get(c.a), motions.get(c.b), p, c.normal);
@@ -269,33 +226,6 @@ void solve_contact(ContactConstraint& c, Motions& motions, const ContactRules& r
     }
     motions.set(c.a, a);
     motions.set(c.b, b);
-}
-
-void apply_restitution(std::span<ContactConstraint> contacts, Motions& motions, std::span<const Drive> drives,
-                       const ContactRules& rules) {
-    for (ContactConstraint& c : contacts) {
-        if (c.restitution == 0) continue;
-        Motion a = motions.get(c.a);
-        Motion b = motions.get(c.b);
-        // Points that did not meet fast keep the velocity that they have.
-        std::array<float, 2> targets{};
-        std::array<float, 2> before{};
-        bool bounces = false;
-        for (int i = 0; i < c.count; ++i) {
-            const ContactPointConstraint& p = c.points[i];
-            const bool met = p.closing_velocity <= -rules.restitution_speed_m_s && p.total_normal_impulse > 0;
-            targets[i] = met ? leaving_speed(c, p, drives) : normal_velocity(c, p, a, b);
-            before[i] = p.normal_impulse;
-            bounces |= met;
-        }
-        if (!bounces) continue;
-        reach_targets(c, a, b, targets);
-        for (int i = 0; i < c.count; ++i) {
-            c.points[i].total_normal_impulse += c.points[i].normal_impulse - before[i];
-        }
-        motions.set(c.a, a);
-        motions.set(c.b, b);
-    }
 }
 
 }  // namespace cairn::physics

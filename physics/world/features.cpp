@@ -22,6 +22,8 @@ constexpr std::array<Entry, kFeatures.size()> kEntries{{
     {"chains", CAIRN_WITH_CHAINS},
     {"events", CAIRN_WITH_EVENTS},
     {"fracture", CAIRN_WITH_FRACTURE},
+    {"restitution", CAIRN_WITH_RESTITUTION},
+    {"rolling_resistance", CAIRN_WITH_ROLLING_RESISTANCE},
 }};
 
 const Entry& entry(Feature feature) {

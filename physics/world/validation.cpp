@@ -49,18 +49,20 @@ check::Fault validate(const Material& material) {
          check::within("material.restitution", d(material.restitution), 0, 1),
          check::not_negative("material.rolling_resistance", d(material.rolling_resistance)),
          check::finite("material.surface_speed_m_s", d(material.surface_speed_m_s)),
-         check::within("material.kind", material.kind, 0, kMaterialKinds - 1)});
+         check::within("material.kind", material.kind, 0, kMaterialKinds - 1),
+         require_built_in(Feature::Restitution, material.restitution > 0),
+         require_built_in(Feature::RollingResistance, material.rolling_resistance > 0)});
 }
 
 check::Fault validate(const MaterialRule& rule) {
     const auto known = [](const char* field, Mixing mixing) {
         return check::within(field, static_cast<double>(mixing), 0, static_cast<double>(Mixing::Fixed));
     };
-    return check::first_of(
-        {known("material_rule.friction.mixing", rule.friction.mixing),
-         known("material_rule.restitution.mixing", rule.restitution.mixing),
-         check::not_negative("material_rule.friction.fixed", d(rule.friction.fixed)),
-         check::within("material_rule.restitution.fixed", d(rule.restitution.fixed), 0, 1)});
+    return check::first_of({known("material_rule.friction.mixing", rule.friction.mixing),
+                            known("material_rule.restitution.mixing", rule.restitution.mixing),
+                            check::not_negative("material_rule.friction.fixed", d(rule.friction.fixed)),
+                            check::within("material_rule.restitution.fixed", d(rule.restitution.fixed), 0, 1),
+                            require_built_in(Feature::Restitution, rule.restitution.fixed > 0)});
 }
 
 check::Fault validate_material_kinds(int kind_a, int kind_b) {

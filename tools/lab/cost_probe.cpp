@@ -90,6 +90,10 @@ std::string answer_to(Feature feature) {
         case Feature::Fracture:
             world.create_shape(a, Box{1, 1}).value();
             return message(world.cut_body(a, {0, -3}, {0, 3}));
+        case Feature::Restitution:
+            return message(world.create_shape(a, Circle{}, {.material = {.restitution = 0.5f}}));
+        case Feature::RollingResistance:
+            return message(world.create_shape(a, Circle{}, {.material = {.rolling_resistance = 0.1f}}));
     }
     return {};
 }

@@ -15,12 +15,16 @@ enum class Feature : std::uint8_t {
     Chains,
     Events,    ///< of contacts: begin, end and hit
     Fracture,  ///< cuts, breaks and breakable bodies
+    Restitution,
+    RollingResistance,
 };
 
-inline constexpr std::array kFeatures{Feature::Joints, Feature::DirectSolver, Feature::Sensors,
-                                      Feature::Chains, Feature::Events,       Feature::Fracture};
+inline constexpr std::array kFeatures{Feature::Joints,      Feature::DirectSolver,     Feature::Sensors,
+                                      Feature::Chains,      Feature::Events,           Feature::Fracture,
+                                      Feature::Restitution, Feature::RollingResistance};
 
-/// "joints", "direct_solver", "sensors", "chains", "events" or "fracture".
+/// "joints", "direct_solver", "sensors", "chains", "events", "fracture", "restitution" or
+/// "rolling_resistance".
 std::string_view name(Feature feature);
 bool is_built_in(Feature feature);
 
