@@ -66,6 +66,9 @@ struct Audio::State {
         : files(files_to_read), backend(std::move(chosen)) {}
 
     bool is_active(const Voice& voice) const { return voice.end_s > clock_s; }
+    /// Not yet among `sounds`.
+    Result<Sound> read_sound(std::string_view path);
+
     Group& group(AudioGroup id) { return groups[static_cast<std::size_t>(id)]; }
     const Group& group(AudioGroup id) const { return groups[static_cast<std::size_t>(id)]; }
     float heard_volume(const Voice& voice) const { return voice.volume * group(voice.group).volume; }
@@ -95,6 +98,7 @@ struct Audio::State {
     Music music;
     std::vector<Group> groups = {Group{}, Group{}};
     std::vector<std::string> group_names = {"sfx", "music"};
+    std::uint32_t sounds_read = 0;
     double clock_s = 0;
     long plays = 0;
     long refused = 0;
@@ -108,19 +112,24 @@ Audio::~Audio() = default;
 
 // ---- Sounds
 
-Result<SoundId> Audio::load_sound(std::string_view path) {
-    if (const auto known = state_->sounds_by_path.find(path); known != state_->sounds_by_path.end())
-        return known->second;
-    Result<std::vector<std::byte>> file = state_->files.read_bytes(path);
+Result<Audio::State::Sound> Audio::State::read_sound(std::string_view path) {
+    Result<std::vector<std::byte>> file = files.read_bytes(path);
     if (!file) return Error{"sound '" + std::string(path) + "' cannot be loaded: " + file.error().message};
     const Result<double> duration_s = read_sound_duration_s(*file, path);
     if (!duration_s) return duration_s.error();
     if (*duration_s > kMaxSound_s)
         return Error{"sound '" + std::string(path) + "': plays for " + std::to_string(*duration_s) +
                      " s; at most 60 s are allowed. Play longer pieces as music"};
-    const auto key = static_cast<std::uint32_t>(state_->sounds_by_path.size() + 1);
-    const SoundId id = state_->sounds.insert(
-        {.data = {key, std::string(path), std::move(*file)}, .duration_s = *duration_s, .limit = {}});
+    return Sound{
+        .data = {++sounds_read, std::string(path), std::move(*file)}, .duration_s = *duration_s, .limit = {}};
+}
+
+Result<SoundId> Audio::load_sound(std::string_view path) {
+    if (const auto known = state_->sounds_by_path.find(path); known != state_->sounds_by_path.end())
+        return known->second;
+    Result<State::Sound> sound = state_->read_sound(path);
+    if (!sound) return sound.error();
+    const SoundId id = state_->sounds.insert(*std::move(sound));
     state_->sounds_by_path.emplace(path, id);
     return id;
 }
@@ -129,6 +138,23 @@ std::vector<std::string> Audio::loaded_sounds() const {
     std::vector<std::string> paths;
     for (const auto& [path, sound] : state_->sounds_by_path) paths.push_back(path);
     return paths;
+}
+
+Result<bool> Audio::reload_sound(std::string_view path) {
+    State& s = *state_;
+    const auto known = s.sounds_by_path.find(path);
+    if (known == s.sounds_by_path.end()) return false;
+    Result<State::Sound> sound = s.read_sound(path);
+    if (!sound) return sound.error();
+    for (std::size_t slot = 0; slot < s.voices.size(); ++slot) {
+        if (s.voices[slot].sound != known->second || !s.is_active(s.voices[slot])) continue;
+        s.voices[slot].end_s = -kForever_s;
+        s.backend->stop_voice(static_cast<int>(slot));
+    }
+    State::Sound& old = *s.sounds.find(known->second);
+    sound->limit = old.limit;
+    old = *std::move(sound);
+    return true;
 }
 
 bool Audio::is_valid(SoundId sound) const {

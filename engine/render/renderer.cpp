@@ -57,21 +57,18 @@ Renderer::~Renderer() = default;
 
 // ---- Assets
 
-Result<TextureId> Renderer::load_texture(std::string_view path, TextureFilter filter) {
-    const std::pair key{std::string(path), filter};
-    if (const auto known = state_->textures_by_path.find(key); known != state_->textures_by_path.end())
-        return known->second;
-    const Result<std::vector<std::byte>> file = state_->files.read_bytes(path);
+Result<Texture> Renderer::State::read_texture(std::string_view path, TextureFilter filter) {
+    const Result<std::vector<std::byte>> file = files.read_bytes(path);
     if (!file) return Error{"image '" + std::string(path) + "' cannot be loaded: " + file.error().message};
 
     Texture texture;
     texture.path = path;
     texture.filter = filter;
-    if (state_->backend->keeps_pixels()) {
+    if (backend->keeps_pixels()) {
         Result<Image> image = decode_image(*file, path);
         if (!image) return image.error();
         premultiply(*image);
-        const Result<BackendTexture> made = state_->backend->create_texture(*image, filter);
+        const Result<BackendTexture> made = backend->create_texture(*image, filter);
         if (!made) return Error{"image '" + texture.path + "': " + made.error().message};
         texture.size = image->size;
         texture.backend_texture = *made;
@@ -80,9 +77,34 @@ Result<TextureId> Renderer::load_texture(std::string_view path, TextureFilter fi
         if (!size) return size.error();
         texture.size = *size;
     }
-    const TextureId id = state_->textures.insert(std::move(texture));
+    return texture;
+}
+
+Result<TextureId> Renderer::load_texture(std::string_view path, TextureFilter filter) {
+    const std::pair key{std::string(path), filter};
+    if (const auto known = state_->textures_by_path.find(key); known != state_->textures_by_path.end())
+        return known->second;
+    Result<Texture> texture = state_->read_texture(path, filter);
+    if (!texture) return texture.error();
+    const TextureId id = state_->textures.insert(*std::move(texture));
     state_->textures_by_path.emplace(key, id);
     return id;
+}
+
+Result<bool> Renderer::reload_texture(std::string_view path) {
+    State& s = *state_;
+    bool is_known = false;
+    for (const auto& [key, id] : s.textures_by_path) {
+        if (key.first != path) continue;
+        Result<Texture> texture = s.read_texture(path, key.second);
+        if (!texture) return texture.error();
+        Texture* old = s.textures.find(id);
+        s.batch.flush();
+        if (old->backend_texture) s.backend->destroy_texture(old->backend_texture);
+        *old = *std::move(texture);
+        is_known = true;
+    }
+    return is_known;
 }
 
 Result<TextureId> Renderer::create_texture(const Image& image, TextureFilter filter) {

@@ -40,6 +40,9 @@ struct SuspendedTarget {
 struct Renderer::State {
     State(const Files& files_to_read, std::unique_ptr<RenderBackend> chosen);
 
+    /// Not yet among `textures`.
+    Result<Texture> read_texture(std::string_view path, TextureFilter filter);
+
     /// Drawing coordinates to output pixels.
     Affine2 output_transform() const { return viewport.output_from_logical() * transforms.back(); }
 

@@ -76,6 +76,8 @@ struct Context {
     /// all of them and must not depend on when garbage is collected.
     std::vector<WorldObject*> worlds{};
 
+    lua_Integer levels_loaded = 0;  ///< numbers them for hot reload
+
     /// With a value, the save folder is only played: files written are kept here and the real folder is
     /// neither read nor written, so that a replay does not depend on what the player saved.
     std::optional<PlayedSaves> played_saves{};

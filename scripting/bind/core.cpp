@@ -1,4 +1,6 @@
 // The functions that stand in `cairn` itself, and `require`.
+#include "bind/core.h"
+
 #include <algorithm>
 #include <string>
 
@@ -173,9 +175,13 @@ int require_module(lua_State* L) {
 
 }  // namespace
 
-void install_require(lua_State* L) {
+void forget_modules(lua_State* L) {
     lua_newtable(L);
     lua_setfield(L, LUA_REGISTRYINDEX, kLoadedModules);
+}
+
+void install_require(lua_State* L) {
+    forget_modules(L);
     lua_pushcfunction(L, require_module);
     lua_setglobal(L, "require");
 }

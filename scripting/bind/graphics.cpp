@@ -118,7 +118,7 @@ std::tuple<float, float> inverse_transform_point(lua_State* L, float x, float y)
 Pushed new_image(lua_State* L, std::string_view path, std::optional<std::string_view> filter) {
     engine::Renderer& renderer = context_of(L).services.renderer;
     const engine::TextureId texture = value_or_raise(L, renderer.load_texture(path, to_filter(L, 2, filter)));
-    new_object<ImageObject>(L, 0, texture, renderer.texture_size(texture));
+    new_object<ImageObject>(L, 0, texture);
     return {1};
 }
 
@@ -434,14 +434,19 @@ constexpr Function kFunctions[] = {
 
 // ---- Methods of Image and Font
 
-std::tuple<std::int64_t, std::int64_t> image_size(ImageObject* self) {
-    return {self->size.width, self->size.height};
+// Asked for each time: the file may have been saved with another size since.
+engine::Size size_of(lua_State* L, const ImageObject& image) {
+    return context_of(L).services.renderer.texture_size(image.texture);
 }
-std::int64_t image_width(ImageObject* self) {
-    return self->size.width;
+std::tuple<std::int64_t, std::int64_t> image_size(lua_State* L, ImageObject* self) {
+    const engine::Size size = size_of(L, *self);
+    return {size.width, size.height};
 }
-std::int64_t image_height(ImageObject* self) {
-    return self->size.height;
+std::int64_t image_width(lua_State* L, ImageObject* self) {
+    return size_of(L, *self).width;
+}
+std::int64_t image_height(lua_State* L, ImageObject* self) {
+    return size_of(L, *self).height;
 }
 
 std::tuple<float, float> measure(lua_State* L, FontObject* self, AnyArgument text,

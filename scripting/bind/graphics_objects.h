@@ -15,7 +15,6 @@ namespace cairn::scripting {
 struct ImageObject : ObjectHeader {
     static constexpr ObjectTag kTag = ObjectTag::Image;
     engine::TextureId texture;
-    engine::Size size;
 };
 /// A picture that is drawn into. Its texture goes when the garbage collector finds it.
 struct CanvasObject : ObjectHeader {

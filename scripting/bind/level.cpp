@@ -223,6 +223,20 @@ TiledImport read_import(lua_State* L, const std::optional<TableArgument>& fields
     std::abort();  // lua_error never returns; its declaration does not say so
 }
 
+/// Number -> Level, weak: what hot reload walks over.
+void push_living_levels(lua_State* L) {
+    constexpr const char* kLevels = "cairn.levels";
+    if (lua_getfield(L, LUA_REGISTRYINDEX, kLevels) == LUA_TTABLE) return;
+    lua_pop(L, 1);
+    lua_newtable(L);
+    lua_createtable(L, 0, 1);
+    lua_pushliteral(L, "v");
+    lua_setfield(L, -2, "__mode");
+    lua_setmetatable(L, -2);
+    lua_pushvalue(L, -1);
+    lua_setfield(L, LUA_REGISTRYINDEX, kLevels);
+}
+
 Pushed load(lua_State* L, std::string_view path, std::optional<TableArgument> fields) {
     const TiledImport import = read_import(L, fields);
     const auto kind = context_of(L).services.files.kind(path);
@@ -231,6 +245,10 @@ Pushed load(lua_State* L, std::string_view path, std::optional<TableArgument> fi
     LevelReading reading = read_and_try(L, std::string(path), import);
     if (!reading.faults.empty()) raise_faults(L, reading.faults);
     new_object<LevelObject>(L, 2, std::move(reading.level), import);
+    push_living_levels(L);
+    lua_pushvalue(L, -2);
+    lua_rawseti(L, -2, context_of(L).levels_loaded++);
+    lua_pop(L, 1);
     return {1};
 }
 
@@ -604,6 +622,50 @@ constexpr Function kMethods[] = {
 
 std::vector<std::string> faults_of_level(lua_State* L, const std::string& path, const TiledImport& import) {
     return read_and_try(L, path, import).faults;
+}
+
+namespace {
+
+/// (level) Reloads it and tells the game.
+int reload_one(lua_State* L) {
+    push_function(L, kLevelMethods, "reload");
+    lua_pushvalue(L, 1);
+    lua_call(L, 1, 0);
+    lua_getglobal(L, "cairn");
+    if (lua_istable(L, -1) && lua_getfield(L, -1, "level_reloaded") == LUA_TFUNCTION) {
+        lua_pushvalue(L, 1);
+        lua_call(L, 1, 0);
+    }
+    return 0;
+}
+
+}  // namespace
+
+std::optional<ScriptError> reload_levels(lua_State* L, const std::set<std::string>& changed,
+                                         std::set<std::string>& taken) {
+    const int top = lua_gettop(L);
+    push_living_levels(L);
+    for (lua_Integer i = 0; i < context_of(L).levels_loaded; ++i) {
+        lua_settop(L, top + 1);
+        lua_rawgeti(L, top + 1, i);
+        const auto* object = object_at<LevelObject>(L, -1);
+        if (object == nullptr) continue;
+        bool has_changed = false;
+        for (const std::string& file : object->level.files) {
+            if (!changed.contains(file)) continue;
+            has_changed = true;
+            taken.insert(file);
+        }
+        if (!has_changed) continue;
+        lua_pushcfunction(L, reload_one);
+        lua_insert(L, -2);
+        if (auto error = protected_call(L, 1, 0)) {
+            lua_settop(L, top);
+            return error;
+        }
+    }
+    lua_settop(L, top);
+    return std::nullopt;
 }
 
 int finalize_level(lua_State* L) {

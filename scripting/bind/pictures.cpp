@@ -21,7 +21,8 @@ Picture Argument<Picture>::get(lua_State* L, int index) {
     const auto whole = [](engine::TextureId texture, engine::Size size) {
         return Picture{texture, {0, 0, static_cast<float>(size.width), static_cast<float>(size.height)}};
     };
-    if (const auto* image = object_at<ImageObject>(L, index)) return whole(image->texture, image->size);
+    if (const auto* image = object_at<ImageObject>(L, index))
+        return whole(image->texture, context_of(L).services.renderer.texture_size(image->texture));
     if (const auto* canvas = object_at<CanvasObject>(L, index)) return whole(canvas->texture, canvas->size);
     if (const auto* quad = object_at<QuadObject>(L, index)) return {quad->texture, quad->source};
     argument_error(L, index, "an Image, a Canvas or a Quad");
@@ -111,7 +112,7 @@ Pushed new_atlas(lua_State* L, std::string_view path, std::optional<std::string_
     check_or_raise(L, engine::check_atlas(atlas, size, path));
 
     new_object<AtlasObject>(L, 2);
-    new_object<ImageObject>(L, 0, texture, size);
+    new_object<ImageObject>(L, 0, texture);
     lua_createtable(L, 0, static_cast<int>(atlas.frames.size()));
     lua_createtable(L, static_cast<int>(atlas.frames.size()), 0);
     lua_Integer count = 0;

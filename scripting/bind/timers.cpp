@@ -35,6 +35,13 @@ std::optional<Timers::Timer> Timers::take_due(std::uint64_t now) {
     return timer;
 }
 
+std::vector<int> Timers::take_all() {
+    std::vector<int> functions;
+    for (const auto& [due, timer] : waiting_) functions.push_back(timer.function);
+    waiting_.clear();
+    return functions;
+}
+
 void Timers::repeat(const Timer& timer, std::uint64_t now) {
     waiting_[{now + timer.period, timer.number}] = timer;
 }

@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace cairn::scripting {
 
@@ -31,6 +32,9 @@ class Timers {
     std::optional<Timer> take_due(std::uint64_t now);
     /// Puts a repeating timer back for its next turn.
     void repeat(const Timer& timer, std::uint64_t now);
+
+    /// Takes all out and gives their function references.
+    std::vector<int> take_all();
 
     [[nodiscard]] std::size_t count() const { return waiting_.size(); }
 

@@ -80,7 +80,7 @@ std::optional<ScriptError> Game::run_file(const std::string& path,
 std::optional<ScriptError> Game::load(const std::string& main_path,
                                       const std::vector<std::string>& arguments) {
     if (auto error = run_file(main_path)) return error;
-    return call("load", nullptr, arguments);
+    return call_load(arguments);
 }
 
 struct Game::CallbackCall {
@@ -154,6 +154,10 @@ std::optional<ScriptError> Game::call(const char* name, bool* result, const Argu
     if (!callback.problem.empty()) return ScriptError{callback.problem, {}};
     if (result != nullptr) *result = callback.result;
     return std::nullopt;
+}
+
+std::optional<ScriptError> Game::call_load(const std::vector<std::string>& arguments) {
+    return call("load", nullptr, arguments);
 }
 
 std::optional<ScriptError> Game::deliver(const InputEvent& event) {

@@ -38,6 +38,11 @@ class Game {
                                         const std::vector<std::string>& arguments = {});
     /// Runs main.lua, then cairn.load.
     std::optional<ScriptError> load(const std::string& main_path, const std::vector<std::string>& arguments);
+    /// Whether the game has cairn.before_reload, and so says how to go on with changed scripts.
+    [[nodiscard]] bool can_reload() const;
+    /// Runs the scripts anew, keeping what cairn.before_reload returns for cairn.after_reload.
+    std::optional<ScriptError> reload(const std::string& main_path,
+                                      const std::vector<std::string>& arguments);
     /// One frame: the events, the timers, cairn.update.
     std::optional<ScriptError> update(std::span<const engine::InputEvent> events);
     /// Between begin_frame and end_frame of the renderer.
@@ -57,6 +62,8 @@ class Game {
     struct CallbackCall;
     static int run_callback(lua_State* L);
     static void run_scene_callbacks(lua_State* L, CallbackCall& callback);
+    /// Calls cairn.load.
+    std::optional<ScriptError> call_load(const std::vector<std::string>& arguments);
     std::optional<ScriptError> deliver(const engine::InputEvent& event);
     /// Without what it means for actions.
     std::optional<ScriptError> deliver_alone(const engine::InputEvent& event);

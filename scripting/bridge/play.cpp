@@ -17,6 +17,7 @@
 
 #include "bridge/error_screen.h"
 #include "bridge/game.h"
+#include "bridge/hot_reload.h"
 #include "bridge/machine.h"
 #include "bridge/replay.h"
 #include "debug/developer_tools.h"
@@ -60,6 +61,8 @@ class Session {
         last_frame_ = options.frames;
         if (replay_) last_frame_ = std::min(options.frames.value_or(replay_->frames), replay_->frames);
         if (options.headless && !last_frame_) last_frame_ = kDefaultHeadlessFrames;
+        if (!options.headless && !replay_ && options.record.empty())
+            reload_.emplace(options.source, machine, options.arguments);
     }
 
     int run() {
@@ -82,6 +85,8 @@ class Session {
     Outcome start() {
         tools_.forget_game();
         tools_.set_can_change(options_.record.empty() && !replay_);
+        keeps_game_ = false;
+        if (reload_) reload_->forget();
         game_ = std::make_unique<Game>(machine_.services(),
                                        GameOptions{.seed = seed_,
                                                    .visual_seed = options_.headless ? 1 : seed_by_clock(),
@@ -191,10 +196,14 @@ class Session {
                 report(*error);
                 // A run of fixed length is a test: there is nobody to press a key.
                 if (last_frame_ || !wait_at_error_screen(*error)) return false;
-                error = start();
+                error = has_changes() && keeps_game_ ? take_in_changes() : start();
                 step.reset();
                 then = platform.now_s();
                 continue;
+            }
+            if (has_changes()) {
+                error = take_in_changes();
+                if (error) continue;
             }
             platform.poll_events(waiting);
             if (machine_.conf.has_developer_keys) tools_.take_keys(waiting);
@@ -220,6 +229,16 @@ class Session {
             if (ends && !error) return true;
             if (!platform.window().is_visible()) platform.sleep_s(engine::FixedStep::kDefaultStep_s);
         }
+    }
+
+    bool has_changes() { return reload_ && reload_->has_changes(machine_.platform->now_s()); }
+
+    /// What was saved while the game runs. It goes on where it is, unless its scripts have to start anew.
+    Outcome take_in_changes() {
+        HotReload::Outcome taken = reload_->take_in(*game_);
+        if (taken.wants_restart) return start();
+        keeps_game_ = taken.keeps_the_game;
+        return std::move(taken.error);
     }
 
     static bool asks_to_quit(const std::vector<InputEvent>& events) {
@@ -256,6 +275,7 @@ class Session {
             draw_error_screen(screen, *machine_.renderer);
             machine_.renderer->end_frame();
             machine_.platform->sleep_s(engine::FixedStep::kDefaultStep_s);
+            if (has_changes()) return true;
         }
         return true;
     }
@@ -330,6 +350,9 @@ class Session {
     std::unique_ptr<Game> game_;
     DeveloperTools tools_;
     std::unique_ptr<engine::VideoWriter> video_;
+    std::optional<HotReload>
+        reload_;               ///< only of games that people play: a recording must not change its files
+    bool keeps_game_ = false;  ///< the error at hand is one of a file that was saved; the game is whole
     std::vector<ReplayEvent> recorded_;
     std::size_t next_event_ = 0;
     bool is_captured_ = false;

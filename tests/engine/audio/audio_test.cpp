@@ -40,6 +40,19 @@ TEST_CASE_METHOD(Sounds, "a voice plays for the length of its sound") {
     CHECK_FALSE(audio->stats().device_open);
 }
 
+TEST_CASE_METHOD(Sounds, "a sound that is read anew has its handle and limits, and its voices end") {
+    const VoiceId voice = audio->play(tone);
+    folder.put("tone.wav", tone_wav(0.25));
+    REQUIRE(audio->reload_sound("tone.wav"));
+    CHECK(audio->duration_s(tone) == Approx(0.25));
+    CHECK_FALSE(audio->is_playing(voice));
+    CHECK(audio->is_playing(audio->play(tone)));
+    folder.put("tone.wav", "torn");
+    CHECK_FALSE(audio->reload_sound("tone.wav"));
+    CHECK(audio->duration_s(tone) == Approx(0.25));
+    CHECK_FALSE(*audio->reload_sound("other.wav"));
+}
+
 TEST_CASE_METHOD(Sounds, "a higher pitch ends sooner, a loop not at all") {
     const VoiceId high = audio->play(tone, {.pitch = 2});
     const VoiceId low = audio->play(tone, {.pitch = 0.5f});

@@ -59,6 +59,9 @@ class Audio {
     /// Ogg Vorbis or WAV (PCM). The file's header is checked now, its samples are decoded by the first play.
     /// The same path gives the same handle. The error names the path and the reason.
     Result<SoundId> load_sound(std::string_view path);
+    /// Reads a sound anew; its handle plays what the file holds now. Voices of it end. False when no sound is
+    /// of that file. With an error the old one stays.
+    Result<bool> reload_sound(std::string_view path);
     bool is_valid(SoundId sound) const;
     double duration_s(SoundId sound) const;
     void set_limit(SoundId sound, const SoundLimit& limit);

@@ -120,6 +120,9 @@ class Renderer {
 
     /// The same path and filter give the same handle. The error names the path and the reason.
     Result<TextureId> load_texture(std::string_view path, TextureFilter filter = TextureFilter::Linear);
+    /// Reads an image anew; its handles show what the file holds now. False when no texture is of that file.
+    /// With an error the old picture stays. Not within a frame.
+    Result<bool> reload_texture(std::string_view path);
     Result<TextureId> create_texture(const Image& image, TextureFilter filter = TextureFilter::Linear);
     /// A white disc that fades from its middle to its rim, 64 pixels wide; made when it is first asked for.
     Result<TextureId> soft_disc();

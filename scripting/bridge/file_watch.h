@@ -1,0 +1,46 @@
+// Notices that files of a game were saved. Invariant: a file is told of when it has not changed between two
+// looks, so that one that an editor is still writing is not read half-written; a change is told once.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace cairn::scripting {
+
+class FileWatch {
+  public:
+    /// How often it looks, s: a change is told after one to two of these.
+    static constexpr double kPeriod_s = 0.15;
+    /// Of a folder with more files the others are not watched.
+    static constexpr std::size_t kMostFiles = 4096;
+
+    /// Below a folder, hidden files aside.
+    explicit FileWatch(const std::string& folder);
+
+    /// Paths below the folder, with forward slashes, of files that were saved, or are new, since the last
+    /// call. Cheap to call in every frame. `now_s` never goes back.
+    std::vector<std::string> changes(double now_s);
+
+  private:
+    struct State {
+        std::int64_t modified_ns = 0;
+        std::uintmax_t size = 0;
+        friend bool operator==(const State&, const State&) = default;
+    };
+    struct File {
+        State seen;  ///< at the last look
+        State told;  ///< when it was told of last, or found first
+    };
+    static State state_of(const std::filesystem::path& file);
+    void find_files(bool are_new);
+
+    std::filesystem::path folder_;
+    std::map<std::string, File> files_;
+    double next_look_s_ = 0;
+    double next_search_s_ = 0;
+};
+
+}  // namespace cairn::scripting

@@ -1,0 +1,84 @@
+// Running a game's scripts again in the state that they have made. What the game wants to keep goes from
+// cairn.before_reload to cairn.after_reload; its callbacks, modules, timers, tweens and scenes are those of
+// the new scripts alone.
+#include "bind/core.h"
+#include "bridge/game.h"
+
+namespace cairn::scripting {
+namespace {
+
+/// Of the table of callbacks at an index: true when there is a function of that name, which is pushed then.
+bool push_callback(lua_State* L, int table, const char* name) {
+    if (lua_getfield(L, table, name) == LUA_TFUNCTION) return true;
+    lua_pop(L, 1);
+    return false;
+}
+
+/// The functions that scripts put into `cairn`; the API's own are in C.
+void forget_callbacks(lua_State* L, int table) {
+    lua_pushnil(L);
+    while (lua_next(L, table) != 0) {
+        if (lua_isfunction(L, -1) && lua_iscfunction(L, -1) == 0) {
+            lua_pushvalue(L, -2);
+            lua_pushnil(L);
+            lua_rawset(L, table);  // removing during a walk is allowed
+        }
+        lua_pop(L, 1);
+    }
+}
+
+void unref_all(lua_State* L, Context& context) {
+    for (const int reference : context.timers.take_all()) luaL_unref(L, LUA_REGISTRYINDEX, reference);
+    for (const auto& [number, tween] : context.tweens.running) {
+        luaL_unref(L, LUA_REGISTRYINDEX, tween.target);
+        luaL_unref(L, LUA_REGISTRYINDEX, tween.done);
+    }
+    context.tweens.running.clear();
+    for (const int scene : context.scenes) luaL_unref(L, LUA_REGISTRYINDEX, scene);
+    context.scenes.clear();
+    luaL_unref(L, LUA_REGISTRYINDEX, context.listener);
+    context.listener = LUA_NOREF;
+}
+
+}  // namespace
+
+bool Game::can_reload() const {
+    lua_State* L = state_.get();
+    lua_rawgeti(L, LUA_REGISTRYINDEX, cairn_);
+    const bool can = push_callback(L, lua_gettop(L), "before_reload");
+    lua_pop(L, can ? 2 : 1);
+    return can;
+}
+
+std::optional<ScriptError> Game::reload(const std::string& main_path,
+                                        const std::vector<std::string>& arguments) {
+    lua_State* L = state_.get();
+    lua_rawgeti(L, LUA_REGISTRYINDEX, cairn_);
+    const int table = lua_gettop(L);
+    if (!push_callback(L, table, "before_reload")) {
+        lua_settop(L, table - 1);
+        return load(main_path, arguments);
+    }
+    if (auto error = protected_call(L, 0, 1)) {
+        lua_settop(L, table - 1);
+        return error;
+    }
+    const int kept = luaL_ref(L, LUA_REGISTRYINDEX);  // of nil too
+    forget_callbacks(L, table);
+    forget_modules(L);
+    unref_all(L, context_);
+    auto error = run_file(main_path);
+    if (!error) {
+        if (push_callback(L, table, "after_reload")) {
+            lua_rawgeti(L, LUA_REGISTRYINDEX, kept);
+            error = protected_call(L, 1, 0);
+        } else {
+            error = call_load(arguments);
+        }
+    }
+    luaL_unref(L, LUA_REGISTRYINDEX, kept);
+    lua_settop(L, table - 1);
+    return error;
+}
+
+}  // namespace cairn::scripting

@@ -1,0 +1,107 @@
+// What a file is follows from its ending, and from whether a level that is in use was read from it.
+#include "bridge/hot_reload.h"
+
+#include <filesystem>
+
+#include <cairn/engine/log.h>
+
+#include "bind/level.h"
+#include "lua/errors.h"
+
+namespace cairn::scripting {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string folder_of(const GameSource& source) {
+    std::error_code ignored;
+    const fs::path path = fs::absolute(source.path, ignored);
+    return (fs::is_directory(path, ignored) ? path : path.parent_path()).string();
+}
+
+bool is_image(const std::string& path) {
+    return path.ends_with(".png") || path.ends_with(".jpg") || path.ends_with(".jpeg");
+}
+bool is_sound(const std::string& path) {
+    return path.ends_with(".wav") || path.ends_with(".ogg") || path.ends_with(".mp3") ||
+           path.ends_with(".flac");
+}
+/// What scripts are made of, or read while they load.
+bool is_script(const std::string& path) {
+    const bool is_read = path.ends_with(".lua") || path.ends_with(".json") || path.ends_with(".tmx") ||
+                         path.ends_with(".tmj") || path.ends_with(".tsx") || path.ends_with(".tsj");
+    return is_read && path != "conf.lua" && path != "check.lua" && !path.starts_with("tests/");
+}
+
+}  // namespace
+
+HotReload::HotReload(const GameSource& source, Machine& machine, const std::vector<std::string>& arguments)
+    : machine_(machine), arguments_(arguments), watch_(folder_of(source)) {}
+
+bool HotReload::has_changes(double now_s) {
+    for (std::string& path : watch_.changes(now_s)) {
+        if (path == "conf.lua")
+            engine::log(engine::LogLevel::Info, "conf.lua counts when the game is started the next time");
+        if (!is_image(path) && !is_sound(path) && !is_script(path)) continue;
+        changed_.insert(std::move(path));
+        has_news_ = true;
+    }
+    return has_news_;
+}
+
+std::set<std::string> HotReload::take(bool (*belongs)(const std::string& path)) {
+    std::set<std::string> taken;
+    for (auto path = changed_.begin(); path != changed_.end();) {
+        if (belongs(*path)) {
+            taken.insert(*path);
+            path = changed_.erase(path);
+        } else {
+            ++path;
+        }
+    }
+    return taken;
+}
+
+void HotReload::take_in_assets() {
+    // A picture that is damaged is no reason to stop: the old one stays until the next save.
+    for (const std::string& path : take(is_image)) {
+        if (const auto loaded = machine_.renderer->reload_texture(path); !loaded)
+            engine::log(engine::LogLevel::Warning, loaded.error().message);
+    }
+    for (const std::string& path : take(is_sound)) {
+        if (const auto loaded = machine_.audio->reload_sound(path); !loaded)
+            engine::log(engine::LogLevel::Warning, loaded.error().message);
+    }
+}
+
+std::optional<ScriptError> HotReload::check_syntax(Game& game, const std::set<std::string>& scripts) const {
+    for (const std::string& path : scripts) {
+        if (!path.ends_with(".lua")) continue;
+        const auto text = machine_.files->read_text(path);
+        if (!text) continue;  // gone again
+        if (auto error = load_text(game.lua(), *text, path)) return error;
+        lua_pop(game.lua(), 1);
+    }
+    return std::nullopt;
+}
+
+HotReload::Outcome HotReload::take_in(Game& game) {
+    has_news_ = false;
+    take_in_assets();
+    // Levels that the game has loaded stay what they are, whatever their names.
+    std::set<std::string> level_files;
+    if (auto error = reload_levels(game.lua(), changed_, level_files))
+        return {.error = std::move(error), .wants_restart = false, .keeps_the_game = true};
+    for (const std::string& path : level_files) changed_.erase(path);
+    if (changed_.empty()) return {};
+
+    if (auto error = check_syntax(game, changed_))
+        return {.error = std::move(error), .wants_restart = false, .keeps_the_game = true};
+    changed_.clear();
+    if (!game.can_reload()) return {.error = std::nullopt, .wants_restart = true, .keeps_the_game = false};
+    return {.error = game.reload(machine_.main_path, arguments_),
+            .wants_restart = false,
+            .keeps_the_game = false};
+}
+
+}  // namespace cairn::scripting

@@ -1,0 +1,48 @@
+// Takes in what was saved while a game runs: levels, images and sounds in place, scripts as the game allows.
+// Invariant: a fault in a file leaves the game as it was, so that the next save can mend it.
+#pragma once
+
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <cairn/scripting/play.h>
+
+#include "bridge/file_watch.h"
+#include "bridge/game.h"
+#include "bridge/machine.h"
+
+namespace cairn::scripting {
+
+class HotReload {
+  public:
+    struct Outcome {
+        std::optional<ScriptError> error;
+        bool wants_restart = false;   ///< scripts changed, and the game does not say how to go on
+        bool keeps_the_game = false;  ///< after an error: the game was left as it was
+    };
+
+    HotReload(const GameSource& source, Machine& machine, const std::vector<std::string>& arguments);
+
+    /// Whether something was saved that has not been taken in yet. For every frame.
+    bool has_changes(double now_s);
+    /// What could not be taken in is tried again together with the next change.
+    Outcome take_in(Game& game);
+    /// The game was started anew, from the files as they are.
+    void forget() { changed_.clear(); }
+
+  private:
+    /// Of those that changed; they are taken out.
+    std::set<std::string> take(bool (*belongs)(const std::string& path));
+    std::optional<ScriptError> check_syntax(Game& game, const std::set<std::string>& scripts) const;
+    void take_in_assets();
+
+    Machine& machine_;
+    std::vector<std::string> arguments_;
+    FileWatch watch_;
+    std::set<std::string> changed_;
+    bool has_news_ = false;
+};
+
+}  // namespace cairn::scripting

@@ -1,0 +1,230 @@
+// Saving files while a game runs, without a window: the same calls as the loop around a game makes.
+#include "bridge/hot_reload.h"
+
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <fstream>
+
+#include "lua/sandbox.h"
+#include "scripting/support/lua_bench.h"
+
+namespace cairn::scripting::test {
+namespace {
+
+using Catch::Matchers::Contains;
+namespace fs = std::filesystem;
+
+/// A game that runs, and its folder.
+struct Running {
+    explicit Running(const GameFiles& files, MachineKind kind = MachineKind::Headless) : folder(files) {
+        auto made = make_machine(folder.source(), kind);
+        REQUIRE(made);
+        machine = *std::move(made);
+        game = std::make_unique<Game>(machine->services(), GameOptions{});
+        const auto error = game->load("main.lua", {});
+        if (error) FAIL(error->message);
+        reload = std::make_unique<HotReload>(folder.source(), *machine, std::vector<std::string>{});
+        REQUIRE_FALSE(look());
+    }
+
+    /// Saves a file; its time differs from the one before, however coarse the file system's clock is.
+    void save(const std::string& name, const std::string& text) {
+        const fs::path path = fs::path(folder.path()) / name;
+        fs::create_directories(path.parent_path());
+        std::ofstream(path, std::ios::binary) << text;
+        fs::last_write_time(path, fs::file_time_type::clock::now() + std::chrono::seconds(++saves));
+    }
+    /// Half a second of frames.
+    bool look() {
+        bool has_changes = false;
+        for (int frame = 0; frame < 30; ++frame) {
+            now_s += 1.0 / 60;
+            has_changes = reload->has_changes(now_s) || has_changes;
+        }
+        return has_changes;
+    }
+    std::string value(const std::string& expression) {
+        lua_State* L = game->lua();
+        REQUIRE_FALSE(load_text(L, "return " + expression, "test.lua"));
+        REQUIRE_FALSE(protected_call(L, 0, 1));
+        push_text(L, -1);
+        std::string text = lua_tostring(L, -1);
+        lua_pop(L, 2);
+        return text;
+    }
+
+    GameFolder folder;
+    std::unique_ptr<Machine> machine;
+    std::unique_ptr<Game> game;
+    std::unique_ptr<HotReload> reload;
+    double now_s = 0;
+    int saves = 0;
+};
+
+TEST_CASE("a watch tells of each save once, of new files, and of none that is still being written") {
+    GameFolder folder(GameFiles{{"a.lua", "1"}, {"sub/b.lua", "1"}, {".git/c", "1"}});
+    FileWatch watch(folder.path());
+    double now_s = 0;
+    const auto look = [&] { return watch.changes(now_s += FileWatch::kPeriod_s); };
+    const auto save = [&](const char* name, const char* text) {
+        std::ofstream(fs::path(folder.path()) / name) << text;
+    };
+    CHECK(look().empty());
+    save("sub/b.lua", "22");
+    CHECK(look().empty());  // it might go on changing
+    save("sub/b.lua", "333");
+    CHECK(look().empty());
+    CHECK(look() == std::vector<std::string>{"sub/b.lua"});
+    CHECK(look().empty());
+    save(".git/c", "22");
+    save("new.lua", "1");
+    std::vector<std::string> told;
+    for (int i = 0; i < 12; ++i) {
+        for (const std::string& path : look()) told.push_back(path);
+    }
+    CHECK(told == std::vector<std::string>{"new.lua"});
+    fs::remove(fs::path(folder.path()) / "a.lua");
+    CHECK(look().empty());
+    CHECK(look().empty());
+    save("a.lua", "back");
+    look();
+    CHECK(look() == std::vector<std::string>{"a.lua"});
+    // Between two looks nothing is asked of the file system.
+    save("a.lua", "again");
+    CHECK(watch.changes(now_s).empty());
+}
+
+const char* const kLevel = "{ bodies = { { name = 'crate', shape = 'circle', radius = 1, y = 9 }, %s } }";
+std::string level_with(const std::string& more) {
+    std::string text = kLevel;
+    return text.replace(text.find("%s"), 2, more);
+}
+
+TEST_CASE("a saved level changes in the running world, and a fault leaves the game as it was") {
+    Running run(
+        {{"levels/one.lua", level_with("")},
+         {"main.lua",
+          "world = cairn.physics.new_world{} level = cairn.level.load 'levels/one.lua' level:build(world)\n"
+          "crate = level:body('crate') starts = (starts or 0) + 1\n"
+          "function cairn.level_reloaded(l) told = l == level end\n"
+          "function cairn.update(dt) world:step(dt) end"}});
+    for (int i = 0; i < 10; ++i) REQUIRE_FALSE(run.game->update({}));
+    run.save("levels/one.lua", level_with("{ shape = 'box', width = 1, height = 1 }"));
+    REQUIRE(run.look());
+    auto outcome = run.reload->take_in(*run.game);
+    CHECK_FALSE(outcome.error);
+    CHECK_FALSE(outcome.wants_restart);
+    CHECK(run.value("world:body_count() .. tostring(told) .. starts") == "2true1");
+    CHECK(run.value("crate:is_valid() and select(2, crate:position()) < 9") == "true");
+    CHECK_FALSE(run.look());
+
+    run.save("levels/one.lua", level_with("{ shape = 'bix' }"));
+    REQUIRE(run.look());
+    outcome = run.reload->take_in(*run.game);
+    REQUIRE(outcome.error);
+    CHECK_THAT(outcome.error->message, Contains("did you mean \"box\"?"));
+    CHECK(outcome.keeps_the_game);
+    CHECK(run.value("world:body_count()") == "2");
+
+    run.save("levels/one.lua", level_with(""));
+    REQUIRE(run.look());
+    outcome = run.reload->take_in(*run.game);
+    CHECK_FALSE(outcome.error);
+    CHECK(run.value("world:body_count()") == "1");
+}
+
+TEST_CASE("saved scripts start the game anew, unless it says what to keep") {
+    const char* const plain = "runs = (runs or 0) + 1";
+    Running run(GameFiles{{"main.lua", plain}});
+    run.save("main.lua", "runs = (runs or 0) + 10");
+    REQUIRE(run.look());
+    CHECK(run.reload->take_in(*run.game).wants_restart);
+    CHECK(run.value("runs") == "1");
+    // What only tests and the program read is no reason.
+    run.save("tests/x.lua", "");
+    run.save("conf.lua", "return {}");
+    CHECK_FALSE(run.look());
+}
+
+TEST_CASE("a game that says what to keep goes on with its world, by new scripts alone") {
+    const auto script = [](const char* speed) {
+        return std::string(
+                   "local helper = require 'helper'\nlocal world, ball\n"
+                   "function cairn.load() world = cairn.physics.new_world{} ball = world:add_circle{ radius "
+                   "= 1 } loads = "
+                   "(loads or 0) + 1 cairn.timer.every(0.1, function() ticks = (ticks or 0) + 1 end) end\n"
+                   "function cairn.update(dt) world:step(dt) speed = ") +
+               speed +
+               " + helper end\n"
+               "function cairn.before_reload() return { world = world, ball = ball } end\n"
+               "function cairn.after_reload(kept) world, ball = kept.world, kept.ball end\n"
+               "function height() return select(2, ball:position()) end\n"
+               "function valid() return ball:is_valid() end\n";
+    };
+    Running run({{"main.lua", script("1") + "function cairn.key_pressed() old = true end"},
+                 {"helper.lua", "return 0.5"}});
+    for (int i = 0; i < 20; ++i) REQUIRE_FALSE(run.game->update({}));
+    const std::string before = run.value("height()");
+    const std::string ticks = run.value("ticks");
+    CHECK(run.value("speed") == "1.5");
+
+    run.save("helper.lua", "return 0.25");
+    run.save("main.lua", script("2"));
+    REQUIRE(run.look());
+    auto outcome = run.reload->take_in(*run.game);
+    if (outcome.error) FAIL(outcome.error->message);
+    CHECK_FALSE(outcome.wants_restart);
+    CHECK(run.value("height()") == before);
+    CHECK(run.value("loads") == "1");
+    CHECK(run.value("cairn.key_pressed") == "nil");
+    for (int i = 0; i < 20; ++i) REQUIRE_FALSE(run.game->update({}));
+    CHECK(run.value("speed") == "2.25");
+    CHECK(run.value("ticks") == ticks);  // the timer went with the old scripts
+    CHECK(run.value("cairn.graphics ~= nil") == "true");
+
+    // A slip in the syntax is found before anything is given up.
+    run.save("helper.lua", "return return");
+    REQUIRE(run.look());
+    outcome = run.reload->take_in(*run.game);
+    REQUIRE(outcome.error);
+    CHECK_THAT(outcome.error->message, Contains("helper.lua:1:"));
+    CHECK(outcome.keeps_the_game);
+    REQUIRE_FALSE(run.game->update({}));
+    CHECK(run.value("speed") == "2.25");
+
+    // An error of the new scripts themselves is one that only a new start mends.
+    run.save("helper.lua", "error 'no'");
+    REQUIRE(run.look());
+    outcome = run.reload->take_in(*run.game);
+    REQUIRE(outcome.error);
+    CHECK_FALSE(outcome.keeps_the_game);
+}
+
+TEST_CASE("images show what their files hold now; one that is damaged leaves the old picture") {
+    const auto picture = [](int size) {
+        engine::Image image;
+        image.size = {size, size};
+        image.rgba.assign(static_cast<std::size_t>(size * size) * 4, 255);
+        const std::string path = (fs::temp_directory_path() / "cairn-hot-reload.png").string();
+        REQUIRE(engine::save_png(image, path));
+        std::ifstream file(path, std::ios::binary);
+        std::string bytes((std::istreambuf_iterator<char>(file)), {});
+        fs::remove(path);
+        return bytes;
+    };
+    for (const MachineKind kind : {MachineKind::Headless, MachineKind::HeadlessDrawing}) {
+        Running run({{"a.png", picture(4)}, {"main.lua", "image = cairn.graphics.new_image 'a.png'"}}, kind);
+        CHECK(run.value("image:width()") == "4");
+        run.save("a.png", picture(6));
+        REQUIRE(run.look());
+        CHECK_FALSE(run.reload->take_in(*run.game).error);
+        CHECK(run.value("image:width()") == "6");
+        run.save("a.png", "torn");
+        REQUIRE(run.look());
+        CHECK_FALSE(run.reload->take_in(*run.game).error);
+        CHECK(run.value("image:width()") == "6");
+    }
+}
+
+}  // namespace
+}  // namespace cairn::scripting::test
