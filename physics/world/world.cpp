@@ -95,6 +95,15 @@ Result<const Body> World::body(BodyId id) const {
 bool World::contains(BodyId id) const {
     return state_->stores.bodies.slots.find(id) != kNone;
 }
+void World::read_transforms(std::vector<BodyTransform>& out) const {
+    const BodyStore& bodies = state_->stores.bodies;
+    out.resize(static_cast<std::size_t>(bodies.slots.size()));
+    std::size_t next = 0;
+    for (int i = 0; i < bodies.slots.end_index(); ++i) {
+        if (bodies.slots.alive(i)) out[next++] = {bodies.slots.id(i), bodies.transform(i)};
+    }
+}
+
 std::vector<BodyId> World::bodies() const {
     return ids<BodyId>(state_->stores.bodies.slots);
 }

@@ -12,15 +12,15 @@ namespace {
 
 // In the order of the reference.
 constexpr std::array kModules = {
-    &kCoreModule,       &kPhysicsModule, &kWorldMethods,   &kBodyMethods,  &kShapeMethods,
-    &kChainMethods,     &kJointMethods,  &kMoverMethods,   &kPrefabModule, &kPrefabMethods,
-    &kCameraModule,     &kCameraMethods, &kGraphicsModule, &kImageMethods, &kFontMethods,
-    &kCanvasMethods,    &kQuadMethods,   &kAtlasMethods,   &kBatchMethods, &kParticlesModule,
-    &kParticlesMethods, &kTileMapModule, &kTileMapMethods, &kUiModule,     &kUiMethods,
-    &kTextModule,       &kTextMethods,   &kAudioModule,    &kInputModule,  &kWindowModule,
-    &kFilesModule,      &kRandomModule,  &kRandomMethods,  &kTimerModule,  &kTimerMethods,
-    &kTweenModule,      &kTweenMethods,  &kSceneModule,    &kDataModule,   &kLevelModule,
-    &kLevelMethods,     &kTestModule,
+    &kCoreModule,      &kPhysicsModule,    &kWorldMethods,  &kBodyMethods,       &kShapeMethods,
+    &kChainMethods,    &kJointMethods,     &kMoverMethods,  &kTransformsMethods, &kPrefabModule,
+    &kPrefabMethods,   &kCameraModule,     &kCameraMethods, &kGraphicsModule,    &kImageMethods,
+    &kFontMethods,     &kCanvasMethods,    &kQuadMethods,   &kAtlasMethods,      &kBatchMethods,
+    &kParticlesModule, &kParticlesMethods, &kTileMapModule, &kTileMapMethods,    &kUiModule,
+    &kUiMethods,       &kTextModule,       &kTextMethods,   &kAudioModule,       &kInputModule,
+    &kWindowModule,    &kFilesModule,      &kRandomModule,  &kRandomMethods,     &kTimerModule,
+    &kTimerMethods,    &kTweenModule,      &kTweenMethods,  &kSceneModule,       &kDataModule,
+    &kLevelModule,     &kLevelMethods,     &kTestModule,
 };
 
 struct TypeOfObject {
@@ -42,6 +42,7 @@ constexpr TypeOfObject kTypes[] = {
     {ObjectTag::TileMap, &kTileMapMethods, finalize_tile_map},
     {ObjectTag::Ui, &kUiMethods, finalize_ui},
     {ObjectTag::Text, &kTextMethods, finalize_text},
+    {ObjectTag::Transforms, &kTransformsMethods, finalize_transforms},
     {ObjectTag::Mover, &kMoverMethods, finalize_mover},
     {ObjectTag::Level, &kLevelMethods, finalize_level},
     {ObjectTag::Tween, &kTweenMethods, nullptr},

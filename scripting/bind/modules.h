@@ -16,6 +16,7 @@ extern const Module kShapeMethods;
 extern const Module kChainMethods;
 extern const Module kJointMethods;
 extern const Module kMoverMethods;
+extern const Module kTransformsMethods;
 extern const Module kPrefabModule;  // cairn.prefab
 extern const Module kPrefabMethods;
 extern const Module kCameraModule;  // cairn.camera
@@ -66,6 +67,7 @@ int finalize_ui(lua_State* L);
 int finalize_text(lua_State* L);
 /// Frees what a Mover or a Level holds.
 int finalize_mover(lua_State* L);
+int finalize_transforms(lua_State* L);
 int finalize_level(lua_State* L);
 
 /// Adds `cairn.random.visual` to the table on top of the stack, and makes math.random use the gameplay

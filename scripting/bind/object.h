@@ -34,9 +34,10 @@ enum class ObjectTag : std::uint32_t {
     Text,
     Chain,
     Mover,
-    Level
+    Level,
+    Transforms
 };
-inline constexpr int kObjectTagCount = static_cast<int>(ObjectTag::Level) + 1;
+inline constexpr int kObjectTagCount = static_cast<int>(ObjectTag::Transforms) + 1;
 
 struct ObjectHeader {
     ObjectTag tag;
@@ -91,6 +92,8 @@ constexpr const char* object_type_name(ObjectTag tag) {
             return "Mover";
         case ObjectTag::Level:
             return "Level";
+        case ObjectTag::Transforms:
+            return "Transforms";
     }
     return "userdata";
 }

@@ -12,6 +12,7 @@
 #include "bind/physics_fields.h"
 #include "bind/physics_objects.h"
 #include "bind/report.h"
+#include "bind/transforms.h"
 #include "bind/world_queries.h"
 #include "lua/state.h"
 
@@ -50,6 +51,7 @@ Pushed new_world(lua_State* L, std::optional<TableArgument> description) {
 constexpr std::array<std::string_view, 1> kReturnsWorld = {"World"};
 constexpr std::array<std::string_view, 1> kReturnsBody = {"Body"};
 constexpr std::array<std::string_view, 2> kReturnsBodyAndChain = {"Body", "Chain"};
+constexpr std::array<std::string_view, 1> kReturnsTransforms = {"Transforms"};
 constexpr std::array<std::string_view, 1> kReturnsMover = {"Mover"};
 constexpr std::array<std::string_view, 1> kReturnsJoint = {"Joint"};
 constexpr std::array<std::string_view, 1> kReturnsTable = {"table"};
@@ -57,6 +59,8 @@ constexpr std::array<std::string_view, 1> kReturnsTable = {"table"};
 constexpr Function kPhysicsFunctions[] = {
     function_pushing<&new_world>("new_world", "fields = {}", "world", kReturnsWorld,
                                  "Makes an empty world. It lives until `world:destroy()`.", &kWorldFields),
+    function_pushing<&new_transforms>("new_transforms", "", "transforms", kReturnsTransforms,
+                                      "Makes an empty list of places for `world:read_transforms`."),
     function_pushing<&new_mover>("new_mover", "fields = {}", "mover", kReturnsMover,
                                  "Makes a character that walks.", &kMoverFields),
 };
@@ -347,6 +351,8 @@ constexpr Function kWorldFunctions[] = {
         "`sensor` and `visitor` are the bodies."),
     function_pushing<&bodies>("bodies", "", "bodies", kReturnsTable,
                               "A new list of all bodies, in a fixed order."),
+    function<&read_transforms>("read_transforms", "transforms", "count",
+                               "Writes the places of all bodies into a list in one pass, without garbage."),
     function_pushing<&quarantined>("quarantined", "", "bodies", kReturnsTable,
                                    "A new list of the bodies whose motion became infinite in the last step: "
                                    "each was put back to where it was "

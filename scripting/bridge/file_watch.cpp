@@ -13,7 +13,8 @@ namespace {
 constexpr double kSearchPeriod_s = 1;
 }  // namespace
 
-FileWatch::FileWatch(const std::string& folder) : folder_(folder) {
+FileWatch::FileWatch(const std::string& folder, bool finds_new_files)
+    : folder_(folder), finds_new_files_(finds_new_files) {
     find_files(false);
 }
 
@@ -28,8 +29,9 @@ FileWatch::State FileWatch::state_of(const fs::path& file) {
 
 void FileWatch::find_files(bool are_new) {
     std::error_code failed;
-    for (fs::recursive_directory_iterator entry(folder_, failed), end; !failed && entry != end;
-         entry.increment(failed)) {
+    std::size_t met = 0;
+    for (fs::recursive_directory_iterator entry(folder_, failed), end;
+         !failed && entry != end && ++met <= kMostFiles; entry.increment(failed)) {
         std::error_code unknown;
         if (entry->path().filename().string().starts_with('.')) {
             if (entry->is_directory(unknown)) entry.disable_recursion_pending();
@@ -37,7 +39,7 @@ void FileWatch::find_files(bool are_new) {
         }
         if (!entry->is_regular_file(unknown)) continue;
         const std::string path = entry->path().lexically_relative(folder_).generic_string();
-        if (files_.size() >= kMostFiles || files_.contains(path)) continue;
+        if (files_.contains(path)) continue;
         const State state = state_of(entry->path());
         files_[path] = {.seen = state, .told = are_new ? State{} : state};
     }
@@ -56,7 +58,7 @@ std::vector<std::string> FileWatch::changes(double now_s) {
         file.told = state;
         paths.push_back(path);
     }
-    if (now_s >= next_search_s_) {
+    if (finds_new_files_ && now_s >= next_search_s_) {
         find_files(true);
         next_search_s_ = now_s + kSearchPeriod_s;
     }

@@ -14,11 +14,12 @@ class FileWatch {
   public:
     /// How often it looks, s: a change is told after one to two of these.
     static constexpr double kPeriod_s = 0.15;
-    /// Of a folder with more files the others are not watched.
+    /// Of a folder with more files and folders the others are not watched.
     static constexpr std::size_t kMostFiles = 4096;
 
-    /// Below a folder, hidden files aside.
-    explicit FileWatch(const std::string& folder);
+    /// Below a folder, hidden files aside. A folder that is not a game's own may hold anything: there it
+    /// looks for files once, and not for new ones.
+    explicit FileWatch(const std::string& folder, bool finds_new_files = true);
 
     /// Paths below the folder, with forward slashes, of files that were saved, or are new, since the last
     /// call. Cheap to call in every frame. `now_s` never goes back.
@@ -38,6 +39,7 @@ class FileWatch {
     void find_files(bool are_new);
 
     std::filesystem::path folder_;
+    bool finds_new_files_;
     std::map<std::string, File> files_;
     double next_look_s_ = 0;
     double next_search_s_ = 0;

@@ -13,10 +13,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
+bool is_folder(const GameSource& source) {
+    std::error_code ignored;
+    return fs::is_directory(source.path, ignored);
+}
 std::string folder_of(const GameSource& source) {
     std::error_code ignored;
     const fs::path path = fs::absolute(source.path, ignored);
-    return (fs::is_directory(path, ignored) ? path : path.parent_path()).string();
+    return (is_folder(source) ? path : path.parent_path()).string();
 }
 
 bool is_image(const std::string& path) {
@@ -36,7 +40,7 @@ bool is_script(const std::string& path) {
 }  // namespace
 
 HotReload::HotReload(const GameSource& source, Machine& machine, const std::vector<std::string>& arguments)
-    : machine_(machine), arguments_(arguments), watch_(folder_of(source)) {}
+    : machine_(machine), arguments_(arguments), watch_(folder_of(source), is_folder(source)) {}
 
 bool HotReload::has_changes(double now_s) {
     for (std::string& path : watch_.changes(now_s)) {

@@ -30,7 +30,10 @@ class HotReload {
     /// What could not be taken in is tried again together with the next change.
     Outcome take_in(Game& game);
     /// The game was started anew, from the files as they are.
-    void forget() { changed_.clear(); }
+    void forget() {
+        changed_.clear();
+        has_news_ = false;
+    }
 
   private:
     /// Of those that changed; they are taken out.

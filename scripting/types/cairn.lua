@@ -39,6 +39,10 @@ cairn.physics = {}
 ---@return World world
 function cairn.physics.new_world(fields) end
 
+---Makes an empty list of places for `world:read_transforms`.
+---@return Transforms transforms
+function cairn.physics.new_transforms() end
+
 ---@class cairn.physics.new_mover.Fields
 ---@field x? number m; of the feet
 ---@field y? number m
@@ -601,6 +605,11 @@ function World:sensor_events() end
 ---A new list of all bodies, in a fixed order.
 ---@return table bodies
 function World:bodies() end
+
+---Writes the places of all bodies into a list in one pass, without garbage.
+---@param transforms Transforms
+---@return integer count
+function World:read_transforms(transforms) end
 
 ---A new list of the bodies whose motion became infinite in the last step: each was put back to where it was and stopped. Empty unless forces beyond all measure act.
 ---@return table bodies
@@ -1514,6 +1523,30 @@ function Mover:ground_normal() end
 ---@param world World
 ---@return Body? body
 function Mover:ground_body(world) end
+
+---@class Transforms
+local Transforms = {}
+
+---How many places it holds.
+---@return integer count
+function Transforms:count() end
+
+---Indices count from 1, in the order of `world:bodies()`.
+---@param index integer
+---@return number x [m]
+---@return number y [m]
+function Transforms:position(index) end
+
+---@param index integer
+---@return number x [m]
+---@return number y [m]
+---@return number angle [rad]
+function Transforms:transform(index) end
+
+---nil when it was destroyed long since.
+---@param index integer
+---@return Body? body
+function Transforms:body(index) end
 
 cairn.prefab = {}
 

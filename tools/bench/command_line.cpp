@@ -108,10 +108,14 @@ Result<CommandLine> parse_command_line(const std::vector<std::string>& arguments
     compare->add_option("SCENE", texts.scenes, "scenes that every engine can run (all of those)");
     add_options(*compare, texts, json);
 
+    CLI::App* lua = app.add_subcommand("lua", "measure what calls from Lua cost");
+    lua->add_option("--json", json, "one object a line to FILE, or to standard output")->type_name("FILE|-");
+
     const auto has_command = measure::read_arguments(app, arguments, help);
     if (!has_command) return has_command.error();
     if (!*has_command) return CommandLine{};
     if (list->parsed()) return CommandLine{.command = Command::List};
+    if (lua->parsed()) return CommandLine{.command = Command::Lua, .json = json};
     if (run->parsed()) return read(Command::Run, texts, json);
     if (texts.scenes.empty()) texts.scenes = {"all"};
     return read(Command::Compare, texts, json);

@@ -10,7 +10,7 @@
 
 namespace cairn::bench {
 
-enum class Command { Help, List, Run, Compare };
+enum class Command { Help, List, Run, Compare, Lua };
 
 struct CommandLine {
     Command command = Command::Help;

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "command_line.h"
+#include "lua.h"
 #include "measure.h"
 #include "program.h"
 #include "report.h"
@@ -88,6 +89,12 @@ int main(int argc, char** argv) {
             break;
         case Command::List:
             list();
+            break;
+        case Command::Lua:
+            status = kProgram.with_output(line->json, [](Output& output) {
+                const std::string problem = measure_lua(output);
+                return problem.empty() ? 0 : kProgram.fail(problem);
+            });
             break;
         case Command::Run:
         case Command::Compare:

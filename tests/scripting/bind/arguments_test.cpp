@@ -19,6 +19,7 @@ std::string receiver(const std::string& type) {
                "}, { -9, 0 "
                "} } })";
     }
+    if (type == "Transforms") return "cairn.physics.new_transforms()";
     if (type == "Mover") return "cairn.physics.new_mover{}";
     if (type == "Level") return "cairn.level.load('level.lua')";
     if (type == "Camera") return "cairn.camera.new{}";

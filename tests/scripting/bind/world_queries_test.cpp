@@ -97,6 +97,25 @@ TEST_CASE("rules say how kinds of material mix") {
                Contains("did you mean \"average\"?"));
 }
 
+TEST_CASE("places of all bodies are read at once, in the order of bodies, without garbage") {
+    LuaBench bench;
+    REQUIRE(bench.run(
+                "w = cairn.physics.new_world{} for i = 1, 50 do w:add_circle{ x = i, y = i * i, angle = 0.01 "
+                "* i, radius = "
+                "0.1 } end\n"
+                "w:bodies()[7]:destroy() t = cairn.physics.new_transforms() n = w:read_transforms(t)") == "");
+    CHECK(bench.value("n == 49 and t:count() == 49") == "true");
+    CHECK(
+        bench.run(
+            "w:step(1 / 60) w:read_transforms(t) for i, body in ipairs(w:bodies()) do\n"
+            "  local x, y, angle = body:transform() local tx, ty, tangle = t:transform(i)\n"
+            "  assert(x == tx and y == ty and angle == tangle and t:body(i) == body and t:position(i) == x)\n"
+            "end") == "");
+    CHECK_THAT(bench.run("t:position(50)"), Contains("index is 50; expected 1 to 49"));
+    REQUIRE(bench.run("w:destroy()") == "");
+    CHECK_THAT(bench.run("w:read_transforms(t)"), Contains("this world was destroyed"));
+}
+
 TEST_CASE("a mover walks on the ground, stops at walls, and is carried by nothing else") {
     LuaBench bench;
     REQUIRE(bench.run("w = cairn.physics.new_world{}\n"
