@@ -6,6 +6,7 @@
 
 #include "level/reader.h"
 #include "level/tiled_level.h"
+#include "scripting/support/drawing.h"
 #include "scripting/support/lua_bench.h"
 
 namespace cairn::scripting::test {
@@ -259,6 +260,35 @@ TEST_CASE("the level of the documentation is a good one") {
     LuaBench bench(GameFiles{{"yard.lua", text.str()}});
     CHECK(bench.value("table.concat(cairn.level.check('yard.lua'), '\\n')") == "");
     CHECK(bench.value("#cairn.level.load('yard.lua'):data().stars") == "3");
+}
+
+TEST_CASE("decorations stand in the world, each in its layer") {
+    engine::Image red;
+    red.size = {2, 2};
+    red.rgba = {255, 0, 0, 255, 255, 0, 0, 255, 255, 0, 0, 255, 255, 0, 0, 255};
+    const std::string file = (std::filesystem::temp_directory_path() / "cairn-decoration.png").string();
+    REQUIRE(engine::save_png(red, file));
+    std::ifstream stream(file, std::ios::binary);
+    const std::string png((std::istreambuf_iterator<char>(stream)), {});
+    std::filesystem::remove(file);
+    LuaBench bench(GameFiles{{"conf.lua", "{ width = 200, height = 100 }"},
+                             {"red.png", png},
+                             {"l.lua",
+                              "{ decorations = { { image = 'red.png', x = 5, y = 8, width = 2 }, { image = "
+                              "'red.png', x = 15, y = 2, width = 4, height = 2, layer = 'front' } } }"}},
+                   MachineKind::HeadlessDrawing);
+    REQUIRE(bench.run(
+                "level = cairn.level.load 'l.lua' camera = cairn.camera.new{ x = 10, y = 5, height = 10 }") ==
+            "");
+    // Ten pixels are a metre; y points up.
+    const engine::Image back = picture_of(bench, "camera:attach() level:draw() camera:detach()");
+    is_color(back, 50, 20, 255, 0, 0);
+    is_color(back, 50, 35, 0, 0, 0);
+    is_color(back, 150, 80, 0, 0, 0);
+    const engine::Image front = picture_of(bench, "camera:attach() level:draw('front') camera:detach()");
+    is_color(front, 135, 85, 255, 0, 0);
+    is_color(front, 150, 65, 0, 0, 0);
+    is_color(front, 50, 20, 0, 0, 0);
 }
 
 // ---- Tiled
