@@ -67,7 +67,9 @@ TEST_CASE("each way to choose at the screen means what its label says") {
     using engine::InputKind;
     constexpr engine::Size kScreen{1280, 720};
     const auto choice = [&](const InputEvent& event) { return choice_of(event, kScreen); };
-    const auto key = [&](engine::Key key) { return choice({.kind = InputKind::KeyPressed, .key = key}); };
+    const auto key = [&](engine::Key pressed) {
+        return choice({.kind = InputKind::KeyPressed, .key = pressed});
+    };
     CHECK(key(engine::Key::R) == ErrorChoice::TryAgain);
     CHECK(key(engine::Key::F5) == ErrorChoice::TryAgain);
     CHECK(key(engine::Key::C) == ErrorChoice::Copy);
@@ -90,7 +92,8 @@ TEST_CASE("each way to choose at the screen means what its label says") {
     std::vector<ErrorChoice> choices;
     for (int x = 0; x < kScreen.width; ++x) {
         const int y = kScreen.height - 78;
-        const auto here = choice({.kind = InputKind::MousePressed, .position = {x + 0.5f, y + 0.5f}});
+        const auto here = choice({.kind = InputKind::MousePressed,
+                                  .position = {static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f}});
         const bool is_button = image->pixel(x, y)[0] > 45;
         CHECK(is_button == (here != ErrorChoice::None));
         if (choices.empty() || choices.back() != here) choices.push_back(here);
