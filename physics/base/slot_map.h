@@ -75,6 +75,8 @@ class SlotMap {
     [[nodiscard]] int size() const { return size_; }
 
   private:
+    friend struct StateAccess;
+
     struct Slot {
         T value;
         std::uint32_t generation;

@@ -91,6 +91,8 @@ class BoxTree {
     [[nodiscard]] bool is_valid() const;
 
   private:
+    friend struct StateAccess;
+
     // A walk holds at most seven siblings per level, and the eight children of the last.
     static constexpr int kMaxStack = (kGroupSize - 1) * kMaxLevels + 1;
 

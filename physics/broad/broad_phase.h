@@ -41,6 +41,8 @@ class BroadPhase {
     void end_search(std::vector<ItemPair>& pairs);
 
   private:
+    friend struct StateAccess;
+
     static std::size_t index(Layer layer) { return static_cast<std::size_t>(layer); }
 
     struct State {

@@ -155,6 +155,8 @@ class ContactLanes {
     void solve(Motions& motions, const ContactRules& rules, float h_s, Pass pass, TaskPool& tasks);
 
   private:
+    friend struct StateAccess;
+
     /// Runs pass(bucket, blocks) for all buckets, one after the other, each cut into parts for threads.
     template <class BlockPass>
     void for_each_bucket(TaskPool& tasks, const BlockPass& pass) const;

@@ -39,6 +39,8 @@ class ActiveList {
     [[nodiscard]] auto end() const { return list_.end(); }
 
   private:
+    friend struct StateAccess;
+
     std::vector<int> list_;
 };
 

@@ -21,6 +21,8 @@ class MixingTable {
     [[nodiscard]] MaterialRule rule(int kind_a, int kind_b) const;
 
   private:
+    friend struct StateAccess;
+
     std::vector<MaterialRule> rules_;
 };
 

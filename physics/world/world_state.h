@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <vector>
 
 #include <cairn/physics/world.h>
@@ -203,6 +204,9 @@ struct DirectStructure {
 
 /// What is solved directly (world/direct_groups.h).
 struct DirectGroups {
+    /// A version that no joints have: what was found is of others.
+    static constexpr std::uint64_t kUnknown = ~std::uint64_t{0};
+
     std::vector<DirectStructure> structures;  // of joints alone
     std::uint64_t version = 0;                // of the joints for which they were found
     std::vector<int> structure_of;            // by body
@@ -218,6 +222,19 @@ struct DirectGroups {
     std::vector<int> places;
     std::vector<float> inertia;    // by row of the motions
     std::vector<int> body_of_row;  // working list of DirectComponent::assemble
+};
+
+/// What a snapshot is read into before it takes the place of the world's own (state/snapshot.cpp); kept for
+/// its memory.
+struct RestoreSpace {
+    explicit RestoreSpace(std::uint16_t tag) : stores(tag) {}
+
+    WorldDef def;
+    Stores stores;
+    Events events;
+    std::uint64_t step_count = 0;
+    float previous_h_s = 0;
+    std::vector<std::uint8_t> marks;  // by body, while checking
 };
 
 struct WorldState {
@@ -237,6 +254,7 @@ struct WorldState {
     bool profiling = false;
     float previous_h_s = 0;  // of a substep of the last step
     TaskPool tasks;          // with one thread, the default, it is empty and runs loops where they stand
+    std::unique_ptr<RestoreSpace> restore_space;  // made by the first restore
 };
 
 }  // namespace cairn::physics

@@ -106,6 +106,8 @@ class JointPool {
     AnchorBlock* anchor_data() { return anchors_.data(); }
 
   private:
+    friend struct StateAccess;
+
     struct Link {
         int used = 0;  // lanes
         int previous = kNone;
@@ -170,6 +172,8 @@ class JointLanes {
     void relax(Motions& motions, const JointPassTime& time, TaskPool& tasks);
 
   private:
+    friend struct StateAccess;
+
     JointPool<PinBlock> pins_;
     JointPool<DriveBlock> drives_;
     bool springs_changed_ = false;

@@ -1,6 +1,7 @@
 // The world: owns bodies, shapes, joints and contacts, and moves them on step by step.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -21,6 +22,7 @@
 #include <cairn/physics/result.h>
 #include <cairn/physics/rules.h>
 #include <cairn/physics/shape.h>
+#include <cairn/physics/state.h>
 #include <cairn/physics/tasks.h>
 #include <cairn/physics/wind.h>
 
@@ -251,6 +253,22 @@ class World {
     /// have the same hash on every compiler, build type and processor.
     [[nodiscard]] std::uint64_t state_hash() const;
 
+    /// Writes all that the future depends on (state.h): bodies, shapes, chains, joints, contacts with what
+    /// they remember, who sleeps, events, rules of materials, gravity and the other numbers of WorldDef. Not
+    /// part of it are threads, the pair filter and the profile. What `into` held before is replaced.
+    Result<void> snapshot(Snapshot& into) const;
+    [[nodiscard]] Result<Snapshot> snapshot() const;
+    /// Puts the world into the state of the snapshot, its own or another world's, as if all since then had
+    /// not happened. Handles name what they named when the snapshot was taken (of another world: with this
+    /// world's tag, see `own`); handles to what was made since are stale, until the same slot is used again.
+    /// An error for bytes that are damaged, of another version or no snapshot; then nothing has changed.
+    Result<void> restore(std::span<const std::byte> snapshot);
+    /// The handle by which this world, restored from another world's snapshot, knows what that one called so.
+    template <class Tag>
+    [[nodiscard]] Handle<Tag> own(Handle<Tag> id) const {
+        return Handle<Tag>::make(id.index1, id.generation, id ? tag() : 0);
+    }
+
     // For debug drawing and tools: see debug.h. Each walks over the world when it is called.
 
     /// Those that touch.
@@ -261,6 +279,7 @@ class World {
 
   private:
     explicit World(std::unique_ptr<WorldState> state);
+    [[nodiscard]] std::uint16_t tag() const;
 
     std::unique_ptr<WorldState> state_;
 };

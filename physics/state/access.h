@@ -1,0 +1,100 @@
+// The members of the containers that a snapshot looks into, each list once.
+// Invariant: as in state/fields.h, a binding names every member, so that a new one does not compile before
+// somebody has decided here what becomes of it.
+#pragma once
+
+#include "world/world_state.h"
+
+namespace cairn::physics {
+
+struct StateAccess {
+    /// use(slots, first free slot, free slots, objects). The tag stays the world's own.
+    template <class Map, class Use>
+    static auto slots(Map& map, Use&& use) {
+        auto& [slots, free_head, free, size, world_tag] = map;
+        return use(slots, free_head, free, size);
+    }
+
+    /// use(value, generation, next free slot, alive).
+    template <class Slot, class Use>
+    static auto slot(Slot& slot, Use&& use) {
+        auto& [value, generation, next_free, alive] = slot;
+        return use(value, generation, next_free, alive);
+    }
+
+    template <class List, class Use>
+    static auto list(List& active_list, Use&& use) {
+        auto& [list] = active_list;
+        return use(list);
+    }
+
+    template <class Table, class Use>
+    static auto rules(Table& table, Use&& use) {
+        auto& [rules] = table;
+        return use(rules);
+    }
+
+    /// use(levels, level count, items, places, end, live, disorder). What sorting cost is left out.
+    template <class Tree, class Use>
+    static auto tree(Tree& tree, Use&& use) {
+        auto& [levels, level_count, items, places, end, live, disorder, ordered_count] = tree;
+        return use(levels, level_count, items, places, end, live, disorder);
+    }
+
+    /// use(trees, states, boxes before, moved items). The rest is of one search.
+    template <class Phase, class Use>
+    static auto broad(Phase& broad, Use&& use) {
+        auto& [trees, states, box_before, moved_items, moved_groups, moved_index, pairs, order_scratch, radix,
+               pair_keys] = broad;
+        return use(trees, states, box_before, moved_items);
+    }
+
+    /// use(layer, listed, moved, touched, unsettled).
+    template <class State, class Use>
+    static auto item(State& state, Use&& use) {
+        auto& [layer, listed, moved, touched, unsettled] = state;
+        return use(layer, listed, moved, touched, unsettled);
+    }
+
+    /// use(near blocks, their reaches, their counts), by geometry.
+    template <class Lanes, class Use>
+    static auto near(Lanes& lanes, Use&& use) {
+        auto& [near, near_reaches, near_count, pairs, links, blocks, free, chains, is_arranged, order, ranges,
+               used, used_count] = lanes;
+        return use(near, near_reaches, near_count);
+    }
+
+    /// use(pairs, links, blocks, free blocks, chains, is arranged). The order follows from the chains.
+    template <class Lanes, class Use>
+    static auto colored(Lanes& lanes, Use&& use) {
+        auto& [near, near_reaches, near_count, pairs, links, blocks, free, chains, is_arranged, order, ranges,
+               used, used_count] = lanes;
+        return use(pairs, links, blocks, free, chains, is_arranged);
+    }
+
+    /// use(pins, drives, h, springs changed, dt).
+    template <class Lanes, class Use>
+    static auto joints(Lanes& lanes, Use&& use) {
+        auto& [h_s, pins, drives, springs_changed, dt_s] = lanes;
+        return use(pins, drives, h_s, springs_changed, dt_s);
+    }
+
+    /// use(blocks, anchors, links, free blocks, chains, is arranged). The order follows from the chains.
+    template <class Pool, class Use>
+    static auto pool(Pool& pool, Use&& use) {
+        auto& [blocks, anchors, links, free, chains, is_arranged, order, ranges, used, used_count] = pool;
+        return use(blocks, anchors, links, free, chains, is_arranged);
+    }
+};
+
+/// Calls visit(index, value) for each object, in the order of the slots.
+template <class Map, class Visit>
+void for_each_alive(Map& map, Visit&& visit) {
+    StateAccess::slots(map, [&](auto& slots, auto&, auto&, auto&) {
+        for (std::size_t i = 0; i < slots.size(); ++i) {
+            if (slots[i].alive) visit(static_cast<int>(i), slots[i].value);
+        }
+    });
+}
+
+}  // namespace cairn::physics

@@ -1,0 +1,184 @@
+// Bodies as bytes: record, place and mass of each in the order of the slots; then the rows, column by column.
+#include <algorithm>
+#include <cmath>
+
+#include "state/sections.h"
+#include "state/slots.h"
+
+namespace cairn::physics {
+namespace {
+
+// Flags that mean nothing between steps: groups that are solved directly are chosen anew in each.
+constexpr std::uint32_t kKeptFlags = ~place_flag::kDirect;
+
+constexpr std::size_t kBodyBytes =
+    packed_size<BodyRecord>() + packed_size<Place>() + packed_size<MassLedger::Entry>();
+
+template <class T>
+bool all_zero(const std::vector<T>& values) {
+    const auto* bytes = reinterpret_cast<const unsigned char*>(values.data());
+    return std::all_of(bytes, bytes + values.size() * sizeof(T), [](unsigned char b) { return b == 0; });
+}
+
+// Forces are rare, and last for one step only.
+void save_rows(const BodyRows& rows, Writer& out) {
+    const auto& [moved, rotation_before, velocity, spin, force, torque, rest_time, box_slack, body] = rows;
+    const bool acts = !all_zero(force) || !all_zero(torque);
+    out.list(body);
+    out.value(acts);
+    constexpr std::size_t kRowBytes = 4 * sizeof(Vec2) + 4 * sizeof(float);
+    std::byte* at = out.room(body.size() * kRowBytes);
+    const auto write = [&](const auto& column) { at = put_all(at, std::span(column)); };
+    write(moved);
+    write(rotation_before);
+    write(velocity);
+    write(spin);
+    write(rest_time);
+    write(box_slack);
+    if (acts) {
+        write(force);
+        write(torque);
+    }
+    out.end(at);
+}
+
+void load_rows(Reader& in, BodyRows& rows) {
+    auto& [moved, rotation_before, velocity, spin, force, torque, rest_time, box_slack, body] = rows;
+    in.list(body);
+    bool acts = false;
+    in.value(acts);
+    const std::size_t count = in.ok() ? body.size() : 0;
+    const auto read = [&](auto& column) {
+        column.resize(count);
+        in.all(std::span(column));
+    };
+    read(moved);
+    read(rotation_before);
+    read(velocity);
+    read(spin);
+    read(rest_time);
+    read(box_slack);
+    if (acts) {
+        read(force);
+        read(torque);
+    } else {
+        force.assign(count, {});
+        torque.assign(count, 0);
+    }
+    in.settle();
+}
+
+// Every body gets its row, and no other.
+void take_rows(Reader& in, BodyStore& bodies, RowSet set) {
+    const std::vector<int>& body = bodies.rows(set).body;
+    for (std::size_t row = 0; row < body.size(); ++row) {
+        const int b = body[row];
+        if (!in.require(names(bodies.slots, b) && bodies.slots[b].row == kNone,
+                        "a row is of no body, or of one that has a row already"))
+            return;
+        BodyRecord& record = bodies.slots[b];
+        if (!in.require((record.type == BodyType::Static) == (set == RowSet::Static),
+                        "a static body is among those that move, or the other way round"))
+            return;
+        record.set = set;
+        record.row = static_cast<int>(row);
+        bodies.places[static_cast<std::size_t>(b)].row =
+            set == RowSet::Awake ? static_cast<int>(row) + 1 : kWorldRow;
+    }
+}
+
+bool is_sound(const BodyRecord& body, const Place& place) {
+    const bool can_be_moved = body.type == BodyType::Dynamic;
+    const bool masses = body.inverse_mass >= 0 && std::isfinite(body.inverse_mass) &&
+                        body.inverse_inertia >= 0 && std::isfinite(body.inverse_inertia);
+    const bool moved = body.inverse_mass > 0 || body.inverse_inertia > 0;
+    return masses && (can_be_moved || !moved) && is_finite(place.center);
+}
+
+// Rings: each sleeper is followed by one, and follows one.
+void check_sleepers(Reader& in, const BodyStore& bodies, std::vector<std::uint8_t>& followed) {
+    followed.assign(static_cast<std::size_t>(bodies.slots.end_index()), 0);
+    for (const int body : bodies.rows(RowSet::Asleep).body) {
+        const int next = bodies.slots[body].next_sleeper;
+        const bool sleeps = names(bodies.slots, next) && bodies.slots[next].set == RowSet::Asleep;
+        if (!in.require(sleeps && followed[static_cast<std::size_t>(next)] == 0,
+                        "bodies that sleep together do not form a ring"))
+            return;
+        followed[static_cast<std::size_t>(next)] = 1;
+    }
+    for (const RowSet set : {RowSet::Static, RowSet::Awake}) {
+        for (const int body : bodies.rows(set).body) {
+            if (!in.require(bodies.slots[body].next_sleeper == kNone,
+                            "a body that does not sleep is among those that do"))
+                return;
+        }
+    }
+}
+
+}  // namespace
+
+void save_bodies(const Stores& stores, Writer& out) {
+    const BodyStore& bodies = stores.bodies;
+    save_slots(bodies.slots, out);
+    std::byte* at = out.room(static_cast<std::size_t>(bodies.slots.size()) * kBodyBytes);
+    for_each_alive(bodies.slots, [&](int body, const BodyRecord& record) {
+        const auto slot = static_cast<std::size_t>(body);
+        Place place = bodies.places[slot];
+        place.flags &= kKeptFlags;
+        at = put(put(put(at, record), place), stores.masses.entries[slot]);
+    });
+    out.end(at);
+    for (const RowSet set : {RowSet::Static, RowSet::Awake, RowSet::Asleep}) save_rows(bodies.rows(set), out);
+    out.list(stores.boxes_moved);
+    out.list(stores.masses.reshaped);
+}
+
+void load_bodies(Reader& in, RestoreSpace& to) {
+    Stores& stores = to.stores;
+    BodyStore& bodies = stores.bodies;
+    in.begin("bodies");
+    load_slots(in, bodies.slots);
+    const std::byte* at = in.take(static_cast<std::size_t>(bodies.slots.size()) * kBodyBytes);
+    if (at == nullptr) return;
+    const auto slots = static_cast<std::size_t>(bodies.slots.end_index());
+    bodies.places.assign(slots, Place{});
+    stores.masses.entries.assign(slots, {});
+    bool sound = true;
+    for_each_alive(bodies.slots, [&](int body, BodyRecord& record) {
+        const auto slot = static_cast<std::size_t>(body);
+        record = {};
+        at = get(at, record, in.reading);
+        at = get(at, bodies.places[slot], in.reading);
+        at = get(at, stores.masses.entries[slot], in.reading);
+        sound &= is_sound(record, bodies.places[slot]);
+    });
+    in.settle();
+    in.require(sound, "a body is at no place in the world, or has a mass that no body has");
+
+    in.begin("rows of bodies");
+    for (const RowSet set : {RowSet::Static, RowSet::Awake, RowSet::Asleep}) {
+        load_rows(in, bodies.rows(set));
+        if (in.ok()) take_rows(in, bodies, set);
+    }
+    if (!in.ok()) return;
+    std::size_t rows = 0;
+    for (const RowSet set : {RowSet::Static, RowSet::Awake, RowSet::Asleep})
+        rows += bodies.rows(set).body.size();
+    in.require(rows == static_cast<std::size_t>(bodies.slots.size()), "a body has no row");
+    if (in.ok()) check_sleepers(in, bodies, to.marks);
+
+    in.list(stores.boxes_moved);
+    in.list(stores.masses.reshaped);
+    if (!in.ok()) return;
+    const auto is_slot = [&](int body) { return body >= 0 && body < bodies.slots.end_index(); };
+    in.require(std::all_of(stores.boxes_moved.begin(), stores.boxes_moved.end(), is_slot),
+               "a box was moved of no body");
+    for (const int body : stores.masses.reshaped) {
+        if (!in.require(is_slot(body) && !stores.masses.entries[static_cast<std::size_t>(body)].is_listed,
+                        "a body is listed as reshaped that there is not, or twice"))
+            return;
+        stores.masses.entries[static_cast<std::size_t>(body)].is_listed = true;
+    }
+}
+
+}  // namespace cairn::physics

@@ -1,0 +1,170 @@
+// The broad phase as bytes. The boxes of shapes are those of its trees, so of a tree only the order of its
+// items and the nodes above them are written; these may be larger than what they hold, until it is put in
+// order again.
+#include "state/sections.h"
+#include "state/slots.h"
+
+namespace cairn::physics {
+namespace {
+
+constexpr std::uint8_t kMoved = 1;
+constexpr std::uint8_t kTouched = 2;
+constexpr std::uint8_t kUnsettled = 4;
+
+std::size_t groups_for(std::size_t count) {
+    return (count + kGroupSize - 1) / kGroupSize;
+}
+
+// Calls visit(level, nodes) for the levels above the lowest, of a tree with so many groups there.
+template <class Visit>
+void for_each_upper_level(std::size_t groups, Visit&& visit) {
+    for (std::size_t level = 1; groups > 1; ++level) {
+        groups = groups_for(groups);
+        visit(level, groups);
+    }
+}
+
+std::byte* put_group(std::byte* at, const BoxGroup& group) {
+    const auto& [lower_x, lower_y, upper_x, upper_y] = group;
+    return put(put(put(put(at, lower_x), lower_y), upper_x), upper_y);
+}
+
+constexpr std::size_t kGroupBytes = 4 * sizeof(BoxGroup::Lanes);
+
+const std::byte* get_group(const std::byte* at, BoxGroup& group, Reading& reading) {
+    auto& [lower_x, lower_y, upper_x, upper_y] = group;
+    for (BoxGroup::Lanes* lanes : {&lower_x, &lower_y, &upper_x, &upper_y}) at = get(at, *lanes, reading);
+    return at;
+}
+
+void save_tree(const BoxTree& tree, Writer& out) {
+    StateAccess::tree(
+        tree, [&](const auto& levels, int, const auto& items, const auto&, int end, int, int disorder) {
+            out.value(end);
+            out.value(disorder);
+            out.list(items);
+            for_each_upper_level(levels[0].size(), [&](std::size_t level, std::size_t nodes) {
+                std::byte* at = out.room(nodes * kGroupBytes);
+                for (const BoxGroup& group : levels[level]) at = put_group(at, group);
+                out.end(at);
+            });
+        });
+}
+
+void load_tree(Reader& in, Stores& stores, Layer layer, BoxTree& tree) {
+    StateAccess::tree(tree, [&](auto& levels, int& level_count, auto& items, auto& places, int& end,
+                                int& live, int& disorder) {
+        in.value(end);
+        in.value(disorder);
+        in.list(items);
+        for (auto& level : levels) level.clear();
+        level_count = 0;
+        live = 0;
+        places.assign(static_cast<std::size_t>(stores.shapes.end_index()), kNone);
+        if (!in.ok()) return;
+        const bool fits = end >= 0 && items.size() == kGroupSize * groups_for(static_cast<std::size_t>(end));
+        if (!in.require(fits && disorder >= 0, "a tree has not as many places as it says")) return;
+        levels[0].resize(items.size() / kGroupSize);
+        for (std::size_t place = 0; place < items.size(); ++place) {
+            const int item = items[place];
+            if (item == kNone) continue;
+            const bool may_stand = names(stores.shapes, item) && stores.shapes[item].sensor == kNone &&
+                                   places[static_cast<std::size_t>(item)] == kNone &&
+                                   static_cast<int>(place) < end &&
+                                   layer_of(stores.bodies.slots[stores.shapes[item].body].set) == layer;
+            if (!in.require(may_stand, "a tree has an item that is in another, or twice")) return;
+            places[static_cast<std::size_t>(item)] = static_cast<int>(place);
+            levels[0][place / kGroupSize].set_box(static_cast<int>(place % kGroupSize),
+                                                  stores.fat_boxes[static_cast<std::size_t>(item)]);
+            ++live;
+        }
+        if (!in.require(live > 0 || items.empty(), "a tree has places, but no items")) return;
+        level_count = levels[0].empty() ? 0 : 1;
+        for_each_upper_level(levels[0].size(), [&](std::size_t level, std::size_t nodes) {
+            const std::byte* at = in.take(nodes * kGroupBytes);
+            if (at == nullptr || !in.require(level < levels.size(), "a tree is too deep")) return;
+            levels[level].resize(nodes);
+            for (BoxGroup& group : levels[level]) at = get_group(at, group, in.reading);
+            level_count = static_cast<int>(level) + 1;
+        });
+    });
+}
+
+bool is_boxed(const ShapeRecord& shape) {
+    return shape.sensor == kNone;
+}
+
+}  // namespace
+
+void save_broad(const Stores& stores, Writer& out) {
+    StateAccess::broad(stores.broad, [&](const auto& trees, const auto& states, const auto& box_before,
+                                         const auto& moved_items) {
+        for (const BoxTree& tree : trees) save_tree(tree, out);
+        std::byte* at = out.room(static_cast<std::size_t>(stores.shapes.size()));
+        for_each_alive(stores.shapes, [&](int item, const ShapeRecord& shape) {
+            if (!is_boxed(shape)) return;
+            StateAccess::item(states[static_cast<std::size_t>(item)], [&](Layer, bool, bool moved,
+                                                                          bool touched, bool unsettled) {
+                at = put(at, static_cast<std::uint8_t>((moved ? kMoved : 0) | (touched ? kTouched : 0) |
+                                                       (unsettled ? kUnsettled : 0)));
+            });
+        });
+        out.end(at);
+        at = out.room(sizeof(int) + moved_items.size() * (sizeof(int) + sizeof(Aabb)));
+        at = put(at, static_cast<std::uint32_t>(moved_items.size()));
+        for (const int item : moved_items) {
+            at = put(at, item);
+            if (states[static_cast<std::size_t>(item)].moved)
+                at = put(at, box_before[static_cast<std::size_t>(item)]);
+        }
+        out.end(at);
+    });
+}
+
+void load_broad(Reader& in, Stores& stores) {
+    in.begin("broad phase");
+    StateAccess::broad(stores.broad, [&](auto& trees, auto& states, auto& box_before, auto& moved_items) {
+        int live = 0;
+        for (const Layer layer : kLayers) {
+            BoxTree& tree = trees[static_cast<std::size_t>(layer)];
+            load_tree(in, stores, layer, tree);
+            if (!in.ok()) return;
+            live += tree.size();
+        }
+        const auto slots = static_cast<std::size_t>(stores.shapes.end_index());
+        const int boxed = stores.shapes.size() - static_cast<int>(stores.sensors.all.size());
+        if (!in.require(live == boxed, "a shape is in no tree")) return;
+        const std::byte* at = in.take(static_cast<std::size_t>(boxed));
+        if (at == nullptr) return;
+        states.assign(slots, {});
+        box_before.assign(slots, {});
+        int waiting = 0;  // that moved, and must be listed
+        for_each_alive(stores.shapes, [&](int item, const ShapeRecord& shape) {
+            if (!is_boxed(shape)) return;
+            std::uint8_t bits = 0;
+            at = get(at, bits, in.reading);
+            auto& state = states[static_cast<std::size_t>(item)];
+            state.layer = layer_of(stores.bodies.slots[shape.body].set);
+            state.moved = (bits & kMoved) != 0;
+            state.touched = (bits & kTouched) != 0;
+            state.unsettled = (bits & kUnsettled) != 0;
+            waiting += state.moved ? 1 : 0;
+        });
+        moved_items.resize(in.count(sizeof(int)));
+        for (int& item : moved_items) {
+            in.value(item);
+            const bool fits = item >= 0 && static_cast<std::size_t>(item) < slots &&
+                              !states[static_cast<std::size_t>(item)].listed;
+            if (!in.require(fits, "a box is listed as moved that there is not, or twice")) return;
+            auto& state = states[static_cast<std::size_t>(item)];
+            state.listed = true;
+            if (!state.moved) continue;
+            in.value(box_before[static_cast<std::size_t>(item)]);
+            --waiting;
+        }
+        in.require(waiting == 0, "a box moved that is not listed");
+    });
+    in.settle();
+}
+
+}  // namespace cairn::physics

@@ -1,0 +1,402 @@
+// Contacts as bytes. Records hold what is of the contact itself; which shapes meet, and what is remembered,
+// stands where the contact is: in a lane, among the loose ones, or in no list.
+//
+// Of a block only what outlasts a step is written: who is in its lanes, their boxes, features and impulses.
+// All else is made anew at the start of each step, before anybody looks at it. Blocks stand in the order of
+// their chains, which is the order of the passes; their numbers are not part of the state.
+#include <algorithm>
+
+#include "state/sections.h"
+#include "state/slots.h"
+#include "world/contact_lists.h"
+
+namespace cairn::physics {
+namespace {
+
+// A contact that was read, but not yet found in any list.
+constexpr int kUnplaced = -2;
+
+using IntLanes = Lanes<std::int32_t>;
+using FloatLanes = Lanes<float>;
+constexpr std::size_t kLaneRow = sizeof(IntLanes);
+
+constexpr int kBoxRows = 8;
+static_assert(sizeof(BoxLanes) == kBoxRows * kLaneRow);
+constexpr int kBits = 3;  // of lanes: reports, impacts, remembers
+
+// Contact, two shapes, boxes, reaches.
+constexpr std::size_t kNearBytes = (3 + kBoxRows + 1) * kLaneRow + kBits;
+// Contact, two shapes, boxes, two features, two impulses, that of friction.
+constexpr std::size_t kColoredBytes = (3 + kBoxRows + 5) * kLaneRow + kBits;
+
+struct UnlistedContact {
+    std::int32_t shape_a = kNone;
+    std::int32_t shape_b = kNone;
+};
+
+constexpr unsigned lanes_below(int used) {
+    return (1u << used) - 1;
+}
+
+// Lanes that nobody is in hold what the last one left there, which means nothing.
+template <class T>
+std::byte* put_lanes(std::byte* at, const Lanes<T>& lanes, int used, T unused) {
+    Lanes<T> clean = lanes;
+    for (int lane = used; lane < kLanes; ++lane) clean[static_cast<std::size_t>(lane)] = unused;
+    return put(at, clean);
+}
+
+// What near blocks and those in colours have in common.
+std::byte* put_pairs(std::byte* at, const PairBlock& pairs, int used) {
+    const auto& [contact, body_a, body_b, shape_a, shape_b, boxes, features, reports, impacts, remembers] =
+        pairs;
+    for (const IntLanes* lanes : {&contact, &shape_a, &shape_b}) at = put_lanes(at, *lanes, used, kNone);
+    const auto& [half_ax, half_ay, half_bx, half_by, offset_ax, offset_ay, offset_bx, offset_by] = boxes;
+    for (const FloatLanes* lanes :
+         {&half_ax, &half_ay, &half_bx, &half_by, &offset_ax, &offset_ay, &offset_bx, &offset_by})
+        at = put_lanes(at, *lanes, used, 0.0f);
+    for (const std::uint8_t bits : {reports, impacts, remembers})
+        at = put(at, static_cast<std::uint8_t>(bits & lanes_below(used)));
+    return at;
+}
+
+const std::byte* get_pairs(const std::byte* at, PairBlock& pairs, Reading& reading) {
+    auto& [contact, body_a, body_b, shape_a, shape_b, boxes, features, reports, impacts, remembers] = pairs;
+    for (IntLanes* lanes : {&contact, &shape_a, &shape_b}) at = get(at, *lanes, reading);
+    auto& [half_ax, half_ay, half_bx, half_by, offset_ax, offset_ay, offset_bx, offset_by] = boxes;
+    for (FloatLanes* lanes :
+         {&half_ax, &half_ay, &half_bx, &half_by, &offset_ax, &offset_ay, &offset_bx, &offset_by})
+        at = get(at, *lanes, reading);
+    body_a.fill(kNone);
+    body_b.fill(kNone);
+    for (auto& lanes : features) lanes.fill(kNoFeature);
+    for (std::uint8_t* bits : {&reports, &impacts, &remembers}) at = get(at, *bits, reading);
+    return at;
+}
+
+void save_near(const ContactLanes& lanes, Writer& out) {
+    StateAccess::near(lanes, [&](const auto& near, const auto& reaches, const auto& counts) {
+        for (std::size_t g = 0; g < near.size(); ++g) {
+            const int count = counts[g];
+            out.count(static_cast<std::size_t>(count));
+            const int blocks = (count + kLanes - 1) / kLanes;
+            std::byte* at = out.room(static_cast<std::size_t>(blocks) * kNearBytes);
+            for (int block = 0; block < blocks; ++block) {
+                const int used = std::min(kLanes, count - block * kLanes);
+                const auto i = static_cast<std::size_t>(block);
+                at = put_lanes(put_pairs(at, near[g][i], used), reaches[g][i].m, used, 0.0f);
+            }
+            out.end(at);
+        }
+    });
+}
+
+void save_colored(const ContactLanes& lanes, Writer& out) {
+    StateAccess::colored(lanes, [&](const auto& pairs, const auto& links, const auto& blocks, const auto&,
+                                    const auto& chains, const auto&) {
+        const auto used = std::count_if(chains.begin(), chains.end(),
+                                        [](const auto& chain) { return chain.first != kNone; });
+        out.count(static_cast<std::size_t>(used));
+        for (std::size_t bucket = 0; bucket < chains.size(); ++bucket) {
+            if (chains[bucket].first == kNone) continue;
+            std::size_t length = 0;
+            const auto next = [&](int block) { return links[static_cast<std::size_t>(block)].next; };
+            for (int block = chains[bucket].first; block != kNone; block = next(block)) ++length;
+            out.count(bucket);
+            out.count((length - 1) * kLanes +
+                      static_cast<std::size_t>(links[static_cast<std::size_t>(chains[bucket].last)].used));
+            std::byte* at = out.room(length * kColoredBytes);
+            for (int block = chains[bucket].first; block != kNone; block = next(block)) {
+                const auto i = static_cast<std::size_t>(block);
+                const int lanes_used = links[i].used;
+                at = put_pairs(at, pairs[i], lanes_used);
+                for (const IntLanes& features : pairs[i].features)
+                    at = put_lanes(at, features, lanes_used, kNoFeature);
+                for (const ContactBlockPoint& point : blocks[i].points)
+                    at = put_lanes(at, point.impulse, lanes_used, 0.0f);
+                at = put_lanes(at, blocks[i].friction_impulse, lanes_used, 0.0f);
+            }
+            out.end(at);
+        }
+    });
+}
+
+// Lanes of colours have memories of their own. That of the record is then what it was when the contact came
+// into its lane, and still the first guess for one that parts and meets again within a step.
+bool remembers(const ContactRecord& contact) {
+    const ContactMemory& memory = contact.memory;
+    const ContactMemory nothing;
+    return memory.features != nothing.features || memory.impulse != nothing.impulse ||
+           memory.friction_impulse != nothing.friction_impulse;
+}
+
+void save_memories(const ContactStore& contacts, Writer& out) {
+    const std::size_t start = out.size();
+    std::uint32_t count = 0;
+    out.value(count);
+    for_each_alive(contacts.slots, [&](int contact, const ContactRecord& record) {
+        if (!remembers(record)) return;
+        ++count;
+        out.value(contact);
+        out.value(record.memory);
+    });
+    put(out.data() + start, count);
+}
+
+void load_memories(Reader& in, ContactStore& contacts) {
+    const std::size_t count = in.count(sizeof(int) + packed_size<ContactMemory>());
+    for (std::size_t i = 0; i < count; ++i) {
+        int contact = kNone;
+        in.value(contact);
+        if (!in.require(names(contacts.slots, contact), "a contact is remembered that there is not")) return;
+        in.value(contacts.slots[contact].memory);
+    }
+    in.settle();
+}
+
+// Puts the contacts that were read into the lists and lanes that the bytes name.
+class Placing {
+  public:
+    Placing(Reader& in, Stores& stores) : in_(in), stores_(stores) {}
+
+    void load() {
+        stores_.contacts.colors.assign(static_cast<std::size_t>(stores_.bodies.slots.end_index()), 0);
+        load_loose();
+        if (in_.ok()) load_near();
+        if (in_.ok()) load_colored();
+        if (in_.ok()) load_unlisted();
+        if (in_.ok()) load_uneven();
+    }
+
+  private:
+    static constexpr const char* kMisplaced =
+        "a contact is in two places, or of shapes that its bodies do not have";
+
+    bool fits(int shape, int body) const {
+        return names(stores_.shapes, shape) && stores_.shapes[shape].body == body &&
+               stores_.shapes[shape].sensor == kNone;
+    }
+
+    ContactRecord* place(int contact, int shape_a, int shape_b, int bucket, int lane) {
+        if (!names(stores_.contacts.slots, contact)) return nullptr;
+        ContactRecord& record = stores_.contacts.slots[contact];
+        if (record.bucket != kUnplaced || !fits(shape_a, record.body_a) || !fits(shape_b, record.body_b))
+            return nullptr;
+        record.shape_a = shape_a;
+        record.shape_b = shape_b;
+        record.bucket = bucket;
+        record.lane = lane;
+        return &record;
+    }
+
+    bool place_lanes(PairBlock& pairs, int used, int bucket, int first_lane) {
+        for (int i = 0; i < used; ++i) {
+            const auto lane = static_cast<std::size_t>(i);
+            const ContactRecord* record =
+                place(pairs.contact[lane], pairs.shape_a[lane], pairs.shape_b[lane], bucket, first_lane + i);
+            if (!in_.require(record != nullptr, kMisplaced)) return false;
+            pairs.body_a[lane] = record->body_a;
+            pairs.body_b[lane] = record->body_b;
+        }
+        return true;
+    }
+
+    void load_loose() {
+        std::vector<int>& loose = stores_.contacts.loose;
+        loose.resize(in_.count(3 * sizeof(int)));
+        for (std::size_t i = 0; i < loose.size(); ++i) {
+            UnlistedContact shapes;
+            in_.value(loose[i]);
+            in_.value(shapes.shape_a);
+            in_.value(shapes.shape_b);
+            if (!in_.require(place(loose[i], shapes.shape_a, shapes.shape_b, kLooseBucket,
+                                   static_cast<int>(i)) != nullptr,
+                             kMisplaced))
+                return;
+        }
+    }
+
+    void load_unlisted() {
+        for_each_alive(stores_.contacts.slots, [&](int contact, ContactRecord& record) {
+            if (!in_.ok() || record.bucket != kUnplaced) return;
+            UnlistedContact shapes;
+            in_.value(shapes.shape_a);
+            in_.value(shapes.shape_b);
+            in_.require(place(contact, shapes.shape_a, shapes.shape_b, kNone, 0) != nullptr, kMisplaced);
+        });
+    }
+
+    void load_near() {
+        StateAccess::near(stores_.contacts.lanes, [&](auto& near, auto& reaches, auto& counts) {
+            for (std::size_t g = 0; g < near.size(); ++g) {
+                const std::size_t count = in_.count(kNearBytes / kLanes);
+                const std::size_t blocks = (count + kLanes - 1) / kLanes;
+                const std::byte* at = in_.take(blocks * kNearBytes);
+                counts[g] = 0;
+                if (at == nullptr) return;
+                near[g].resize(blocks);
+                reaches[g].resize(blocks);
+                counts[g] = static_cast<int>(count);
+                const int bucket = near_bucket(static_cast<PairGeometry>(g));
+                for (std::size_t block = 0; block < blocks; ++block) {
+                    at = get_pairs(at, near[g][block], in_.reading);
+                    at = get(at, reaches[g][block].m, in_.reading);
+                    const int first_lane = static_cast<int>(block) * kLanes;
+                    const int used = std::min(kLanes, static_cast<int>(count) - first_lane);
+                    if (!place_lanes(near[g][block], used, bucket, first_lane)) return;
+                }
+            }
+        });
+        in_.settle();
+    }
+
+    void load_colored() {
+        StateAccess::colored(stores_.contacts.lanes, [&](auto& pairs, auto& links, auto& blocks, auto& free,
+                                                         auto& chains, bool& is_arranged) {
+            pairs.clear();
+            links.clear();
+            blocks.clear();
+            free.clear();
+            chains.fill({});
+            is_arranged = false;
+            const std::size_t buckets = in_.count(2 * sizeof(std::uint32_t));
+            for (std::size_t i = 0; i < buckets && in_.ok(); ++i) {
+                std::uint32_t bucket = 0;
+                in_.value(bucket);
+                const bool fits = bucket < kBuckets && is_colored(static_cast<int>(bucket)) &&
+                                  chains[bucket].first == kNone;
+                if (!in_.require(fits, "a colour of contacts is none, or is there twice")) return;
+                load_bucket(static_cast<int>(bucket), pairs, links, blocks, chains[bucket]);
+            }
+            free.reserve(pairs.capacity());
+        });
+        if (in_.settle()) stores_.contacts.lanes.arrange();
+    }
+
+    template <class Chain>
+    void load_bucket(int bucket, std::vector<PairBlock>& pairs, std::vector<BlockLink>& links,
+                     std::vector<ContactBlock>& blocks, Chain& chain) {
+        const std::size_t count = in_.count(kColoredBytes / kLanes);
+        const std::size_t length = (count + kLanes - 1) / kLanes;
+        const std::byte* at = in_.take(length * kColoredBytes);
+        if (at == nullptr || !in_.require(count > 0, "a colour of contacts is empty")) return;
+        const std::size_t first = pairs.size();
+        pairs.resize(first + length);
+        blocks.resize(first + length, empty_block());
+        links.resize(first + length);
+        chain = {static_cast<int>(first), static_cast<int>(first + length) - 1};
+        for (std::size_t i = 0; i < length; ++i) {
+            const int block = static_cast<int>(first + i);
+            const int used = std::min(kLanes, static_cast<int>(count - i * kLanes));
+            PairBlock& pair_block = pairs[first + i];
+            ContactBlock& contact_block = blocks[first + i];
+            at = get_pairs(at, pair_block, in_.reading);
+            for (IntLanes& features : pair_block.features) at = get(at, features, in_.reading);
+            for (ContactBlockPoint& point : contact_block.points) at = get(at, point.impulse, in_.reading);
+            at = get(at, contact_block.friction_impulse, in_.reading);
+            links[first + i] = {bucket, used, i > 0 ? block - 1 : kNone, i + 1 < length ? block + 1 : kNone};
+            if (!place_lanes(pair_block, used, bucket, block * kLanes)) return;
+            for (int lane = 0; lane < used; ++lane) color(bucket, pair_block, lane, contact_block);
+        }
+    }
+
+    static const ContactBlock& empty_block() {
+        static const ContactBlock empty = [] {
+            ContactBlock block{};
+            for (ContactBlockPoint& point : block.points) {
+                point.start_separation.fill(1);
+                point.separation.fill(1);
+            }
+            return block;
+        }();
+        return empty;
+    }
+
+    // Marks the colour of the bodies, in which nobody else may be, and takes the friction from the record.
+    void color(int bucket, const PairBlock& pairs, int at, ContactBlock& block) {
+        const auto lane = static_cast<std::size_t>(at);
+        const int a = pairs.body_a[lane];
+        const int b = pairs.body_b[lane];
+        const BodyType type_a = stores_.bodies.slots[a].type;
+        const BlockKind kind = kind_of(bucket);
+        const std::uint32_t bit = 1u << color_of(bucket);
+        std::uint32_t& colors_b = stores_.contacts.colors[static_cast<std::size_t>(b)];
+        bool fits = (colors_b & bit) == 0 && stores_.bodies.slots[b].inverse_mass > 0 &&
+                    (type_a == BodyType::Static) == (kind == BlockKind::OneBody) &&
+                    (type_a == BodyType::Kinematic) == (kind == BlockKind::Carried);
+        colors_b |= bit;
+        if (kind == BlockKind::TwoBodies) {
+            std::uint32_t& colors_a = stores_.contacts.colors[static_cast<std::size_t>(a)];
+            fits = fits && (colors_a & bit) == 0 && stores_.bodies.slots[a].inverse_mass > 0;
+            colors_a |= bit;
+        }
+        in_.require(fits, "a body is moved twice in one colour of contacts, or by none that moves it");
+        block.friction[lane] = stores_.contacts.slots[pairs.contact[lane]].friction;
+    }
+
+    void load_uneven() {
+        StateAccess::list(stores_.contacts.uneven, [&](std::vector<int>& list) {
+            in_.list(list);
+            for (std::size_t i = 0; i < list.size() && in_.ok(); ++i) {
+                const bool fits = names(stores_.contacts.slots, list[i]) &&
+                                  stores_.contacts.slots[list[i]].bucket != kNone &&
+                                  stores_.contacts.slots[list[i]].uneven_index == kNone;
+                if (!in_.require(fits, "a contact is listed that is in no list, or twice")) return;
+                stores_.contacts.slots[list[i]].uneven_index = static_cast<int>(i);
+            }
+        });
+    }
+
+    Reader& in_;
+    Stores& stores_;
+};
+
+}  // namespace
+
+void save_contacts(const ContactStore& contacts, Writer& out) {
+    save_slots(contacts.slots, out);
+    std::byte* at = out.room(static_cast<std::size_t>(contacts.slots.size()) * packed_size<ContactRecord>());
+    for_each_alive(contacts.slots, [&](int, const ContactRecord& record) { at = put(at, record); });
+    out.end(at);
+    save_memories(contacts, out);
+}
+
+void load_contacts(Reader& in, ContactStore& contacts) {
+    in.begin("contacts");
+    load_slots(in, contacts.slots);
+    const std::byte* at =
+        in.take(static_cast<std::size_t>(contacts.slots.size()) * packed_size<ContactRecord>());
+    if (at == nullptr) return;
+    for_each_alive(contacts.slots, [&](int, ContactRecord& record) {
+        record = {};
+        record.bucket = kUnplaced;
+        at = get(at, record, in.reading);
+    });
+    if (in.settle()) load_memories(in, contacts);
+}
+
+void save_contact_lists(const ContactStore& contacts, Writer& out) {
+    constexpr std::size_t kShapesBytes = 2 * sizeof(int);
+    std::byte* at = out.room(sizeof(int) + contacts.loose.size() * (sizeof(int) + kShapesBytes));
+    at = put(at, static_cast<std::uint32_t>(contacts.loose.size()));
+    for (const int contact : contacts.loose) {
+        const ContactRecord& record = contacts.slots[contact];
+        at = put(put(put(at, contact), record.shape_a), record.shape_b);
+    }
+    out.end(at);
+    save_near(contacts.lanes, out);
+    save_colored(contacts.lanes, out);
+    at = out.room(static_cast<std::size_t>(contacts.slots.size()) * kShapesBytes);
+    for_each_alive(contacts.slots, [&](int, const ContactRecord& record) {
+        if (record.bucket == kNone) at = put(put(at, record.shape_a), record.shape_b);
+    });
+    out.end(at);
+    StateAccess::list(contacts.uneven, [&](const std::vector<int>& list) { out.list(list); });
+}
+
+void load_contact_lists(Reader& in, Stores& stores) {
+    in.begin("lists of contacts");
+    Placing(in, stores).load();
+}
+
+}  // namespace cairn::physics

@@ -1,0 +1,169 @@
+// What bodies have, as bytes: for each body that is alive a byte that tells which lists it has, then these,
+// item by item, the last one marked. Reading links the records anew, so no list can run in a circle or meet
+// another, whatever the bytes say.
+#include "state/sections.h"
+#include "state/slots.h"
+
+namespace cairn::physics {
+namespace {
+
+constexpr std::uint8_t kHasShapes = 1;
+constexpr std::uint8_t kHasSensors = 2;
+constexpr std::uint8_t kHasContacts = 4;
+constexpr std::uint8_t kHasJoints = 8;
+constexpr std::uint32_t kLastBit = 0x80000000u;
+
+// next(item) leads on; kNone ends the list.
+template <class Next>
+std::byte* put_list(std::byte* at, int first, const Next& next) {
+    for (int item = first; item != kNone;) {
+        const int following = next(item);
+        at = put(at, static_cast<std::uint32_t>(item) | (following == kNone ? kLastBit : 0));
+        item = following;
+    }
+    return at;
+}
+
+template <class Records>
+auto along_edges(const Records& records) {
+    return [&records](int key) { return records[edge_record(key)].edges[edge_side(key)].next; };
+}
+
+// Calls take(item), which tells whether the item may stand there.
+template <class Take>
+bool for_each_listed(Reader& in, const Take& take) {
+    for (bool last = false; !last;) {
+        std::uint32_t word = kLastBit;
+        in.value(word);
+        last = (word & kLastBit) != 0;
+        if (!in.ok() || !take(static_cast<int>(word & ~kLastBit))) return false;
+    }
+    return true;
+}
+
+class Linking {
+  public:
+    Linking(Reader& in, Stores& stores) : in_(in), stores_(stores) {}
+
+    void link(int body) {
+        std::uint8_t lists = 0;
+        in_.value(lists);
+        BodyRecord& record = stores_.bodies.slots[body];
+        if ((lists & kHasShapes) != 0) read_shapes(body, record);
+        if ((lists & kHasSensors) != 0) read_sensors(body, record);
+        if ((lists & kHasContacts) != 0) {
+            read_edges(stores_.contacts.slots, body, record.first_contact, edges_of_contacts_,
+                       "a body has an edge of a contact that there is not, or another has it");
+        }
+        if ((lists & kHasJoints) != 0) {
+            read_edges(stores_.joints.slots, body, record.first_joint, edges_of_joints_,
+                       "a body has an edge of a joint that there is not, or another has it");
+        }
+        in_.require(lists < 2 * kHasJoints, "a body has lists that there are not");
+    }
+
+    void finish() {
+        in_.require(shapes_ == stores_.shapes.size(), "a shape is of no body");
+        in_.require(edges_of_contacts_ == 2 * stores_.contacts.slots.size(),
+                    "a contact is not between two bodies");
+        in_.require(edges_of_joints_ == 2 * stores_.joints.slots.size(), "a joint is not between two bodies");
+    }
+
+  private:
+    bool take_shape(int body, int shape, bool sensor) {
+        const bool fits = names(stores_.shapes, shape) && stores_.shapes[shape].body == kNone &&
+                          stores_.shapes[shape].def.sensor == sensor;
+        if (!in_.require(fits, "a body has a shape that there is not, or that another has")) return false;
+        stores_.shapes[shape].body = body;
+        ++shapes_;
+        return true;
+    }
+
+    void read_shapes(int body, BodyRecord& record) {
+        for_each_listed(in_, [&](int shape) {
+            if (!take_shape(body, shape, false)) return false;
+            stores_.shapes[shape].previous_of_body = record.last_shape;
+            (record.last_shape == kNone ? record.first_shape
+                                        : stores_.shapes[record.last_shape].next_of_body) = shape;
+            record.last_shape = shape;
+            return true;
+        });
+    }
+
+    void read_sensors(int body, BodyRecord& record) {
+        int* link = &record.first_sensor;
+        for_each_listed(in_, [&](int shape) {
+            if (!take_shape(body, shape, true)) return false;
+            *link = shape;
+            link = &stores_.shapes[shape].next_of_body;
+            return true;
+        });
+    }
+
+    template <class Records>
+    void read_edges(Records& records, int body, int& first, int& count, const char* fault) {
+        int previous = kNone;
+        for_each_listed(in_, [&](int key) {
+            const int index = edge_record(key);
+            const int side = edge_side(key);
+            if (!in_.require(names(records, index), fault)) return false;
+            auto& record = records[index];
+            int& end = side == 0 ? record.body_a : record.body_b;
+            if (!in_.require(end == kNone && (side == 0 ? record.body_b : record.body_a) != body, fault))
+                return false;
+            end = body;
+            record.edges[side] = {previous, kNone};
+            (previous == kNone ? first : records[edge_record(previous)].edges[edge_side(previous)].next) =
+                key;
+            previous = key;
+            ++count;
+            return true;
+        });
+    }
+
+    Reader& in_;
+    Stores& stores_;
+    int shapes_ = 0;
+    int edges_of_contacts_ = 0;
+    int edges_of_joints_ = 0;
+};
+
+}  // namespace
+
+void save_links(const Stores& stores, Writer& out) {
+    const auto count = [](const auto& slots) { return static_cast<std::size_t>(slots.size()); };
+    std::byte* at =
+        out.room(count(stores.bodies.slots) +
+                 sizeof(std::uint32_t) * (count(stores.shapes) + 2 * count(stores.contacts.slots) +
+                                          2 * count(stores.joints.slots)));
+    const auto next_shape = [&](int shape) { return stores.shapes[shape].next_of_body; };
+    const auto next_contact = along_edges(stores.contacts.slots);
+    const auto next_joint = along_edges(stores.joints.slots);
+    for_each_alive(stores.bodies.slots, [&](int, const BodyRecord& body) {
+        at = put(at, static_cast<std::uint8_t>((body.first_shape != kNone ? kHasShapes : 0) |
+                                               (body.first_sensor != kNone ? kHasSensors : 0) |
+                                               (body.first_contact != kNone ? kHasContacts : 0) |
+                                               (body.first_joint != kNone ? kHasJoints : 0)));
+        at = put_list(at, body.first_shape, next_shape);
+        at = put_list(at, body.first_sensor, next_shape);
+        at = put_list(at, body.first_contact, next_contact);
+        at = put_list(at, body.first_joint, next_joint);
+    });
+    out.end(at);
+}
+
+void load_links(Reader& in, Stores& stores) {
+    in.begin("links of bodies");
+    Linking linking(in, stores);
+    for_each_alive(stores.bodies.slots, [&](int body, BodyRecord&) {
+        if (in.ok()) linking.link(body);
+    });
+    if (in.ok()) linking.finish();
+    if (!in.ok()) return;
+    for_each_alive(stores.chains, [&](int, const ChainRecord& chain) {
+        for (const int shape : chain.segments)
+            in.require(stores.shapes[shape].body == chain.body, "a chain has a segment on another body");
+    });
+}
+
+}  // namespace cairn::physics

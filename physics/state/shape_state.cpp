@@ -1,0 +1,211 @@
+// Shapes as bytes: those that are made as the shape before them take a byte and their box. Then what refers
+// to them: chains, sensors, bodies that break, and the rules for materials.
+#include <algorithm>
+#include <cstring>
+
+#include "state/sections.h"
+#include "state/slots.h"
+#include "world/fracture_plan.h"
+
+namespace cairn::physics {
+namespace {
+
+constexpr std::size_t kMakeBytes = packed_size<ShapeRecord>();
+
+// Equal in all that is written, bit for bit.
+template <class T>
+bool same_bits(const T& a, const T& b) {
+    std::array<std::byte, packed_size<T>()> bytes_a;
+    std::array<std::byte, packed_size<T>()> bytes_b;
+    put(bytes_a.data(), a);
+    put(bytes_b.data(), b);
+    return std::memcmp(bytes_a.data(), bytes_b.data(), bytes_a.size()) == 0;
+}
+
+bool is_sound(const Convex& convex) {
+    const int count = convex.count();
+    const auto in = [&](int low, int high) { return count >= low && count <= high; };
+    switch (convex.outline.kind) {
+        case ShapeKind::Circle:
+            return in(1, 1);
+        case ShapeKind::Capsule:
+        case ShapeKind::Segment:
+        case ShapeKind::ChainSegment:
+            return in(2, 2);
+        case ShapeKind::Polygon:
+            return in(3, kMaxPolygonVertices);
+    }
+    return false;
+}
+
+bool is_sound(const ShapeRecord& shape) {
+    const auto finite = [](std::span<const Vec2> points) {
+        return std::all_of(points.begin(), points.end(), [](Vec2 p) { return is_finite(p); });
+    };
+    const int kind = shape.def.material.kind;
+    return is_sound(shape.convex) && kind >= 0 && kind < kMaterialKinds && shape.convex.radius() >= 0 &&
+           is_finite(shape.convex.radius()) && finite(shape.convex.outline.points_m) &&
+           finite(shape.convex.normals) && is_finite(shape.convex.centroid) &&
+           is_finite(shape.convex.half_size) && is_finite(shape.def.one_way_normal) &&
+           is_finite(shape.margin_m) && shape.margin_m >= 0;
+}
+
+void save_records(const Stores& stores, Writer& out) {
+    const std::size_t count = static_cast<std::size_t>(stores.shapes.size());
+    std::byte* at = out.room(count * (1 + kMakeBytes + sizeof(Aabb)));
+    const ShapeRecord* last = nullptr;
+    for_each_alive(stores.shapes, [&](int shape, const ShapeRecord& record) {
+        const bool is_new = last == nullptr || !same_bits(*last, record);
+        at = put(at, is_new);
+        if (is_new) at = put(at, record);
+        at = put(at, stores.fat_boxes[static_cast<std::size_t>(shape)]);
+        last = &record;
+    });
+    out.end(at);
+}
+
+void load_records(Reader& in, Stores& stores) {
+    stores.fat_boxes.resize(static_cast<std::size_t>(stores.shapes.end_index()));
+    const ShapeRecord* last = nullptr;
+    for_each_alive(stores.shapes, [&](int shape, ShapeRecord& record) {
+        bool is_new = false;
+        in.value(is_new);
+        if (is_new) {
+            record = {};
+            in.value(record);
+            if (!in.settle()) return;
+            if (!in.require(is_sound(record), "a shape has points, a radius or a material that no shape has"))
+                return;
+        } else if (in.require(last != nullptr, "the first shape is as one before it")) {
+            record = *last;
+            record.body = kNone;
+        }
+        in.value(stores.fat_boxes[static_cast<std::size_t>(shape)]);
+        last = &record;
+    });
+    in.settle();
+}
+
+void save_chains(const Stores& stores, Writer& out) {
+    save_slots(stores.chains, out);
+    for_each_alive(stores.chains, [&](int, const ChainRecord& chain) {
+        const auto& [body, closed, before_m, after_m, points_m, segments, user_data] = chain;
+        out.value(body);
+        out.value(closed);
+        out.value(before_m);
+        out.value(after_m);
+        out.list(points_m);
+        out.list(segments);
+        out.value(user_data);
+    });
+}
+
+void load_chain(Reader& in, Stores& stores, int index, ChainRecord& chain) {
+    auto& [body, closed, before_m, after_m, points_m, segments, user_data] = chain;
+    in.value(body);
+    in.value(closed);
+    in.value(before_m);
+    in.value(after_m);
+    in.list(points_m);
+    in.list(segments);
+    in.value(user_data);
+    if (!in.settle()) return;
+    const std::size_t expected = points_m.size() - (closed ? 0 : 1);
+    if (!in.require(points_m.size() >= 2 && segments.size() == expected && names(stores.bodies.slots, body),
+                    "a chain is of no body, or has not as many segments as its points make"))
+        return;
+    for (const int shape : segments) {
+        const bool is_segment = names(stores.shapes, shape) && stores.shapes[shape].chain == kNone &&
+                                stores.shapes[shape].convex.is_chained();
+        if (!in.require(is_segment, "a chain has a segment that is none, or of another chain")) return;
+        stores.shapes[shape].chain = index;
+    }
+}
+
+void load_chains(Reader& in, Stores& stores) {
+    in.begin("chains");
+    load_slots(in, stores.chains);
+    if (!in.ok()) return;
+    for_each_alive(stores.chains, [&](int index, ChainRecord& chain) {
+        if (in.ok()) load_chain(in, stores, index, chain);
+    });
+    if (!in.ok()) return;
+    for_each_alive(stores.shapes, [&](int, const ShapeRecord& shape) {
+        in.require(shape.convex.is_chained() == (shape.chain != kNone), "a segment is of no chain");
+    });
+}
+
+void save_sensors(const SensorStore& sensors, Writer& out) {
+    const auto& [all, outdated, seen, before] = sensors;  // the last two are of one look
+    out.value(outdated);
+    out.count(all.size());
+    for (const auto& [shape, inside, bodies] : all) {
+        out.value(shape);
+        out.list(inside);
+        out.list(bodies);
+    }
+}
+
+void load_sensors(Reader& in, Stores& stores) {
+    in.begin("sensors");
+    in.value(stores.sensors.outdated);
+    stores.sensors.all.resize(in.count(3 * sizeof(int)));
+    int place = 0;
+    for (auto& [shape, inside, bodies] : stores.sensors.all) {
+        in.value(shape);
+        in.list(inside);
+        in.list(bodies);
+        if (!in.ok()) return;
+        const bool is_sensor = names(stores.shapes, shape) && stores.shapes[shape].def.sensor &&
+                               stores.shapes[shape].sensor == kNone && inside.size() == bodies.size();
+        if (!in.require(is_sensor, "a shape is listed as a sensor that is none, or twice")) return;
+        stores.shapes[shape].sensor = place++;
+    }
+    for_each_alive(stores.shapes, [&](int, const ShapeRecord& shape) {
+        in.require(shape.def.sensor == (shape.sensor != kNone), "a sensor is not listed");
+    });
+    in.settle();
+}
+
+void load_breakables(Reader& in, Stores& stores) {
+    in.begin("breakable bodies");
+    in.list(stores.breakables);
+    if (!in.settle()) return;
+    int place = 0;
+    for (const auto& [body, def] : stores.breakables) {
+        const bool sound = names(stores.bodies.slots, body) && stores.bodies.slots[body].breakable == kNone &&
+                           !validate(def);
+        if (!in.require(sound, "a breakable body is none, or breaks in a way that none does")) return;
+        stores.bodies.slots[body].breakable = place++;
+    }
+}
+
+}  // namespace
+
+void save_shapes(const Stores& stores, Writer& out) {
+    save_slots(stores.shapes, out);
+    save_records(stores, out);
+    save_chains(stores, out);
+    save_sensors(stores.sensors, out);
+    out.list(stores.breakables);
+    StateAccess::rules(stores.rules.mixing, [&](const auto& rules) { out.list(rules); });
+}
+
+void load_shapes(Reader& in, RestoreSpace& to) {
+    Stores& stores = to.stores;
+    in.begin("shapes");
+    load_slots(in, stores.shapes);
+    if (in.ok()) load_records(in, stores);
+    if (in.ok()) load_chains(in, stores);
+    if (in.ok()) load_sensors(in, stores);
+    if (in.ok()) load_breakables(in, stores);
+    if (!in.ok()) return;
+    in.begin("rules of materials");
+    StateAccess::rules(stores.rules.mixing, [&](auto& rules) {
+        in.list(rules);
+        in.require(rules.size() <= kMaterialKinds * (kMaterialKinds + 1) / 2, "there are too many rules");
+    });
+    in.settle();
+}
+
+}  // namespace cairn::physics

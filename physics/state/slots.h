@@ -1,0 +1,70 @@
+// The slots of objects as bytes: which are alive, how often each was used, and in which order the free ones
+// will be used again. The objects themselves are written by their own parts, in the order of the slots.
+#pragma once
+
+#include "state/access.h"
+#include "state/bytes.h"
+
+namespace cairn::physics {
+
+inline constexpr std::uint32_t kAliveBit = 0x80000000u;
+
+template <class Map>
+void save_slots(const Map& map, Writer& out) {
+    StateAccess::slots(map, [&](const auto& slots, int free_head, std::size_t free, int) {
+        std::byte* at = out.room(sizeof(std::uint32_t) * (2 + slots.size() + free));
+        at = put(at, static_cast<std::uint32_t>(slots.size()));
+        for (const auto& slot : slots) at = put(at, slot.generation | (slot.alive ? kAliveBit : 0));
+        at = put(at, static_cast<std::uint32_t>(free));
+        for (int i = free_head; i != kNone; i = slots[static_cast<std::size_t>(i)].next_free) at = put(at, i);
+        out.end(at);
+    });
+}
+
+/// Slots that are alive keep whatever they held: the caller writes all of it anew.
+template <class Map>
+void load_slots(Reader& in, Map& map) {
+    StateAccess::slots(map, [&](auto& slots, int& free_head, std::size_t& free, int& size) {
+        const std::size_t count = in.count(sizeof(std::uint32_t));
+        if (!in.require(count <= static_cast<std::size_t>(Map::kMaxSlots), "there are too many slots"))
+            return;
+        slots.resize(count);
+        size = 0;
+        constexpr int kUnlisted = -2;
+        const std::byte* at = in.take(count * sizeof(std::uint32_t));
+        if (at == nullptr) return;
+        for (auto& slot : slots) {
+            std::uint32_t word = 0;
+            at = get(at, word, in.reading);
+            slot.alive = (word & kAliveBit) != 0;
+            slot.generation = word & ~kAliveBit;
+            slot.next_free = kUnlisted;
+            in.reading.bad |= slot.generation > Map::kMaxGeneration;
+            size += slot.alive ? 1 : 0;
+            if (!slot.alive) slot.value = {};
+        }
+        in.require(!in.reading.bad, "a slot was used more often than slots are");
+        free = in.count(sizeof(int));
+        free_head = kNone;
+        int* link = &free_head;
+        for (std::size_t i = 0; i < free; ++i) {
+            int next = kNone;
+            in.value(next);
+            const bool is_free = next >= 0 && next < static_cast<int>(count) &&
+                                 !slots[static_cast<std::size_t>(next)].alive &&
+                                 slots[static_cast<std::size_t>(next)].next_free == kUnlisted;
+            if (!in.require(is_free, "the list of free slots names one that is not free")) return;
+            *link = next;
+            link = &slots[static_cast<std::size_t>(next)].next_free;
+            *link = kNone;
+        }
+    });
+}
+
+/// Whether an index names an object.
+template <class Map>
+bool names(const Map& map, int index) {
+    return index >= 0 && index < map.end_index() && map.alive(index);
+}
+
+}  // namespace cairn::physics
