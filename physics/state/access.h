@@ -79,11 +79,20 @@ struct StateAccess {
         return use(pins, drives, h_s, springs_changed, dt_s);
     }
 
-    /// use(blocks, anchors, links, free blocks, chains, is arranged). The order follows from the chains.
+    /// use(blocks, anchors, links, free blocks, chains).
     template <class Pool, class Use>
     static auto pool(Pool& pool, Use&& use) {
         auto& [blocks, anchors, links, free, chains, is_arranged, order, ranges, used, used_count] = pool;
-        return use(blocks, anchors, links, free, chains, is_arranged);
+        return use(blocks, anchors, links, free, chains);
+    }
+
+    /// Nothing is in order until the next step has looked at the chains.
+    template <class Pool>
+    static void disarrange(Pool& pool) {
+        pool.is_arranged_ = false;
+        pool.order_.clear();
+        pool.ranges_.fill(0);
+        pool.used_count_ = 0;
     }
 };
 

@@ -9,7 +9,7 @@ namespace cairn::physics {
 namespace {
 
 // Flags that mean nothing between steps: groups that are solved directly are chosen anew in each.
-constexpr std::uint32_t kKeptFlags = ~place_flag::kDirect;
+constexpr std::uint32_t kKeptFlags = place_flag::kFast | place_flag::kTurnsFar | place_flag::kBoxesMoved;
 
 constexpr std::size_t kBodyBytes =
     packed_size<BodyRecord>() + packed_size<Place>() + packed_size<MassLedger::Entry>();
@@ -52,6 +52,9 @@ void load_rows(Reader& in, BodyRows& rows) {
         column.resize(count);
         in.all(std::span(column));
     };
+    const auto all_finite = [](const auto& column) {
+        return std::all_of(column.begin(), column.end(), [](const auto& x) { return is_finite(x); });
+    };
     read(moved);
     read(rotation_before);
     read(velocity);
@@ -65,6 +68,9 @@ void load_rows(Reader& in, BodyRows& rows) {
         force.assign(count, {});
         torque.assign(count, 0);
     }
+    in.require(all_finite(moved) && all_finite(velocity) && all_finite(spin) && all_finite(force) &&
+                   all_finite(torque),
+               "a body moves infinitely fast or far");
     in.settle();
 }
 
@@ -88,11 +94,20 @@ void take_rows(Reader& in, BodyStore& bodies, RowSet set) {
 }
 
 bool is_sound(const BodyRecord& body, const Place& place) {
+    const auto bounded = [](float x) { return x >= 0 && std::isfinite(x); };
+    const bool extents = body.extent_m >= 0 && body.extent_m <= kMostExtent_m &&
+                         body.turn_arm_m <= kMostExtent_m && body.inner_radius_m >= 0;
+    const bool motion = bounded(body.linear_damping_1_s) && bounded(body.angular_damping_1_s) &&
+                        std::isfinite(body.gravity_scale) && bounded(body.sleep_speed_m_s) &&
+                        bounded(body.joint_inertia);
+    if (!extents || !motion) return false;
     const bool can_be_moved = body.type == BodyType::Dynamic;
     const bool masses = body.inverse_mass >= 0 && std::isfinite(body.inverse_mass) &&
                         body.inverse_inertia >= 0 && std::isfinite(body.inverse_inertia);
     const bool moved = body.inverse_mass > 0 || body.inverse_inertia > 0;
-    return masses && (can_be_moved || !moved) && is_finite(place.center);
+    const float turned = place.rotation.c * place.rotation.c + place.rotation.s * place.rotation.s;
+    if (!(std::fabs(turned - 1) < 1e-3f) || !is_within_reach(body.mass.center_m)) return false;
+    return masses && (can_be_moved || !moved) && is_finite(place.center) && (place.flags & ~kKeptFlags) == 0;
 }
 
 // Rings: each sleeper is followed by one, and follows one.
@@ -141,17 +156,25 @@ void load_bodies(Reader& in, RestoreSpace& to) {
     const std::byte* at = in.take(static_cast<std::size_t>(bodies.slots.size()) * kBodyBytes);
     if (at == nullptr) return;
     const auto slots = static_cast<std::size_t>(bodies.slots.end_index());
-    bodies.places.assign(slots, Place{});
-    stores.masses.entries.assign(slots, {});
+    bodies.places.resize(slots);
+    stores.masses.entries.resize(slots);
+    if (slots > static_cast<std::size_t>(bodies.slots.size())) {  // places of bodies that are gone
+        std::fill(bodies.places.begin(), bodies.places.end(), Place{});
+        std::fill(stores.masses.entries.begin(), stores.masses.entries.end(), MassLedger::Entry{});
+    }
+    static const BodyRecord kUnread;
     bool sound = true;
+    Reading reading;
     for_each_alive(bodies.slots, [&](int body, BodyRecord& record) {
         const auto slot = static_cast<std::size_t>(body);
-        record = {};
-        at = get(at, record, in.reading);
-        at = get(at, bodies.places[slot], in.reading);
-        at = get(at, stores.masses.entries[slot], in.reading);
+        record = kUnread;
+        at = get(at, record, reading);
+        at = get(at, bodies.places[slot], reading);
+        stores.masses.entries[slot].is_listed = false;
+        at = get(at, stores.masses.entries[slot], reading);
         sound &= is_sound(record, bodies.places[slot]);
     });
+    in.reading.bad |= reading.bad;
     in.settle();
     in.require(sound, "a body is at no place in the world, or has a mass that no body has");
 

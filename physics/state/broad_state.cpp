@@ -51,6 +51,17 @@ void save_tree(const BoxTree& tree, Writer& out) {
         });
 }
 
+// Whoever walks down a tree enters every child whose box is met: it must be there, and all of it in the box.
+bool enclose(const std::vector<BoxGroup>& nodes, const std::vector<BoxGroup>& children) {
+    for (std::size_t child = 0; child < kGroupSize * nodes.size(); ++child) {
+        const Aabb box = nodes[child / kGroupSize].box(static_cast<int>(child % kGroupSize));
+        const bool fits = child < children.size() ? contains(box, bounds(children[child]))
+                                                  : box.lower == Aabb{}.lower && box.upper == Aabb{}.upper;
+        if (!fits) return false;
+    }
+    return true;
+}
+
 void load_tree(Reader& in, Stores& stores, Layer layer, BoxTree& tree) {
     StateAccess::tree(tree, [&](auto& levels, int& level_count, auto& items, auto& places, int& end,
                                 int& live, int& disorder) {
@@ -86,6 +97,8 @@ void load_tree(Reader& in, Stores& stores, Layer layer, BoxTree& tree) {
             levels[level].resize(nodes);
             for (BoxGroup& group : levels[level]) at = get_group(at, group, in.reading);
             level_count = static_cast<int>(level) + 1;
+            in.require(enclose(levels[level], levels[level - 1]),
+                       "a node of a tree does not hold its children");
         });
     });
 }

@@ -24,6 +24,7 @@
 #include "base/aabb.h"
 #include "base/check.h"
 #include "state/fields.h"
+#include "world/features.h"
 
 namespace cairn::physics {
 
@@ -152,7 +153,7 @@ std::byte* put(std::byte* at, const std::variant<T...>& value) {
 }
 
 template <class T>
-std::byte* put(std::byte* at, const T& value) {
+[[gnu::always_inline]] inline std::byte* put(std::byte* at, const T& value) {
     if constexpr (kIsPlain<T>) {
         std::memcpy(at, &value, sizeof value);
         return at + sizeof value;
@@ -160,7 +161,9 @@ std::byte* put(std::byte* at, const T& value) {
         *at = static_cast<std::byte>(value);
         return at + 1;
     } else {
-        fields(value, [&](const auto&... field) { ((at = put(at, field)), ...); });
+        fields(
+            value, [&](const auto&... field)
+                       __attribute__((always_inline)) { ((at = put(at, field)), ...); });
         return at;
     }
 }
@@ -191,6 +194,11 @@ class Writer {
     void value(const T& value) {
         end(put(room(packed_size<T>()), value));
     }
+    void bytes(std::span<const std::byte> bytes) {
+        std::byte* const at = room(bytes.size());
+        if (!bytes.empty()) std::memcpy(at, bytes.data(), bytes.size());
+        end(at + bytes.size());
+    }
     void count(std::size_t n) { value(static_cast<std::uint32_t>(n)); }
     /// Their number, then they themselves.
     template <class T>
@@ -216,6 +224,28 @@ class Writer {
 
     Snapshot& snapshot_;
 };
+
+/// Not 0 when something that is written differs, in any bit.
+template <class T>
+std::uint32_t differing_bits(const T& a, const T& b) {
+    if constexpr (kIsPlain<T>) {
+        using Word = std::conditional_t<sizeof(T) % sizeof(std::uint32_t) == 0, std::uint32_t, std::uint8_t>;
+        const auto words_a = std::bit_cast<std::array<Word, sizeof(T) / sizeof(Word)>>(a);
+        const auto words_b = std::bit_cast<std::array<Word, sizeof(T) / sizeof(Word)>>(b);
+        std::uint32_t bits = 0;
+        for (std::size_t i = 0; i < words_a.size(); ++i)
+            bits |= static_cast<std::uint32_t>(words_a[i] ^ words_b[i]);
+        return bits;
+    } else if constexpr (std::is_same_v<T, bool> || std::is_enum_v<T>) {
+        return a != b ? 1 : 0;
+    } else {
+        std::uint32_t bits = 0;
+        fields(a, [&](const auto&... of_a) {
+            fields(b, [&](const auto&... of_b) { bits = (differing_bits(of_a, of_b) | ... | 0u); });
+        });
+        return bits;
+    }
+}
 
 // Reading. What the bytes hold may be nonsense: what is found wrong is kept in a flag, so that loops need not
 // branch, and told by name where a reader looks at the flag.
@@ -264,7 +294,7 @@ const std::byte* get(const std::byte* at, std::optional<T>& value, Reading& read
 }
 
 template <class T>
-const std::byte* get(const std::byte* at, T& value, Reading& reading) {
+[[gnu::always_inline]] inline const std::byte* get(const std::byte* at, T& value, Reading& reading) {
     if constexpr (kIsPlain<T>) {
         std::memcpy(&value, at, sizeof value);
         using Scalar = typename ScalarOf<T>::Type;
@@ -286,7 +316,9 @@ const std::byte* get(const std::byte* at, T& value, Reading& reading) {
         value = static_cast<T>(byte < kEnd<T> ? byte : 0);
         return at + 1;
     } else {
-        fields(value, [&](auto&... field) { ((at = get(at, field, reading)), ...); });
+        fields(
+            value, [&](auto&... field)
+                       __attribute__((always_inline)) { ((at = get(at, field, reading)), ...); });
         return at;
     }
 }
@@ -294,8 +326,9 @@ const std::byte* get(const std::byte* at, T& value, Reading& reading) {
 /// Walks over bytes that may be damaged. After a fault nothing is read any more, and counts are 0.
 class Reader {
   public:
-    Reader(std::span<const std::byte> bytes, std::size_t at, std::uint16_t world_tag)
-        : bytes_(bytes), at_(at) {
+    /// `name` is what the bytes are, for errors.
+    Reader(std::span<const std::byte> bytes, std::size_t at, std::uint16_t world_tag, const char* name)
+        : bytes_(bytes), at_(at), name_(name) {
         reading.world_tag = world_tag;
     }
 
@@ -310,7 +343,7 @@ class Reader {
     /// The first fault is kept.
     void fail(const std::string& what) {
         if (fault_) return;
-        fault_ = Error{"the snapshot is damaged: " + std::string(section_) + ", before byte " +
+        fault_ = Error{"the " + std::string(name_) + " is damaged: " + section_ + ", before byte " +
                        std::to_string(at_) + ": " + what};
         at_ = bytes_.size();
     }
@@ -318,6 +351,10 @@ class Reader {
     bool require(bool holds, const char* what) {
         if (!holds) fail(what);
         return ok();
+    }
+    void require_built_in(Feature feature, bool used) {
+        if (check::Fault fault = physics::require_built_in(feature, used); fault && ok())
+            fault_ = std::move(fault);
     }
     /// Tells what values that were read since the last call were wrong in themselves.
     bool settle() {
@@ -380,6 +417,7 @@ class Reader {
   private:
     std::span<const std::byte> bytes_;
     std::size_t at_;
+    const char* name_;
     const char* section_ = "";
     check::Fault fault_;
 };

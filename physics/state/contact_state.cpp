@@ -6,6 +6,8 @@
 // their chains, which is the order of the passes; their numbers are not part of the state.
 #include <algorithm>
 
+#include <cairn/physics/tuning.h>
+
 #include "state/sections.h"
 #include "state/slots.h"
 #include "world/contact_lists.h"
@@ -22,17 +24,20 @@ constexpr std::size_t kLaneRow = sizeof(IntLanes);
 
 constexpr int kBoxRows = 8;
 static_assert(sizeof(BoxLanes) == kBoxRows * kLaneRow);
-constexpr int kBits = 3;  // of lanes: reports, impacts, remembers
+constexpr int kBits = 3;  // bytes of bits by lane: reports, impacts, remembers
 
 // Contact, two shapes, boxes, reaches.
 constexpr std::size_t kNearBytes = (3 + kBoxRows + 1) * kLaneRow + kBits;
 // Contact, two shapes, boxes, two features, two impulses, that of friction.
-constexpr std::size_t kColoredBytes = (3 + kBoxRows + 5) * kLaneRow + kBits;
+constexpr std::size_t kColoredBytes = (3 + kBoxRows + 5) * kLaneRow + kBits + 1;  // and who touches
 
 struct UnlistedContact {
     std::int32_t shape_a = kNone;
     std::int32_t shape_b = kNone;
 };
+
+// m. For points that do not touch: more than the slop.
+constexpr float kApart_m = 1;
 
 constexpr unsigned lanes_below(int used) {
     return (1u << used) - 1;
@@ -91,6 +96,17 @@ void save_near(const ContactLanes& lanes, Writer& out) {
     });
 }
 
+// Of separations only this is asked between steps: whether they are so small that the two touch.
+std::uint8_t touching_lanes(const ContactBlock& block, int used) {
+    unsigned touching = 0;
+    for (int i = 0; i < used; ++i) {
+        const auto lane = static_cast<std::size_t>(i);
+        const float gap = std::min(block.points[0].separation[lane], block.points[1].separation[lane]);
+        touching |= (gap < tuning::kLinearSlop_m ? 1u : 0u) << i;
+    }
+    return static_cast<std::uint8_t>(touching);
+}
+
 void save_colored(const ContactLanes& lanes, Writer& out) {
     StateAccess::colored(lanes, [&](const auto& pairs, const auto& links, const auto& blocks, const auto&,
                                     const auto& chains, const auto&) {
@@ -115,6 +131,7 @@ void save_colored(const ContactLanes& lanes, Writer& out) {
                 for (const ContactBlockPoint& point : blocks[i].points)
                     at = put_lanes(at, point.impulse, lanes_used, 0.0f);
                 at = put_lanes(at, blocks[i].friction_impulse, lanes_used, 0.0f);
+                at = put(at, touching_lanes(blocks[i], lanes_used));
             }
             out.end(at);
         }
@@ -124,10 +141,9 @@ void save_colored(const ContactLanes& lanes, Writer& out) {
 // Lanes of colours have memories of their own. That of the record is then what it was when the contact came
 // into its lane, and still the first guess for one that parts and meets again within a step.
 bool remembers(const ContactRecord& contact) {
-    const ContactMemory& memory = contact.memory;
-    const ContactMemory nothing;
-    return memory.features != nothing.features || memory.impulse != nothing.impulse ||
-           memory.friction_impulse != nothing.friction_impulse;
+    const auto& [features, impulse, friction_impulse] = contact.memory;
+    return features[0] != kNoFeature || features[1] != kNoFeature || !(impulse[0] == 0) ||
+           !(impulse[1] == 0) || !(friction_impulse == 0);
 }
 
 void save_memories(const ContactStore& contacts, Writer& out) {
@@ -190,6 +206,8 @@ class Placing {
     }
 
     bool place_lanes(PairBlock& pairs, int used, int bucket, int first_lane) {
+        const unsigned bits = static_cast<unsigned>(pairs.reports | pairs.impacts | pairs.remembers);
+        if (!in_.require(bits <= lanes_below(used), kMisplaced)) return false;
         for (int i = 0; i < used; ++i) {
             const auto lane = static_cast<std::size_t>(i);
             const ContactRecord* record =
@@ -282,7 +300,7 @@ class Placing {
         if (at == nullptr || !in_.require(count > 0, "a colour of contacts is empty")) return;
         const std::size_t first = pairs.size();
         pairs.resize(first + length);
-        blocks.resize(first + length, empty_block());
+        if (blocks.size() < first + length) blocks.resize(first + length);
         links.resize(first + length);
         chain = {static_cast<int>(first), static_cast<int>(first + length) - 1};
         for (std::size_t i = 0; i < length; ++i) {
@@ -294,22 +312,16 @@ class Placing {
             for (IntLanes& features : pair_block.features) at = get(at, features, in_.reading);
             for (ContactBlockPoint& point : contact_block.points) at = get(at, point.impulse, in_.reading);
             at = get(at, contact_block.friction_impulse, in_.reading);
+            std::uint8_t touching = 0;
+            at = get(at, touching, in_.reading);
+            for (int lane = 0; lane < kLanes; ++lane)
+                contact_block.points[0].separation[static_cast<std::size_t>(lane)] =
+                    (touching >> lane & 1) != 0 ? 0.0f : kApart_m;
+            contact_block.points[1].separation.fill(kApart_m);
             links[first + i] = {bucket, used, i > 0 ? block - 1 : kNone, i + 1 < length ? block + 1 : kNone};
             if (!place_lanes(pair_block, used, bucket, block * kLanes)) return;
             for (int lane = 0; lane < used; ++lane) color(bucket, pair_block, lane, contact_block);
         }
-    }
-
-    static const ContactBlock& empty_block() {
-        static const ContactBlock empty = [] {
-            ContactBlock block{};
-            for (ContactBlockPoint& point : block.points) {
-                point.start_separation.fill(1);
-                point.separation.fill(1);
-            }
-            return block;
-        }();
-        return empty;
     }
 
     // Marks the colour of the bodies, in which nobody else may be, and takes the friction from the record.
@@ -362,16 +374,19 @@ void save_contacts(const ContactStore& contacts, Writer& out) {
 }
 
 void load_contacts(Reader& in, ContactStore& contacts) {
+    // Copied whole: made field by field at its place, the processor would wait for the halves of its words.
+    static const ContactRecord kUnread{.bucket = kUnplaced};
     in.begin("contacts");
     load_slots(in, contacts.slots);
     const std::byte* at =
         in.take(static_cast<std::size_t>(contacts.slots.size()) * packed_size<ContactRecord>());
     if (at == nullptr) return;
+    Reading reading;
     for_each_alive(contacts.slots, [&](int, ContactRecord& record) {
-        record = {};
-        record.bucket = kUnplaced;
-        at = get(at, record, in.reading);
+        record = kUnread;
+        at = get(at, record, reading);
     });
+    in.reading.bad |= reading.bad;
     if (in.settle()) load_memories(in, contacts);
 }
 

@@ -84,7 +84,7 @@ void load_list(Reader& in, JointStore& joints, ActiveList<kPlace>& active_list, 
 template <class Block>
 void save_pool(const JointPool<Block>& pool, Writer& out) {
     StateAccess::pool(pool, [&](const auto& blocks, const auto& anchors, const auto& links, const auto&,
-                                const auto& chains, bool) {
+                                const auto& chains) {
         const auto used = std::count_if(chains.begin(), chains.end(),
                                         [](const auto& chain) { return chain.first != kNone; });
         out.count(static_cast<std::size_t>(used));
@@ -113,14 +113,12 @@ class Seating {
 
     template <class Block>
     void load_pool(JointPool<Block>& pool, bool drives) {
-        StateAccess::pool(pool, [&](auto& blocks, auto& anchors, auto& links, auto& free, auto& chains,
-                                    bool& is_arranged) {
+        StateAccess::pool(pool, [&](auto& blocks, auto& anchors, auto& links, auto& free, auto& chains) {
             blocks.clear();
             anchors.clear();
             links.clear();
             free.clear();
             chains.fill({});
-            is_arranged = false;
             const std::size_t buckets = in_.count(2 * sizeof(std::uint32_t));
             for (std::size_t i = 0; i < buckets && in_.ok(); ++i) {
                 std::uint32_t bucket = 0;
@@ -147,7 +145,8 @@ class Seating {
             }
             free.reserve(blocks.capacity());
         });
-        if (in_.settle()) pool.arrange();
+        StateAccess::disarrange(pool);
+        in_.settle();
     }
 
   private:
@@ -166,6 +165,7 @@ class Seating {
     void seat(const AnchorBlock& anchors, int used, int block, std::int16_t bucket, bool drives) {
         const std::uint32_t bit = 1u << joint_color(bucket);
         const bool both = joint_block_kind(bucket) == JointBlockKind::TwoBodies;
+        in_.require(anchors.breakable < 1u << used, "a joint can break in a lane that is not used");
         for (int i = 0; i < kLanes; ++i) {
             const auto lane = static_cast<std::size_t>(i);
             const int joint = anchors.joint[lane];
@@ -214,6 +214,7 @@ void save_joints(const JointStore& joints, Writer& out) {
 void load_joints(Reader& in, JointStore& joints) {
     in.begin("joints");
     load_slots(in, joints.slots);
+    in.require_built_in(Feature::Joints, joints.slots.size() > 0);
     if (!in.ok()) return;
     for_each_alive(joints.slots, [&](int, JointRecord& record) {
         if (!in.ok()) return;

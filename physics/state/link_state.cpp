@@ -1,6 +1,8 @@
 // What bodies have, as bytes: for each body that is alive a byte that tells which lists it has, then these,
 // item by item, the last one marked. Reading links the records anew, so no list can run in a circle or meet
 // another, whatever the bytes say.
+#include <cstring>
+
 #include "state/sections.h"
 #include "state/slots.h"
 
@@ -33,10 +35,12 @@ auto along_edges(const Records& records) {
 template <class Take>
 bool for_each_listed(Reader& in, const Take& take) {
     for (bool last = false; !last;) {
-        std::uint32_t word = kLastBit;
-        in.value(word);
+        const std::byte* const at = in.take(sizeof(std::uint32_t));
+        if (at == nullptr) return false;
+        std::uint32_t word = 0;
+        std::memcpy(&word, at, sizeof word);
         last = (word & kLastBit) != 0;
-        if (!in.ok() || !take(static_cast<int>(word & ~kLastBit))) return false;
+        if (!take(static_cast<int>(word & ~kLastBit))) return false;
     }
     return true;
 }

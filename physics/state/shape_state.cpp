@@ -1,7 +1,6 @@
 // Shapes as bytes: those that are made as the shape before them take a byte and their box. Then what refers
 // to them: chains, sensors, bodies that break, and the rules for materials.
 #include <algorithm>
-#include <cstring>
 
 #include "state/sections.h"
 #include "state/slots.h"
@@ -11,16 +10,6 @@ namespace cairn::physics {
 namespace {
 
 constexpr std::size_t kMakeBytes = packed_size<ShapeRecord>();
-
-// Equal in all that is written, bit for bit.
-template <class T>
-bool same_bits(const T& a, const T& b) {
-    std::array<std::byte, packed_size<T>()> bytes_a;
-    std::array<std::byte, packed_size<T>()> bytes_b;
-    put(bytes_a.data(), a);
-    put(bytes_b.data(), b);
-    return std::memcmp(bytes_a.data(), bytes_b.data(), bytes_a.size()) == 0;
-}
 
 bool is_sound(const Convex& convex) {
     const int count = convex.count();
@@ -39,15 +28,15 @@ bool is_sound(const Convex& convex) {
 }
 
 bool is_sound(const ShapeRecord& shape) {
-    const auto finite = [](std::span<const Vec2> points) {
-        return std::all_of(points.begin(), points.end(), [](Vec2 p) { return is_finite(p); });
+    const auto within = [](std::span<const Vec2> points) {
+        return std::all_of(points.begin(), points.end(), [](Vec2 p) { return is_within_reach(p); });
     };
     const int kind = shape.def.material.kind;
     return is_sound(shape.convex) && kind >= 0 && kind < kMaterialKinds && shape.convex.radius() >= 0 &&
-           is_finite(shape.convex.radius()) && finite(shape.convex.outline.points_m) &&
-           finite(shape.convex.normals) && is_finite(shape.convex.centroid) &&
-           is_finite(shape.convex.half_size) && is_finite(shape.def.one_way_normal) &&
-           is_finite(shape.margin_m) && shape.margin_m >= 0;
+           shape.convex.radius() <= kMostExtent_m && within(shape.convex.outline.points_m) &&
+           within(shape.convex.normals) && is_within_reach(shape.convex.centroid) &&
+           is_within_reach(shape.convex.half_size) && is_finite(shape.def.one_way_normal) &&
+           shape.margin_m <= kMostExtent_m && shape.margin_m >= 0;
 }
 
 void save_records(const Stores& stores, Writer& out) {
@@ -55,7 +44,7 @@ void save_records(const Stores& stores, Writer& out) {
     std::byte* at = out.room(count * (1 + kMakeBytes + sizeof(Aabb)));
     const ShapeRecord* last = nullptr;
     for_each_alive(stores.shapes, [&](int shape, const ShapeRecord& record) {
-        const bool is_new = last == nullptr || !same_bits(*last, record);
+        const bool is_new = last == nullptr || differing_bits(*last, record) != 0;
         at = put(at, is_new);
         if (is_new) at = put(at, record);
         at = put(at, stores.fat_boxes[static_cast<std::size_t>(shape)]);
@@ -66,23 +55,40 @@ void save_records(const Stores& stores, Writer& out) {
 
 void load_records(Reader& in, Stores& stores) {
     stores.fat_boxes.resize(static_cast<std::size_t>(stores.shapes.end_index()));
+    constexpr std::size_t kLeast = 1 + sizeof(Aabb);
     const ShapeRecord* last = nullptr;
+    const std::byte* at = in.rest().data();
+    std::size_t left = in.rest().size();
+    Reading reading;
     for_each_alive(stores.shapes, [&](int shape, ShapeRecord& record) {
-        bool is_new = false;
-        in.value(is_new);
+        if (!in.ok()) return;
+        const bool is_new = left > 0 && *at != std::byte{0};
+        const std::size_t size = kLeast + (is_new ? kMakeBytes : 0);
+        if (!in.require(size <= left, "it ends in the middle of the shapes")) return;
+        left -= size;
+        ++at;
         if (is_new) {
             record = {};
-            in.value(record);
-            if (!in.settle()) return;
-            if (!in.require(is_sound(record), "a shape has points, a radius or a material that no shape has"))
+            at = get(at, record, reading);
+            if (!in.require(is_sound(record), "a shape has points, a radius or a material that none has"))
                 return;
-        } else if (in.require(last != nullptr, "the first shape is as one before it")) {
+        } else {
+            if (!in.require(last != nullptr, "the first shape is as one before it")) return;
             record = *last;
             record.body = kNone;
         }
-        in.value(stores.fat_boxes[static_cast<std::size_t>(shape)]);
+        Aabb& box = stores.fat_boxes[static_cast<std::size_t>(shape)];
+        at = get(at, box, reading);
+        const bool is_somewhere = box.lower.x <= box.upper.x && box.lower.y <= box.upper.y;
+        const bool is_everywhere = !is_finite(box.lower) && !is_finite(box.upper);
+        if (!in.require(record.def.sensor || (is_somewhere && !is_everywhere),
+                        "a shape has a box that is nowhere or everywhere"))
+            return;
         last = &record;
     });
+    if (!in.ok()) return;
+    in.end(at);
+    in.reading.bad |= reading.bad;
     in.settle();
 }
 
@@ -125,6 +131,7 @@ void load_chain(Reader& in, Stores& stores, int index, ChainRecord& chain) {
 void load_chains(Reader& in, Stores& stores) {
     in.begin("chains");
     load_slots(in, stores.chains);
+    in.require_built_in(Feature::Chains, stores.chains.size() > 0);
     if (!in.ok()) return;
     for_each_alive(stores.chains, [&](int index, ChainRecord& chain) {
         if (in.ok()) load_chain(in, stores, index, chain);
@@ -150,6 +157,7 @@ void load_sensors(Reader& in, Stores& stores) {
     in.begin("sensors");
     in.value(stores.sensors.outdated);
     stores.sensors.all.resize(in.count(3 * sizeof(int)));
+    in.require_built_in(Feature::Sensors, !stores.sensors.all.empty());
     int place = 0;
     for (auto& [shape, inside, bodies] : stores.sensors.all) {
         in.value(shape);
@@ -170,6 +178,7 @@ void load_sensors(Reader& in, Stores& stores) {
 void load_breakables(Reader& in, Stores& stores) {
     in.begin("breakable bodies");
     in.list(stores.breakables);
+    in.require_built_in(Feature::Fracture, !stores.breakables.empty());
     if (!in.settle()) return;
     int place = 0;
     for (const auto& [body, def] : stores.breakables) {

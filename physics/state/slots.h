@@ -7,6 +7,13 @@
 
 namespace cairn::physics {
 
+/// m. No geometry is larger, with room to spare; numbers beyond it would make boxes infinite.
+inline constexpr float kMostExtent_m = 1e7f;
+
+inline bool is_within_reach(Vec2 point) {
+    return std::fabs(point.x) <= kMostExtent_m && std::fabs(point.y) <= kMostExtent_m;
+}
+
 inline constexpr std::uint32_t kAliveBit = 0x80000000u;
 
 template <class Map>

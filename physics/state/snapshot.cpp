@@ -104,7 +104,7 @@ Result<void> World::restore(std::span<const std::byte> bytes) {
     if (auto fault = refuse_within_step(*state_)) return *fault;
     if (auto fault = validate_frame(bytes, kSnapshot)) return *fault;
     if (!state_->restore_space) state_->restore_space = std::make_unique<RestoreSpace>(tag());
-    Reader in(bytes, kFrameBytes, tag());
+    Reader in(bytes, kFrameBytes, tag(), kSnapshot.name);
     load(in, *state_->restore_space);
     if (in.fault()) return *in.fault();
     take_over(*state_, *state_->restore_space);

@@ -31,6 +31,20 @@ int set_body_field(lua_State* L) {
     return 0;
 }
 
+/// The value on top of the stack is that of the body. A value that had the handle before is of a body that a
+/// restore undid: it names nothing any more. Nobody else looks into that table: what is still in it depends
+/// on when garbage was collected.
+void know_body(lua_State* L, int world_index, physics::BodyId id) {
+    const auto key = static_cast<lua_Integer>(id.bits());
+    push_world_table(L, world_index, WorldTable::Known);
+    lua_rawgeti(L, -1, key);
+    if (auto* undone = object_at<BodyObject>(L, -1)) undone->id = {};
+    lua_pop(L, 1);
+    lua_pushvalue(L, -2);
+    lua_rawseti(L, -2, key);
+    lua_pop(L, 1);
+}
+
 template <class Object>
 Object& checked_object(lua_State* L, int index) {
     Object* object = object_at<Object>(L, index);
@@ -169,7 +183,23 @@ void push_new_body(lua_State* L, int world_index, WorldObject& world, physics::B
     lua_pushvalue(L, -2);
     lua_rawseti(L, -2, static_cast<lua_Integer>(id.index1));
     lua_pop(L, 1);
+    know_body(L, world_index, id);
     lua_remove(L, data);
+}
+
+void revive_body(lua_State* L, int world_index, WorldObject& world, physics::BodyId id) {
+    const auto* known = object_at<BodyObject>(L, -1);
+    if (known == nullptr || known->world != &world || !(known->id == id)) {
+        lua_pop(L, 1);
+        lua_newtable(L);
+        push_new_body(L, world_index, world, id);
+    } else {
+        push_world_table(L, world_index, WorldTable::Bodies);
+        lua_pushvalue(L, -2);
+        lua_rawseti(L, -2, static_cast<lua_Integer>(id.index1));
+        lua_pop(L, 1);
+    }
+    lua_pop(L, 1);
 }
 
 void push_body(lua_State* L, int world_index, physics::BodyId id) {

@@ -22,6 +22,7 @@ struct WorldObject : ObjectHeader {
     int steps_with_retired = 0;           ///< for how many more steps the tables of retired bodies matter
     physics::BodyId ground{};             ///< what world:ground() gave last
     std::set<std::uint64_t> warned{};     ///< handle bits of bodies that the log has called halted
+    physics::Snapshot last_snapshot{};    ///< kept for its memory
 };
 
 /// The Lua tables that a world keeps as user values.
@@ -34,8 +35,9 @@ enum class WorldTable {
     Joints,         ///< slot number -> Joint
     Cursors,        ///< list of EventCursor, for reuse
     BrokenJoints,   ///< handle bits -> Joint: those that broke in the last step
+    Known,  ///< handle bits -> Body: all that somebody still holds (weak), also of bodies that are gone
 };
-inline constexpr int kWorldTableCount = 7;
+inline constexpr int kWorldTableCount = 8;
 
 /// User value 1 is the world.
 struct BodyObject : ObjectHeader {
@@ -117,6 +119,9 @@ struct Argument<Maybe<T>> {
 
 /// Pushes the value of a new body; its data is the table on top of the stack, which is popped.
 void push_new_body(lua_State* L, int world_index, WorldObject& world, physics::BodyId id);
+/// After a restore: what is on top of the stack, which is popped, is the value of the living body if it ever
+/// was; else it gets a new one, with empty data.
+void revive_body(lua_State* L, int world_index, WorldObject& world, physics::BodyId id);
 /// Pushes the value of a body that lives, or lived until after the last step; nil for any other.
 void push_body(lua_State* L, int world_index, physics::BodyId id);
 void push_shape(lua_State* L, int world_index, WorldObject& world, physics::ShapeId id);

@@ -12,6 +12,7 @@
 #include "bind/physics_fields.h"
 #include "bind/physics_objects.h"
 #include "bind/report.h"
+#include "bind/snapshot.h"
 #include "bind/transforms.h"
 #include "bind/world_queries.h"
 #include "lua/state.h"
@@ -42,6 +43,12 @@ Pushed new_world(lua_State* L, std::optional<TableArgument> description) {
         lua_newtable(L);
         lua_setiuservalue(L, -2, table);
     }
+    lua_getiuservalue(L, -1, static_cast<int>(WorldTable::Known));
+    lua_newtable(L);
+    lua_pushliteral(L, "v");
+    lua_setfield(L, -2, "__mode");
+    lua_setmetatable(L, -2);
+    lua_pop(L, 1);
     lua_pushvalue(L, -1);
     object.reference = luaL_ref(L, LUA_REGISTRYINDEX);
     context.worlds.push_back(&object);
@@ -440,6 +447,22 @@ constexpr Function kWorldFunctions[] = {
         "from run to run. Costs about as much as the contacts of a step, and nothing when it is not called."),
     function<&set_profiling>("set_profiling", "enabled", "",
                              "Whether steps measure their stages for `world:report()`; off at first."),
+    function_pushing<&snapshot>(
+        "snapshot", "", "snapshot", kReturnsTable,
+        "All that decides the future of the world: a table with `bytes`, a string to save or to send, the "
+        "same "
+        "on every machine, and `bodies`, the list of the bodies that there are now. Data of bodies and other "
+        "values of the script are not part of it."),
+    function<&restore>("restore", "snapshot", "",
+                       "Puts the world into the state of a snapshot, its own or another world's, as if all "
+                       "since then had not "
+                       "happened; from there it goes on exactly as it did. Takes what `world:snapshot()` "
+                       "gave, or its `bytes` "
+                       "alone. Bodies are the same values as before and keep their `data`. One that was "
+                       "destroyed since comes "
+                       "back; with the bytes alone it is a new value with an empty table. One that was made "
+                       "since is destroyed. "
+                       "Bytes that are damaged or of another version are an error, and nothing changes."),
     function<&destroy>("destroy", "", "", "Frees the world; its bodies become invalid."),
     function<&is_valid>("is_valid", "", "valid", "Whether the world was not destroyed."),
 };

@@ -803,6 +803,14 @@ function World:report() end
 ---@param enabled boolean
 function World:set_profiling(enabled) end
 
+---All that decides the future of the world: a table with `bytes`, a string to save or to send, the same on every machine, and `bodies`, the list of the bodies that there are now. Data of bodies and other values of the script are not part of it.
+---@return table snapshot
+function World:snapshot() end
+
+---Puts the world into the state of a snapshot, its own or another world's, as if all since then had not happened; from there it goes on exactly as it did. Takes what `world:snapshot()` gave, or its `bytes` alone. Bodies are the same values as before and keep their `data`. One that was destroyed since comes back; with the bytes alone it is a new value with an empty table. One that was made since is destroyed. Bytes that are damaged or of another version are an error, and nothing changes.
+---@param snapshot any
+function World:restore(snapshot) end
+
 ---Frees the world; its bodies become invalid.
 function World:destroy() end
 

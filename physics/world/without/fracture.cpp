@@ -1,6 +1,7 @@
 // Stands for fracture in a build without it: the world refuses to divide bodies and to make them breakable.
 #include "world/breakables.h"
 #include "world/features.h"
+#include "world/fracture_plan.h"
 
 namespace cairn::physics {
 
@@ -29,6 +30,9 @@ Result<std::vector<CutHit>> World::cuts_along(Position, Position, QueryFilter) c
     return absence(Feature::Fracture);
 }
 
+check::Fault validate(const BreakableDef&) {
+    return absence(Feature::Fracture);
+}
 void forget_breakable(Stores&, int) {}
 void find_overloads(const Stores&, const StepScratch&, Events&) {}
 void break_overloaded(WorldState&) {}

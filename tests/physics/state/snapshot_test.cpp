@@ -4,43 +4,14 @@
 #include <catch2/catch.hpp>
 #include <vector>
 
+#include "physics/state/state_bytes.h"
 #include "physics/state/state_scenes.h"
 #include "physics/support/allocation_counter.h"
-#include "state/checksum.h"
 
 namespace cairn::physics {
 namespace {
 
 using namespace test;
-
-using Bytes = std::vector<std::byte>;
-
-Bytes bytes_of(const World& world) {
-    const Snapshot snapshot = world.snapshot().value();
-    return {snapshot.bytes().begin(), snapshot.bytes().end()};
-}
-
-// The snapshots before each step.
-std::vector<Bytes> run(const Scene& scene, World& world, int steps) {
-    std::vector<Bytes> history;
-    scene.build(world);
-    for (int step = 0; step < steps; ++step) {
-        history.push_back(bytes_of(world));
-        scene.act(world, step);
-        world.step(kStep_s).value();
-    }
-    history.push_back(bytes_of(world));
-    return history;
-}
-
-// Bytes are long; what differs first is enough to know.
-std::string difference(const Bytes& a, const Bytes& b) {
-    if (a == b) return "none";
-    constexpr std::ptrdiff_t kFrame = 32;  // holds the checksum, which differs too
-    const auto [at, other] = std::mismatch(a.begin() + kFrame, a.end(), b.begin() + kFrame, b.end());
-    return "sizes " + std::to_string(a.size()) + " and " + std::to_string(b.size()) + ", first at byte " +
-           std::to_string(at - a.begin());
-}
 
 constexpr int kSteps = 150;
 
@@ -63,6 +34,200 @@ TEST_CASE("restored at every step, ten scenes go on as if nothing had happened")
             }
         }
     }
+}
+
+TEST_CASE("a restored world answers as the one did from which the snapshot was taken") {
+    for (const Scene& scene : state_scenes()) {
+        World original;
+        World other;
+        const std::vector<Bytes> history = run(scene, original, 90);
+        other.restore(history.back()).value();
+        INFO(scene.name);
+        CHECK(other.state_hash() == original.state_hash());
+        CHECK(listed(other.counts()) == listed(original.counts()));
+        CHECK(other.max_penetration_m() == original.max_penetration_m());
+        CHECK(other.step_count() == original.step_count());
+        CHECK(other.contact_begins().size() == original.contact_begins().size());
+        for (const BodyId id : original.bodies()) {
+            const Body a = *original.body(id);
+            const Body b = *other.body(other.own(id));
+            REQUIRE(a.transform().p == b.transform().p);
+            REQUIRE(a.interpolated_transform(0.5f).p == b.interpolated_transform(0.5f).p);
+            REQUIRE(a.shapes().size() == b.shapes().size());
+            REQUIRE(a.joints().size() == b.joints().size());
+            for (const JointId joint : a.joints()) {
+                const Vec2 force = original.joint(joint)->reaction_force();
+                REQUIRE(other.joint(other.own(joint))->reaction_force() == force);
+            }
+        }
+    }
+}
+
+TEST_CASE("a snapshot of one thread goes on as it did on two, and the other way round") {
+    for (const Scene& scene : state_scenes()) {
+        World alone;
+        const std::vector<Bytes> history = run(scene, alone, 120);
+        World together({.threads = 2});
+        together.restore(history[60]).value();
+        for (int step = 60; step < 120; ++step) {
+            scene.act(together, step);
+            together.step(kStep_s).value();
+        }
+        INFO(scene.name);
+        CHECK(difference(bytes_of(together), history.back()) == "none");
+        World back;
+        back.restore(bytes_of(together)).value();
+        CHECK(back.state_hash() == alone.state_hash());
+    }
+}
+
+TEST_CASE("back and forth between snapshots, and on with more bodies than there were") {
+    const Scene scene = state_scenes()[4];
+    World world;
+    const std::vector<Bytes> history = run(scene, world, kSteps);
+    for (const int from : {120, 3, 77, 76, 0, 149}) {
+        world.restore(history[static_cast<std::size_t>(from)]).value();
+        for (int step = from; step < kSteps; ++step) {
+            scene.act(world, step);
+            world.step(kStep_s).value();
+        }
+        INFO("from step " << from);
+        REQUIRE(difference(bytes_of(world), history.back()) == "none");
+    }
+}
+
+TEST_CASE("a world that slept at the snapshot sleeps on, and wakes as it would have") {
+    World world;
+    build_pyramid(world, 6);
+    run_for(world, 3);
+    REQUIRE(world.awake_body_count() == 0);
+    const Bytes asleep = bytes_of(world);
+    const auto disturb = [](World& w) {
+        w.body(w.bodies().back())->apply_impulse_to_center({2, 3}).value();
+        run_for(w, 1);
+        return bytes_of(w);
+    };
+    const Bytes expected = disturb(world);
+    world.restore(asleep).value();
+    CHECK(world.awake_body_count() == 0);
+    CHECK(difference(disturb(world), expected) == "none");
+}
+
+TEST_CASE("handles name the same things after a restore, and what was made since is gone") {
+    World world;
+    const BodyId ground = add_ground(world);
+    const BodyId box = add(world, {.position_m = {0, 1}, .user_data = 42}, Box{});
+    const Snapshot before = world.snapshot().value();
+    world.destroy_body(box).value();
+    const BodyId later = add(world, {.position_m = {5, 1}}, Circle{});
+    const BodyId last = add(world, {.position_m = {7, 1}}, Circle{});
+    world.restore(before.bytes()).value();
+    CHECK(world.contains(ground));
+    REQUIRE(world.contains(box));
+    CHECK(world.body(box)->user_data() == 42);
+    CHECK(!world.contains(later));
+    CHECK(!world.contains(last));
+
+    World other;
+    other.restore(before.bytes()).value();
+    CHECK(!other.contains(box));  // another world's handle
+    CHECK(other.body(other.own(box))->user_data() == 42);
+    CHECK(!other.own(BodyId{}));
+}
+
+TEST_CASE("the settings of the world are part of a snapshot, its threads and its filter are not") {
+    World world({.gravity_m_s2 = {1, -2}, .substeps = 7});
+    add(world, {}, Circle{});
+    World other({.threads = 2});
+    int asked = 0;
+    other.set_pair_filter(
+        {[](void* context, ShapeId, ShapeId) { return ++*static_cast<int*>(context), false; }, &asked});
+    other.restore(world.snapshot().value().bytes()).value();
+    CHECK(other.gravity() == Vec2{1, -2});
+    add(other, {}, Circle{});
+    other.step(kStep_s).value();
+    CHECK(asked == 1);
+}
+
+TEST_CASE("saving and restoring allocate nothing once they have warmed up") {
+    for (const Scene& scene : state_scenes()) {
+        World world;
+        run(scene, world, 60);
+        Snapshot snapshot;
+        for (int i = 0; i < 3; ++i) {
+            world.snapshot(snapshot).value();
+            world.restore(snapshot.bytes()).value();
+        }
+        INFO(scene.name);
+        const AllocationCounter counter;
+        world.snapshot(snapshot).value();
+        world.restore(snapshot.bytes()).value();
+        CHECK(counter.count() == 0);
+    }
+}
+
+TEST_CASE("a thousand stacked boxes take less than 700 bytes each") {
+    World world;
+    build_pyramid(world, 44);
+    run_for(world, 0.3);
+    const auto bodies = static_cast<std::size_t>(world.counts().bodies);
+    REQUIRE(world.awake_body_count() == 990);
+    CHECK(world.snapshot()->size() < 700 * bodies);
+}
+
+TEST_CASE("bytes that are no snapshot, or a damaged one, are refused with a reason and change nothing") {
+    World world;
+    build_joint_zoo(world);
+    run_for(world, 0.5);
+    const Bytes good = bytes_of(world);
+    run_for(world, 0.1);
+    const Bytes now = bytes_of(world);
+    const auto reason = [&](const Bytes& bytes) {
+        const Result<void> restored = world.restore(bytes);
+        REQUIRE(!restored);
+        REQUIRE(bytes_of(world) == now);
+        return restored.error().message;
+    };
+    CHECK(reason({}) == "the snapshot has 0 bytes, but must have at least 32");
+    CHECK_THAT(reason(Bytes(100)), Catch::StartsWith("the bytes are no snapshot"));
+    Bytes newer = good;
+    newer[8] = std::byte{9};
+    CHECK_THAT(reason(newer), Catch::StartsWith("the snapshot is of version 9, but must be of 1"));
+    Bytes longer = good;
+    longer.push_back({});
+    CHECK_THAT(reason(longer), Catch::Contains("but says that it has"));
+    for (std::size_t size = 0; size < good.size(); size += 97) {
+        REQUIRE_THAT(reason(Bytes(good.begin(), good.begin() + static_cast<std::ptrdiff_t>(size))),
+                     Catch::StartsWith("the snapshot has"));
+    }
+    for (std::size_t at = 32; at < good.size(); at += 61) {
+        Bytes flipped = good;
+        flipped[at] ^= std::byte{16};
+        REQUIRE(reason(flipped) == "the snapshot is damaged: its checksum is not that of its contents");
+    }
+}
+
+// With a checksum that fits, only looking at the contents can find out. Whatever they say: the world refuses
+// them, or it has a state in which it can go on.
+TEST_CASE("contents that are nonsense under a good checksum never do harm") {
+    Random random(5);
+    int refused = 0;
+    for (const Scene& scene : state_scenes()) {
+        World source;
+        const std::vector<Bytes> history = run(scene, source, 70);
+        World world;
+        for (int round = 0; round < 400; ++round) {
+            Bytes bytes = history[static_cast<std::size_t>(random.below(70))];
+            make_nonsense(bytes, random);
+            if (!world.restore(bytes)) {
+                ++refused;
+                continue;
+            }
+            for (int step = 0; step < 3; ++step) world.step(kStep_s).value();
+            static_cast<void>(world.state_hash());
+        }
+    }
+    CHECK(refused > 400);
 }
 
 }  // namespace cairn::physics
