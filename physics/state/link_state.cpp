@@ -34,15 +34,18 @@ auto along_edges(const Records& records) {
 // Calls take(item), which tells whether the item may stand there.
 template <class Take>
 bool for_each_listed(Reader& in, const Take& take) {
-    for (bool last = false; !last;) {
-        const std::byte* const at = in.take(sizeof(std::uint32_t));
-        if (at == nullptr) return false;
+    const std::span<const std::byte> rest = in.rest();
+    for (std::size_t at = 0; at + sizeof(std::uint32_t) <= rest.size();) {
         std::uint32_t word = 0;
-        std::memcpy(&word, at, sizeof word);
-        last = (word & kLastBit) != 0;
+        std::memcpy(&word, rest.data() + at, sizeof word);
+        at += sizeof word;
         if (!take(static_cast<int>(word & ~kLastBit))) return false;
+        if ((word & kLastBit) == 0) continue;
+        in.end(rest.data() + at);
+        return true;
     }
-    return true;
+    in.fail("it ends in the middle of a list");
+    return false;
 }
 
 class Linking {

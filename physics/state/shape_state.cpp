@@ -53,7 +53,14 @@ void save_records(const Stores& stores, Writer& out) {
     out.end(at);
 }
 
-void load_records(Reader& in, Stores& stores) {
+// Shapes that something else must name.
+struct Expected {
+    std::size_t segments = 0;  // of chains
+    std::size_t sensors = 0;
+};
+
+Expected load_records(Reader& in, Stores& stores) {
+    Expected expected;
     stores.fat_boxes.resize(static_cast<std::size_t>(stores.shapes.end_index()));
     constexpr std::size_t kLeast = 1 + sizeof(Aabb);
     const ShapeRecord* last = nullptr;
@@ -84,12 +91,15 @@ void load_records(Reader& in, Stores& stores) {
         if (!in.require(record.def.sensor || (is_somewhere && !is_everywhere),
                         "a shape has a box that is nowhere or everywhere"))
             return;
+        expected.segments += record.convex.is_chained() ? 1 : 0;
+        expected.sensors += record.def.sensor ? 1 : 0;
         last = &record;
     });
-    if (!in.ok()) return;
+    if (!in.ok()) return expected;
     in.end(at);
     in.reading.bad |= reading.bad;
     in.settle();
+    return expected;
 }
 
 void save_chains(const Stores& stores, Writer& out) {
@@ -128,18 +138,17 @@ void load_chain(Reader& in, Stores& stores, int index, ChainRecord& chain) {
     }
 }
 
-void load_chains(Reader& in, Stores& stores) {
+void load_chains(Reader& in, Stores& stores, std::size_t expected) {
     in.begin("chains");
     load_slots(in, stores.chains);
     in.require_built_in(Feature::Chains, stores.chains.size() > 0);
+    std::size_t segments = 0;
     if (!in.ok()) return;
     for_each_alive(stores.chains, [&](int index, ChainRecord& chain) {
         if (in.ok()) load_chain(in, stores, index, chain);
+        segments += chain.segments.size();
     });
-    if (!in.ok()) return;
-    for_each_alive(stores.shapes, [&](int, const ShapeRecord& shape) {
-        in.require(shape.convex.is_chained() == (shape.chain != kNone), "a segment is of no chain");
-    });
+    in.require(segments == expected, "a segment is of no chain");
 }
 
 void save_sensors(const SensorStore& sensors, Writer& out) {
@@ -153,7 +162,7 @@ void save_sensors(const SensorStore& sensors, Writer& out) {
     }
 }
 
-void load_sensors(Reader& in, Stores& stores) {
+void load_sensors(Reader& in, Stores& stores, std::size_t expected) {
     in.begin("sensors");
     in.value(stores.sensors.outdated);
     stores.sensors.all.resize(in.count(3 * sizeof(int)));
@@ -169,9 +178,7 @@ void load_sensors(Reader& in, Stores& stores) {
         if (!in.require(is_sensor, "a shape is listed as a sensor that is none, or twice")) return;
         stores.shapes[shape].sensor = place++;
     }
-    for_each_alive(stores.shapes, [&](int, const ShapeRecord& shape) {
-        in.require(shape.def.sensor == (shape.sensor != kNone), "a sensor is not listed");
-    });
+    in.require(stores.sensors.all.size() == expected, "a sensor is not listed");
     in.settle();
 }
 
@@ -204,9 +211,10 @@ void load_shapes(Reader& in, RestoreSpace& to) {
     Stores& stores = to.stores;
     in.begin("shapes");
     load_slots(in, stores.shapes);
-    if (in.ok()) load_records(in, stores);
-    if (in.ok()) load_chains(in, stores);
-    if (in.ok()) load_sensors(in, stores);
+    Expected expected;
+    if (in.ok()) expected = load_records(in, stores);
+    if (in.ok()) load_chains(in, stores, expected.segments);
+    if (in.ok()) load_sensors(in, stores, expected.sensors);
     if (in.ok()) load_breakables(in, stores);
     if (!in.ok()) return;
     in.begin("rules of materials");

@@ -10,7 +10,7 @@
 
 namespace cairn::bench {
 
-enum class Command { Help, List, Run, Compare, Lua };
+enum class Command { Help, List, Run, Compare, State, Lua };
 
 struct CommandLine {
     Command command = Command::Help;

@@ -7,6 +7,7 @@
 #include "measure.h"
 #include "program.h"
 #include "report.h"
+#include "state.h"
 
 namespace {
 
@@ -95,6 +96,11 @@ int main(int argc, char** argv) {
                 const std::string problem = measure_lua(output);
                 return problem.empty() ? 0 : kProgram.fail(problem);
             });
+            break;
+        case Command::State:
+            std::puts(state_table_head().c_str());
+            for (const StateFigures& figures : measure_state(line->repeat))
+                std::puts(state_table_row(figures).c_str());
             break;
         case Command::Run:
         case Command::Compare:
