@@ -7,6 +7,9 @@
 namespace cairn::physics {
 namespace {
 
+// A tree is put in order long before.
+constexpr int kMostDisorder = 1 << 30;
+
 constexpr std::uint8_t kMoved = 1;
 constexpr std::uint8_t kTouched = 2;
 constexpr std::uint8_t kUnsettled = 4;
@@ -74,7 +77,9 @@ void load_tree(Reader& in, Stores& stores, Layer layer, BoxTree& tree) {
         places.assign(static_cast<std::size_t>(stores.shapes.end_index()), kNone);
         if (!in.ok()) return;
         const bool fits = end >= 0 && items.size() == kGroupSize * groups_for(static_cast<std::size_t>(end));
-        if (!in.require(fits && disorder >= 0, "a tree has not as many places as it says")) return;
+        if (!in.require(fits && disorder >= 0 && disorder <= kMostDisorder,
+                        "a tree has not as many places as it says"))
+            return;
         levels[0].resize(items.size() / kGroupSize);
         for (std::size_t place = 0; place < items.size(); ++place) {
             const int item = items[place];
