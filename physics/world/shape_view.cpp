@@ -3,6 +3,7 @@
 
 #include "world/bodies.h"
 #include "world/one_way.h"
+#include "world/sleep.h"
 #include "world/validation.h"
 
 namespace cairn::physics {
@@ -32,6 +33,17 @@ const Outline& Shape::outline() const {
 }
 float Shape::density() const {
     return record_of(*world_, id_).def.density_kg_m2;
+}
+Result<void> Shape::set_density(float density_kg_m2) {
+    ShapeRecord& record = record_of(*world_, id_);
+    if (auto fault = check::not_negative("shape.density_kg_m2", static_cast<double>(density_kg_m2)))
+        return *fault;
+    if (record.chain != kNone) return Error{"shape is a segment of a chain, and a chain has no mass"};
+    record.def.density_kg_m2 = density_kg_m2;
+    lose_mass(world_->stores, record.body);
+    settle_mass(world_->stores, record.body);
+    wake_body(world_->stores, record.body);
+    return {};
 }
 Material Shape::material() const {
     return record_of(*world_, id_).def.material;

@@ -35,6 +35,9 @@ float radius(ShapeRef self) {
 float density(ShapeRef self) {
     return self.shape.density();
 }
+Change set_density(ShapeRef self, float density) {
+    return self.shape.set_density(density);
+}
 float friction(ShapeRef self) {
     return self.shape.material().friction;
 }
@@ -139,6 +142,8 @@ constexpr Function kFunctions[] = {
     function<&radius>("radius", "", "radius [m]",
                       "Of the circle or capsule; of a polygon how far its corners are rounded."),
     function<&density>("density", "", "density [kg/m^2]", ""),
+    function<&set_density>("set_density", "density [kg/m^2]", "",
+                           "The mass of the body follows, and the body wakes."),
     function<&friction>("friction", "", "friction", ""),
     function<&set_friction>("set_friction", "friction", "", "At least 0."),
     function<&restitution>("restitution", "", "restitution", ""),

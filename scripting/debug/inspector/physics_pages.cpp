@@ -68,7 +68,8 @@ void edit_shape(physics::Shape& shape) {
     if (ImGui::TreeNodeEx("shape", ImGuiTreeNodeFlags_DefaultOpen, "%s, %d points, radius %.3g m%s",
                           name_of(outline.kind).data(), int{outline.count},
                           static_cast<double>(outline.radius_m), shape.is_sensor() ? ", sensor" : "")) {
-        ImGui::Text("density %.4g kg/m2", static_cast<double>(shape.density()));
+        float density = shape.density();
+        if (drag("density, kg/m2", density, 0.02f)) note(shape.set_density(density));
         physics::Material material = shape.material();
         bool changed = drag("friction", material.friction, 0.01f);
         changed |= drag("restitution", material.restitution, 0.01f);

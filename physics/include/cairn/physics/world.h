@@ -58,6 +58,8 @@ class Shape {
     [[nodiscard]] ChainId chain() const;  ///< null unless the shape is a segment of a chain
     [[nodiscard]] const Outline& outline() const;
     [[nodiscard]] float density() const;
+    /// >= 0, kg/m^2. The mass of the body follows, and the body wakes. Not for segments of chains.
+    Result<void> set_density(float density_kg_m2);
     [[nodiscard]] Material material() const;
     Result<void> set_material(Material material);  ///< from the next step on; wakes what touches it
     [[nodiscard]] Filter filter() const;
