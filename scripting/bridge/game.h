@@ -55,6 +55,8 @@ class Game {
     [[nodiscard]] std::uint64_t frame() const { return context_.frame; }
     [[nodiscard]] lua_State* lua() const { return state_.get(); }
     [[nodiscard]] const Context& context() const { return context_; }
+    /// Of the gameplay stream, to one that it had before.
+    void set_random_state(const engine::RandomState& state) { context_.random.set_state(state); }
     [[nodiscard]] const State& state() const { return state_; }
 
   private:

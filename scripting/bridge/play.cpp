@@ -218,11 +218,18 @@ class Session {
             const double now = platform.now_s();
             engine::FixedStep::Frame frame = step.advance(tools_.time().game_time_s(now - then));
             then = now;
+            if (tools_.time().goes_back()) {
+                for (; frame.updates > 0 && !error; --frame.updates) error = tools_.step_back(*game_);
+                frame.alpha = 1;
+                if (error) continue;
+            }
             if (tools_.time().is_paused()) frame = {.updates = tools_.time().take_steps(), .alpha = 1};
             // A late picture has several updates; the one of the screenshot must not fall between two
             // pictures.
-            for (int i = 0; i < frame.updates && !error && !is_over() && !captures_now(); ++i)
+            for (int i = 0; i < frame.updates && !error && !is_over() && !captures_now(); ++i) {
                 error = update(waiting);
+                if (!error) error = tools_.note_update(*game_);
+            }
             if (error) continue;
             const bool ends = is_over();
             error = draw(frame.alpha, captures_now() || (ends && captures_at_end()));

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdio>
 #include <utility>
 
 #include <cairn/engine/log.h>
@@ -31,6 +32,7 @@ constexpr KeyHelp kKeys[] = {
     {Key::F1, "F1", "this help"},
     {Key::F2, "F2", "physics: shapes, contacts and joints; again: islands; again: boxes and centres; off"},
     {Key::F3, "F3", "profiler: where the time of a frame goes, and how exact the physics is"},
+    {Key::F4, "F4", "held: go back in time, up to ten seconds; then pause"},
     {Key::F5, "F5", "start the game anew"},
     {Key::F6, "F6", "pause, go on"},
     {Key::F7, "F7", "pause, and go on by one update; held, by one after the other"},
@@ -90,12 +92,17 @@ void DeveloperTools::take_keys(std::vector<InputEvent>& events) {
     std::erase_if(events, [&](const InputEvent& event) {
         const bool is_press = event.kind == InputKind::KeyPressed;
         if ((!is_press && event.kind != InputKind::KeyReleased) || !is_tool_key(event.key)) return false;
+        if (!is_press) time_.release(event.key);
         if (is_press && (!event.is_repeat || event.key == Key::F7)) press(event.key);
         return true;
     });
 }
 
 void DeveloperTools::press(Key key) {
+    if (key == Key::F4 && !can_change_)
+        return engine::log(engine::LogLevel::Warning,
+                           "a run that is recorded or replayed cannot go back in time");
+    if (key != Key::F1 && key != Key::F5) keeps_past_ = true;
     if (time_.press(key)) return;
     if (key == Key::F1) shows_help_ = !shows_help_;
     if (key == Key::F2)
@@ -117,7 +124,12 @@ void DeveloperTools::end_frame(const Game& game) {
 }
 
 void DeveloperTools::draw(const Game& game) {
-    const std::string label = time_.label();
+    std::string label = time_.label();
+    if (time_.goes_back()) {
+        char left[32];
+        std::snprintf(left, sizeof left, ", %.1f s are left", static_cast<double>(rewind_.steps_back()) / 60);
+        label += left;
+    }
     if (!shows_help_ && !shows_profiler_ && !shows_inspector_ && layer_ == DebugLayer::Off && label.empty())
         return;
     const Context& context = game.context();
@@ -142,7 +154,13 @@ void DeveloperTools::take_input(std::vector<InputEvent>& events, const Game& gam
     if (shows_inspector_ && inspector_ != nullptr) inspector_->take_events(events, game);
 }
 
+std::optional<ScriptError> DeveloperTools::note_update(Game& game) {
+    if (!keeps_past_ || !can_change_) return std::nullopt;
+    return rewind_.note(game);
+}
+
 void DeveloperTools::forget_game() {
+    rewind_.forget();
     inspector_.reset();
 }
 

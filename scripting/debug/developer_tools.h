@@ -1,5 +1,5 @@
 // The tools that every game has in a window: help (F1), debug drawing (F2), profiler (F3),
-// restart (F5), time (F6 to F9), inspector (F10).
+// restart (F5), time (F4, F6 to F9), inspector (F10).
 // Invariant: their keys never reach the game or a recording, they draw after the game did, and they change
 // nothing that the game can notice.
 #pragma once
@@ -17,6 +17,7 @@
 #include "debug/frame_meter.h"
 #include "debug/inspector.h"
 #include "debug/profiler_overlay.h"
+#include "debug/rewind.h"
 #include "debug/time_control.h"
 
 namespace cairn::scripting {
@@ -33,8 +34,12 @@ class DeveloperTools {
     void take_keys(std::vector<engine::InputEvent>& events);
     /// Takes what is meant for the inspector.
     void take_input(std::vector<engine::InputEvent>& events, const Game& game);
-    /// Whether the inspector may change things; not when a run is recorded or replayed.
+    /// Whether the inspector may change things and time may go back; not when a run is recorded or replayed.
     void set_can_change(bool can_change) { can_change_ = can_change; }
+    /// After an update: keeps the moment, from the first use of a tool on. The error is the game's.
+    std::optional<ScriptError> note_update(Game& game);
+    /// One update back, if that is known.
+    std::optional<ScriptError> step_back(Game& game) { return rewind_.step_back(game); }
     /// F7 repeats while it is held.
     [[nodiscard]] TimeControl& time() { return time_; }
     /// Whether F5 was pressed since this was asked last.
@@ -64,6 +69,8 @@ class DeveloperTools {
     bool measures_ = false;
     bool wants_restart_ = false;
     TimeControl time_;
+    bool keeps_past_ = false;
+    Rewind rewind_;
     FrameMeter meter_;
     ProfilerOverlay profiler_;
     bool shows_inspector_ = false;

@@ -11,6 +11,10 @@ bool TimeControl::press(engine::Key key) {
     constexpr int kSlowest = -4;
     constexpr int kFastest = 2;
     switch (key) {
+        case engine::Key::F4:
+            goes_back_ = true;
+            is_paused_ = false;
+            return true;
         case engine::Key::F6:
             is_paused_ = !is_paused_;
             return true;
@@ -29,12 +33,18 @@ bool TimeControl::press(engine::Key key) {
     }
 }
 
+void TimeControl::release(engine::Key key) {
+    if (key != engine::Key::F4 || !goes_back_) return;
+    goes_back_ = false;
+    is_paused_ = true;
+}
+
 double TimeControl::speed() const {
     return std::ldexp(1.0, doublings_);
 }
 
 std::string TimeControl::label() const {
-    std::string label = is_paused_ ? "paused" : "";
+    std::string label = goes_back_ ? "going back" : is_paused_ ? "paused" : "";
     if (doublings_ == 0) return label;
     if (!label.empty()) label += ", ";
     const std::string times = std::to_string(1 << std::abs(doublings_));

@@ -1,0 +1,59 @@
+// Goes back in time (F4): the worlds, the gameplay stream of random numbers, and what the game itself keeps,
+// if it says so with cairn.save_state and cairn.load_state. Invariant: a moment is either restored whole or
+// not at all.
+#pragma once
+
+#include <cstddef>
+#include <deque>
+#include <optional>
+#include <vector>
+
+#include <cairn/engine/random.h>
+#include <cairn/physics/state.h>
+
+#include "bridge/game.h"
+#include "data/value.h"
+
+namespace cairn::scripting {
+
+class Rewind {
+  public:
+    /// Ten seconds of updates.
+    static constexpr std::size_t kMostMoments = 600;
+    /// Whatever a game holds, its past takes no more; then there is less of it.
+    static constexpr std::size_t kMostBytes = std::size_t{128} << 20;
+
+    /// After an update. What went before is forgotten when worlds were made or destroyed since. The error is
+    /// that of cairn.save_state.
+    std::optional<ScriptError> note(Game& game);
+    /// To the update before, if it is known. The error is that of cairn.load_state.
+    std::optional<ScriptError> step_back(Game& game);
+    void forget();
+
+    /// How many are known.
+    [[nodiscard]] std::size_t steps_back() const { return moments_.empty() ? 0 : moments_.size() - 1; }
+    [[nodiscard]] std::size_t bytes() const { return bytes_; }
+
+  private:
+    struct Moment {
+        std::vector<physics::Snapshot> worlds;
+        engine::RandomState random;
+        std::optional<Value> game;  ///< what cairn.save_state returned
+        [[nodiscard]] std::size_t bytes() const {
+            std::size_t sum = 0;
+            for (const physics::Snapshot& world : worlds) sum += world.size();
+            return sum;
+        }
+    };
+
+    void recycle(Moment moment);
+    [[nodiscard]] bool knows(const std::vector<WorldObject*>& worlds) const;
+    void drop_oldest();
+
+    std::deque<Moment> moments_;
+    std::vector<Moment> spare_;  ///< memory of moments that are gone
+    std::vector<const WorldObject*> worlds_;
+    std::size_t bytes_ = 0;
+};
+
+}  // namespace cairn::scripting
