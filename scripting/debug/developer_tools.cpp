@@ -18,30 +18,30 @@ namespace {
 using engine::Color;
 using engine::InputEvent;
 using engine::InputKind;
-using engine::Key;
 using engine::Vec2;
 
 constexpr Color kVeil{0.05f, 0.06f, 0.08f, 0.55f};
 
 struct KeyHelp {
-    Key key;
+    engine::Key key;
     const char* name;
     const char* what;
 };
 constexpr KeyHelp kKeys[] = {
-    {Key::F1, "F1", "this help"},
-    {Key::F2, "F2", "physics: shapes, contacts and joints; again: islands; again: boxes and centres; off"},
-    {Key::F3, "F3", "profiler: where the time of a frame goes, and how exact the physics is"},
-    {Key::F4, "F4", "held: go back in time, up to ten seconds; then pause"},
-    {Key::F5, "F5", "start the game anew"},
-    {Key::F6, "F6", "pause, go on"},
-    {Key::F7, "F7", "pause, and go on by one update; held, by one after the other"},
-    {Key::F8, "F8", "half as fast"},
-    {Key::F9, "F9", "twice as fast"},
-    {Key::F10, "F10", "inspector: worlds, bodies, joints, values of the script, assets, log"},
+    {engine::Key::F1, "F1", "this help"},
+    {engine::Key::F2, "F2",
+     "physics: shapes, contacts and joints; again: islands; again: boxes and centres; off"},
+    {engine::Key::F3, "F3", "profiler: where the time of a frame goes, and how exact the physics is"},
+    {engine::Key::F4, "F4", "held: go back in time, up to ten seconds; then pause"},
+    {engine::Key::F5, "F5", "start the game anew"},
+    {engine::Key::F6, "F6", "pause, go on"},
+    {engine::Key::F7, "F7", "pause, and go on by one update; held, by one after the other"},
+    {engine::Key::F8, "F8", "half as fast"},
+    {engine::Key::F9, "F9", "twice as fast"},
+    {engine::Key::F10, "F10", "inspector: worlds, bodies, joints, values of the script, assets, log"},
 };
 
-bool is_tool_key(Key key) {
+bool is_tool_key(engine::Key key) {
     return std::any_of(std::begin(kKeys), std::end(kKeys), [&](const KeyHelp& k) { return k.key == key; });
 }
 
@@ -93,24 +93,24 @@ void DeveloperTools::take_keys(std::vector<InputEvent>& events) {
         const bool is_press = event.kind == InputKind::KeyPressed;
         if ((!is_press && event.kind != InputKind::KeyReleased) || !is_tool_key(event.key)) return false;
         if (!is_press) time_.release(event.key);
-        if (is_press && (!event.is_repeat || event.key == Key::F7)) press(event.key);
+        if (is_press && (!event.is_repeat || event.key == engine::Key::F7)) press(event.key);
         return true;
     });
 }
 
-void DeveloperTools::press(Key key) {
-    if (key == Key::F4 && !can_change_)
+void DeveloperTools::press(engine::Key key) {
+    if (key == engine::Key::F4 && !can_change_)
         return engine::log(engine::LogLevel::Warning,
                            "a run that is recorded or replayed cannot go back in time");
-    if (key != Key::F1 && key != Key::F5) keeps_past_ = true;
+    if (key != engine::Key::F1 && key != engine::Key::F5) keeps_past_ = true;
     if (time_.press(key)) return;
-    if (key == Key::F1) shows_help_ = !shows_help_;
-    if (key == Key::F2)
+    if (key == engine::Key::F1) shows_help_ = !shows_help_;
+    if (key == engine::Key::F2)
         layer_ = layer_ == DebugLayer::Everything ? DebugLayer::Off
                                                   : static_cast<DebugLayer>(static_cast<int>(layer_) + 1);
-    if (key == Key::F3) shows_profiler_ = !shows_profiler_;
-    if (key == Key::F10) shows_inspector_ = !shows_inspector_;
-    if (key == Key::F5) wants_restart_ = true;
+    if (key == engine::Key::F3) shows_profiler_ = !shows_profiler_;
+    if (key == engine::Key::F10) shows_inspector_ = !shows_inspector_;
+    if (key == engine::Key::F5) wants_restart_ = true;
 }
 
 bool DeveloperTools::take_restart() {

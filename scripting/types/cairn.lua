@@ -1254,6 +1254,10 @@ function Shape:radius() end
 ---@return number density [kg/m^2]
 function Shape:density() end
 
+---The mass of the body follows, and the body wakes.
+---@param density number [kg/m^2]
+function Shape:set_density(density) end
+
 ---@return number friction
 function Shape:friction() end
 

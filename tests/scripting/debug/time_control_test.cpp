@@ -29,6 +29,22 @@ TEST_CASE("a pause lets no time pass, and each step is given out once") {
     CHECK(time.game_time_s(0.5) == 0.5);
 }
 
+TEST_CASE("time goes back while the key is held, and then the game waits") {
+    TimeControl time;
+    REQUIRE(time.press(Key::F4));
+    CHECK(time.goes_back());
+    CHECK(time.game_time_s(0.5) == 0.5);  // the past goes by at the same speed
+    CHECK(time.label() == "going back");
+    time.release(Key::F6);
+    CHECK(time.goes_back());
+    time.release(Key::F4);
+    CHECK_FALSE(time.goes_back());
+    CHECK(time.is_paused());
+    time.press(Key::F6);
+    time.release(Key::F4);  // of a press that nobody saw
+    CHECK_FALSE(time.is_paused());
+}
+
 TEST_CASE("speeds double and halve within bounds, and come back to one exactly") {
     TimeControl time;
     time.press(Key::F8);
