@@ -5,10 +5,12 @@
 
 #include <cstddef>
 #include <deque>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include <cairn/engine/random.h>
+#include <cairn/physics/ids.h>
 #include <cairn/physics/state.h>
 
 #include "bridge/game.h"
@@ -16,6 +18,7 @@
 
 namespace cairn::scripting {
 
+/// Of one game, which must live longer, or be forgotten first.
 class Rewind {
   public:
     /// Ten seconds of updates.
@@ -35,17 +38,31 @@ class Rewind {
     [[nodiscard]] std::size_t bytes() const { return bytes_; }
 
   private:
+    /// The Lua values of a world's bodies, so that one that is destroyed and comes back is the same. Moments
+    /// share them while no body comes or goes.
+    struct Bodies {
+        std::vector<physics::BodyId> ids;
+        lua_State* lua = nullptr;
+        int reference = LUA_NOREF;  ///< of the list
+        Bodies() = default;
+        ~Bodies();
+        Bodies(const Bodies&) = delete;
+        Bodies& operator=(const Bodies&) = delete;
+    };
     struct Moment {
         std::vector<physics::Snapshot> worlds;
+        std::vector<std::shared_ptr<const Bodies>> bodies;  ///< of each world
         engine::RandomState random;
         std::optional<Value> game;  ///< what cairn.save_state returned
-        [[nodiscard]] std::size_t bytes() const {
+        [[nodiscard]] std::size_t bytes_of_worlds() const {
             std::size_t sum = 0;
             for (const physics::Snapshot& world : worlds) sum += world.size();
             return sum;
         }
     };
 
+    static int run_note(lua_State* L);
+    static int run_restore(lua_State* L);
     void recycle(Moment moment);
     [[nodiscard]] bool knows(const std::vector<WorldObject*>& worlds) const;
     void drop_oldest();

@@ -69,6 +69,16 @@ TEST_CASE("a body that was destroyed comes back with its data") {
     CHECK(past.bench.value("boxes[13].data.number") == "12");
 }
 
+TEST_CASE("a body that the script holds no more comes back with its data, whatever was collected") {
+    Past past(
+        " function note() local found for _, body in ipairs(w:bodies()) do "
+        "if body.data.number == 12 then found = body end end return found end");
+    past.go_on(40);
+    REQUIRE(past.bench.run("boxes[13] = nil collectgarbage() collectgarbage() assert(not note())") == "");
+    for (int i = 0; i < 20; ++i) past.go_back();
+    CHECK(past.bench.run("assert(note():is_valid())") == "");
+}
+
 TEST_CASE("what the game saves goes back with the worlds") {
     Past past(
         " function cairn.save_state() return { frames = frames } end "
