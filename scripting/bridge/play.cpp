@@ -243,6 +243,7 @@ class Session {
     /// What was saved while the game runs. It goes on where it is, unless its scripts have to start anew.
     Outcome take_in_changes() {
         HotReload::Outcome taken = reload_->take_in(*game_);
+        tools_.forget_past();
         if (taken.wants_restart) return start();
         keeps_game_ = taken.keeps_the_game;
         return std::move(taken.error);

@@ -40,6 +40,8 @@ class DeveloperTools {
     std::optional<ScriptError> note_update(Game& game);
     /// One update back, if that is known.
     std::optional<ScriptError> step_back(Game& game) { return rewind_.step_back(game); }
+    /// The game's files changed while it runs: what it was before does not fit them any more.
+    void forget_past() { rewind_.forget(); }
     /// F7 repeats while it is held.
     [[nodiscard]] TimeControl& time() { return time_; }
     /// Whether F5 was pressed since this was asked last.
