@@ -24,8 +24,8 @@ using Pair = std::tuple<float, float>;
 
 constexpr Field kX = number_field("x", 0, "0", "m; what the middle of the picture shows");
 constexpr Field kY = number_field("y", 0, "0", "m");
-constexpr Field kHeight =
-    number_field("height", 10, "10", "m from the bottom to the top of the picture at zoom 1; above 0");
+constexpr Field kHeight = number_field(
+    "height", 10, "10", "m from the bottom to the top of the picture at zoom 1; from 1e-6 to 1e9");
 constexpr Field kZoom = above(number_field("zoom", 1, "1", "2 shows everything twice as large"), 0, 1e6);
 constexpr Field kFollowRate = above(
     number_field("follow_rate", 6, "6", "1/s; of the way to what it follows, 63 % is covered in 1 / rate"), 0,
@@ -44,9 +44,9 @@ constexpr FieldSet kCameraFields{kOwn};
 
 void check_height(lua_State* L, double height) {
     // Written so that NaN fails too.
-    if (!(height > 0 && height <= 1e9)) {
+    if (!(height >= 1e-6 && height <= 1e9)) {
         lua_pushnumber(L, height);
-        call_error(L, "height is " + describe_value(L, -1) + "; it must be above 0 and at most 1e9");
+        call_error(L, "height is " + describe_value(L, -1) + "; it must be from 1e-6 to 1e9");
     }
 }
 
