@@ -57,7 +57,10 @@ std::string range_rule(const Field& field) {
 }
 
 bool is_in_range(const Field& field, double value) {
-    return (field.excludes_low ? value > field.low : value >= field.low) && value <= field.high;
+    // Most numbers are kept in floats: what is above 0 must be so there.
+    const double least = field.excludes_low ? field.low + std::numeric_limits<float>::min() : field.low;
+    const bool is_high_enough = value >= least && !(field.excludes_low && value <= field.low);
+    return is_high_enough && value <= field.high;
 }
 
 std::vector<std::string> words_of(std::string_view choices) {
