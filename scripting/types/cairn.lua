@@ -1928,7 +1928,7 @@ cairn.camera = {}
 ---@class cairn.camera.new.Fields
 ---@field x? number m; what the middle of the picture shows
 ---@field y? number m
----@field height? number m from the bottom to the top of the picture at zoom 1; above 0
+---@field height? number m from the bottom to the top of the picture at zoom 1; from 1e-6 to 1e9
 ---@field zoom? number 2 shows everything twice as large
 ---@field follow_rate? number 1/s; of the way to what it follows, 63 % is covered in 1 / rate
 ---@field dead_zone_width? number m; inside this area around the middle
