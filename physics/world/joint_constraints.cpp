@@ -134,7 +134,7 @@ void prepare_joints(Stores& stores, const StepTime& time, StepScratch& scratch, 
         springs = springs || c.has_spring;
         for (int i = 0; i < c.bodies; ++i) mark_turning(scratch.motions, c.rows[static_cast<std::size_t>(i)]);
     }
-    place_joints(joints, scratch.motions, scratch.joint_places);
+    if (!joints.empty()) place_joints(joints, scratch.motions, scratch.joint_places);
     JointLanes& lanes = stores.joints.lanes;
     if (!lanes.empty()) {
         lanes.place(stores.bodies.places, scratch.motions, time.impulse_ratio, time.dt_s, tasks);
