@@ -108,7 +108,8 @@ Clearance clearance(const MinkowskiDifference& d) {
             nearest = corner;
             nearest_normal = normalized(-d.points[i]);
         }
-        if (d.count == 1) break;
+        // A single point, or two that rounding has made one, have no direction between them.
+        if (d.count == 1 || d.normals[i] == Vec2{}) continue;
         const float height = -dot(d.points[i], d.normals[i]);
         const float along = -dot(d.points[i], left_perp(d.normals[i]));
         const bool is_beside = along >= 0 && along <= length(d.points[d.next(i)] - d.points[i]);

@@ -108,4 +108,24 @@ TEST_CASE("edges that lie along each other meet in the middle of where they do")
     CHECK(meet({-3, 0}) == Vec2{-2, 0});
 }
 
+TEST_CASE("two points that rounding has made one say nothing about inside and outside") {
+    MinkowskiDifference square;
+    square.count = 5;
+    const Vec2 points[] = {{-1, -1}, {1, -1}, {1, -1}, {1, 1}, {-1, 1}};
+    const Vec2 normals[] = {{0, -1}, {0, 0}, {1, 0}, {0, 1}, {-1, 0}};
+    for (int i = 0; i < 5; ++i) {
+        square.points[static_cast<std::size_t>(i)] = points[i];
+        square.normals[static_cast<std::size_t>(i)] = normals[i];
+    }
+    const Clearance inside = clearance(square);
+    CHECK(inside.distance == Approx(-1));
+    CHECK(length(inside.normal) == Approx(1));
+
+    // The origin on the doubled point itself.
+    for (int i = 0; i < 5; ++i) square.points[static_cast<std::size_t>(i)] -= Vec2{1, -1};
+    const Clearance touching = clearance(square);
+    CHECK(touching.distance == Approx(0).margin(1e-6));
+    CHECK(length(touching.normal) == Approx(1));
+}
+
 }  // namespace cairn::physics
