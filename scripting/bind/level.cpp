@@ -1,18 +1,16 @@
-// cairn.level and the methods of Level. A level is built through the same functions that scripts call, so
-// that it can do what they can, and so that their checks are its checks. Invariant: when building fails,
-// nothing of the level is left in the world.
+// cairn.level and the methods of Level. Invariant: when building fails, nothing of the level is left in the
+// world.
 #include "bind/level.h"
-
-#include <map>
 
 #include "bind/context.h"
 #include "bind/data_values.h"
 #include "bind/fields.h"
 #include "bind/graphics_objects.h"
-#include "bind/joint_fields.h"
+#include "bind/level_parts.h"
 #include "bind/modules.h"
 #include "bind/physics_objects.h"
 #include "data/nearest.h"
+#include "level/match.h"
 #include "lua/state.h"
 
 namespace cairn::scripting {
@@ -42,166 +40,6 @@ constexpr Field kScale =
              0);
 constexpr const Field* kLoadOwn[] = {&kScale};
 constexpr FieldSet kLoadFields{kLoadOwn};
-
-// ---- Making parts
-
-/// What a protected call needs; its stack holds this, the world, and the list of what was made.
-struct Making {
-    const Level& level;
-    std::size_t part;
-};
-
-void push_made(lua_State* L, const Making& making, int objects, const std::string& reference) {
-    const PartName name = split_part_name(reference);
-    const auto part = making.level.find(name.name);
-    if (!part || lua_rawgeti(L, objects, static_cast<lua_Integer>(*part + 1)) == LUA_TNIL)
-        raise(L, '"' + name.name + "\" was not made");
-    if (name.index == 0) return;
-    push_function(L, kPrefabMethods, "bodies");
-    lua_insert(L, -2);
-    lua_call(L, 1, 1);
-    const auto count = static_cast<int>(lua_rawlen(L, -1));
-    if (lua_rawgeti(L, -1, name.index) == LUA_TNIL) {
-        raise(L, '"' + reference + "\": there is no such body; \"" + name.name + "\" has " +
-                     std::to_string(count));
-    }
-    lua_remove(L, -2);
-}
-
-/// Pushes the table that the part's function takes.
-void push_fields(lua_State* L, const Making& making, int world, int objects) {
-    const LevelPart& part = making.level.parts[making.part];
-    push_value(L, part.fields);
-    for (const PartReference& reference : part.references) {
-        push_made(L, making, objects, reference.name);
-        lua_setfield(L, -2, reference.field.c_str());
-    }
-    if (part.kind == PartKind::Trigger) {
-        lua_pushliteral(L, "static");
-        lua_setfield(L, -2, "type");
-        lua_pushboolean(L, 1);
-        lua_setfield(L, -2, "sensor");
-    }
-    if (part.kind == PartKind::Joint && lua_getfield(L, -1, "body_b") != LUA_TNIL &&
-        lua_getfield(L, -2, "body_a") == LUA_TNIL) {
-        lua_pop(L, 2);
-        push_function(L, kWorldMethods, "ground");
-        lua_pushvalue(L, world);
-        lua_call(L, 1, 1);
-        lua_setfield(L, -2, "body_a");
-    }
-}
-
-/// (making, world, objects) -> Body, Joint or Prefab.
-int make_part(lua_State* L) {
-    const Making& making = *static_cast<const Making*>(lua_touserdata(L, 1));
-    const LevelPart& part = making.level.parts[making.part];
-    constexpr int kWorld = 2;
-    constexpr int kObjects = 3;
-    if (part.kind == PartKind::Prefab) {
-        push_function(L, kPrefabModule, part.variant);
-    } else {
-        const std::string suffix = part.kind == PartKind::Joint ? "_joint" : "";
-        push_function(L, kWorldMethods, part.variant.empty() ? "new_body" : "add_" + part.variant + suffix);
-    }
-    lua_pushvalue(L, kWorld);
-    push_fields(L, making, kWorld, kObjects);
-    lua_settop(L, 6);  // the function, the world and the fields stand at 4, 5 and 6
-    lua_call(L, 2, 1);
-    for (const ShapePart& shape : part.shapes) {
-        push_function(L, kBodyMethods, "add_" + shape.variant);
-        lua_pushvalue(L, 4);
-        push_value(L, shape.fields);
-        lua_call(L, 2, 0);
-    }
-    return 1;
-}
-
-/// Without the name of the function, which the author of a level did not call.
-std::string without_function_name(std::string message) {
-    // "World:add_box: ..." or "cairn.prefab.rope: ...".
-    const std::size_t end = message.find(": ");
-    const bool names_function = end != std::string::npos && message.find_first_of(" \"") == end + 1;
-    return names_function ? message.substr(end + 2) : message;
-}
-
-/// Makes a part and keeps it in the list. Gives what went wrong, or an empty text.
-std::string make(lua_State* L, const Making& making, int world, int objects) {
-    luaL_checkstack(L, LUA_MINSTACK, "parts of a level");
-    lua_pushcfunction(L, make_part);
-    lua_pushlightuserdata(L, const_cast<Making*>(&making));
-    lua_pushvalue(L, world);
-    lua_pushvalue(L, objects);
-    if (lua_pcall(L, 3, 1, 0) == LUA_OK) {
-        lua_rawseti(L, objects, static_cast<lua_Integer>(making.part + 1));
-        return "";
-    }
-    const char* text = lua_tostring(L, -1);
-    std::string message = text == nullptr ? "cannot be made" : without_function_name(text);
-    lua_pop(L, 1);
-    return message;
-}
-
-const Module& methods_of(PartKind kind) {
-    switch (kind) {
-        case PartKind::Body:
-        case PartKind::Trigger:
-            return kBodyMethods;
-        case PartKind::Prefab:
-            return kPrefabMethods;
-        case PartKind::Joint:
-            break;
-    }
-    return kJointMethods;
-}
-
-/// Destroys what lives of a part. The world must live.
-void unmake(lua_State* L, const Level& level, std::size_t part, int objects) {
-    objects = lua_absindex(L, objects);
-    if (lua_rawgeti(L, objects, static_cast<lua_Integer>(part + 1)) != LUA_TNIL) {
-        const PartKind kind = level.parts[part].kind;
-        bool is_alive = true;
-        if (kind != PartKind::Prefab) {
-            push_function(L, methods_of(kind), "is_valid");
-            lua_pushvalue(L, -2);
-            lua_call(L, 1, 1);
-            is_alive = lua_toboolean(L, -1) != 0;
-            lua_pop(L, 1);
-        }
-        if (is_alive) {
-            push_function(L, methods_of(kind), "destroy");
-            lua_pushvalue(L, -2);
-            lua_call(L, 1, 0);
-        }
-        lua_pushnil(L);
-        lua_rawseti(L, objects, static_cast<lua_Integer>(part + 1));
-    }
-    lua_pop(L, 1);
-}
-
-/// Makes a world for trying out; pushed.
-void push_scratch_world(lua_State* L) {
-    push_function(L, kPhysicsModule, "new_world");
-    lua_newtable(L);
-    lua_call(L, 1, 1);
-}
-
-/// What shows only when a level is built.
-std::vector<std::string> faults_of_building(lua_State* L, const Level& level) {
-    const int top = lua_gettop(L);
-    push_scratch_world(L);
-    lua_newtable(L);
-    std::vector<std::string> faults;
-    for (std::size_t part = 0; part < level.parts.size(); ++part) {
-        const std::string message = make(L, {level, part}, top + 1, top + 2);
-        if (!message.empty()) faults.push_back(level.parts[part].place + ": " + message);
-    }
-    push_function(L, kWorldMethods, "destroy");
-    lua_pushvalue(L, top + 1);
-    lua_call(L, 1, 0);
-    lua_settop(L, top);
-    return faults;
-}
 
 LevelReading read_and_try(lua_State* L, const std::string& path, const TiledImport& import) {
     LevelReading reading = read_level(context_of(L).services.files, path, import);
@@ -290,14 +128,9 @@ bool push_build(lua_State* L, int level) {
     return true;
 }
 
-// Joints first: what they hold would wake and move meanwhile, were this done between steps.
-void unmake_all(lua_State* L, const Level& level, int objects) {
-    for (std::size_t part = level.parts.size(); part-- > 0;) unmake(L, level, part, objects);
-}
-
 void clear(lua_State* L, LevelObject* self) {
     if (!push_build(L, 1)) return;
-    unmake_all(L, self->level, -1);
+    unmake_parts(L, self->level, -1);
     lua_pushnil(L);
     lua_setiuservalue(L, 1, kWorldValue);
 }
@@ -315,9 +148,9 @@ void make_missing(lua_State* L, const Level& level, int world, int objects,
                   const std::vector<bool>& is_wanted) {
     for (std::size_t part = 0; part < level.parts.size(); ++part) {
         if (!is_wanted[part]) continue;
-        const std::string message = make(L, {level, part}, world, objects);
+        const std::string message = make_part(L, level, part, world, objects);
         if (message.empty()) continue;
-        unmake_all(L, level, objects);
+        unmake_parts(L, level, objects);
         call_error(L, level.parts[part].place + ": " + message);
     }
 }
@@ -339,47 +172,6 @@ bool is_built(lua_State* L, LevelObject*) {
 
 // ---- Reloading
 
-constexpr std::size_t kNone = static_cast<std::size_t>(-1);
-
-/// For each part of the new level the part of the old one that says the same, or kNone: by name, and those
-/// without one in the order in which equal ones stand.
-std::vector<std::size_t> match_parts(const Level& before, const Level& now) {
-    std::map<std::string, std::vector<std::size_t>> nameless;
-    for (std::size_t i = before.parts.size(); i-- > 0;) {
-        if (before.parts[i].name.empty()) nameless[signature_of(before.parts[i])].push_back(i);
-    }
-    std::vector<std::size_t> matches(now.parts.size(), kNone);
-    for (std::size_t i = 0; i < now.parts.size(); ++i) {
-        const LevelPart& part = now.parts[i];
-        if (part.name.empty()) {
-            const auto found = nameless.find(signature_of(part));
-            if (found == nameless.end() || found->second.empty()) continue;
-            matches[i] = found->second.back();
-            found->second.pop_back();
-        } else if (const auto found = before.find(part.kind, part.name);
-                   found && signature_of(before.parts[*found]) == signature_of(part)) {
-            matches[i] = *found;
-        }
-    }
-    return matches;
-}
-
-/// A joint that is made anew takes its frames from where its bodies stand, so these go back to where the
-/// level has them; and what else holds to them follows.
-void spread_changes(const Level& now, std::vector<std::size_t>& matches) {
-    for (bool has_changed = true; has_changed;) {
-        has_changed = false;
-        for (std::size_t i = 0; i < now.parts.size(); ++i) {
-            for (const PartReference& reference : now.parts[i].references) {
-                const auto other = now.find(split_part_name(reference.name).name);
-                if (!other || (matches[i] == kNone) == (matches[*other] == kNone)) continue;
-                matches[i] = matches[*other] = kNone;
-                has_changed = true;
-            }
-        }
-    }
-}
-
 std::tuple<std::int64_t, std::int64_t> reload(lua_State* L, LevelObject* self) {
     LevelReading reading = read_and_try(L, self->level.path, self->import);
     if (!reading.faults.empty()) raise_faults(L, reading.faults);
@@ -393,13 +185,12 @@ std::tuple<std::int64_t, std::int64_t> reload(lua_State* L, LevelObject* self) {
     constexpr int kWorld = 2;
     constexpr int kOld = 3;
     constexpr int kNew = 4;
-    std::vector<std::size_t> matches = match_parts(self->level, reading.level);
-    spread_changes(reading.level, matches);
+    const std::vector<std::size_t> matches = match_parts(self->level, reading.level);
     lua_createtable(L, static_cast<int>(matches.size()), 0);
     std::vector<bool> is_new(matches.size());
     std::int64_t kept = 0;
     for (std::size_t i = 0; i < matches.size(); ++i) {
-        is_new[i] = matches[i] == kNone;
+        is_new[i] = matches[i] == kNoPart;
         if (is_new[i]) continue;
         ++kept;
         // Moved from one list to the other, so that what is left in the old one is what goes.
@@ -408,7 +199,7 @@ std::tuple<std::int64_t, std::int64_t> reload(lua_State* L, LevelObject* self) {
         lua_pushnil(L);
         lua_rawseti(L, kOld, static_cast<lua_Integer>(matches[i] + 1));
     }
-    unmake_all(L, self->level, kOld);
+    unmake_parts(L, self->level, kOld);
     self->level = std::move(reading.level);
     lua_pushvalue(L, kNew);
     lua_setiuservalue(L, 1, kObjectsValue);

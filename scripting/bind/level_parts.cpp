@@ -1,0 +1,176 @@
+#include "bind/level_parts.h"
+
+#include "bind/data_values.h"
+#include "bind/fields.h"
+#include "bind/modules.h"
+#include "bind/physics_objects.h"
+#include "lua/state.h"
+
+namespace cairn::scripting {
+namespace {
+
+/// What a protected call needs; its stack holds this, the world, and the list of what was made.
+struct Making {
+    const Level& level;
+    std::size_t part;
+};
+
+void push_made(lua_State* L, const Making& making, int objects, const std::string& reference) {
+    const PartName name = split_part_name(reference);
+    const auto part = making.level.find(name.name);
+    if (!part || lua_rawgeti(L, objects, static_cast<lua_Integer>(*part + 1)) == LUA_TNIL)
+        raise(L, '"' + name.name + "\" was not made");
+    if (name.index == 0) return;
+    push_function(L, kPrefabMethods, "bodies");
+    lua_insert(L, -2);
+    lua_call(L, 1, 1);
+    const auto count = static_cast<int>(lua_rawlen(L, -1));
+    if (lua_rawgeti(L, -1, name.index) == LUA_TNIL) {
+        raise(L, '"' + reference + "\": there is no such body; \"" + name.name + "\" has " +
+                     std::to_string(count));
+    }
+    lua_remove(L, -2);
+}
+
+/// Pushes the table that the part's function takes.
+void push_fields(lua_State* L, const Making& making, int world, int objects) {
+    const LevelPart& part = making.level.parts[making.part];
+    push_value(L, part.fields);
+    for (const PartReference& reference : part.references) {
+        push_made(L, making, objects, reference.name);
+        lua_setfield(L, -2, reference.field.c_str());
+    }
+    if (part.kind == PartKind::Trigger) {
+        lua_pushliteral(L, "static");
+        lua_setfield(L, -2, "type");
+        lua_pushboolean(L, 1);
+        lua_setfield(L, -2, "sensor");
+    }
+    if (part.kind == PartKind::Joint && lua_getfield(L, -1, "body_b") != LUA_TNIL &&
+        lua_getfield(L, -2, "body_a") == LUA_TNIL) {
+        lua_pop(L, 2);
+        push_function(L, kWorldMethods, "ground");
+        lua_pushvalue(L, world);
+        lua_call(L, 1, 1);
+        lua_setfield(L, -2, "body_a");
+    }
+}
+
+/// (making, world, objects) -> Body, Joint or Prefab.
+int run_make(lua_State* L) {
+    const Making& making = *static_cast<const Making*>(lua_touserdata(L, 1));
+    const LevelPart& part = making.level.parts[making.part];
+    constexpr int kWorld = 2;
+    constexpr int kObjects = 3;
+    if (part.kind == PartKind::Prefab) {
+        push_function(L, kPrefabModule, part.variant);
+    } else {
+        const std::string suffix = part.kind == PartKind::Joint ? "_joint" : "";
+        push_function(L, kWorldMethods, part.variant.empty() ? "new_body" : "add_" + part.variant + suffix);
+    }
+    lua_pushvalue(L, kWorld);
+    push_fields(L, making, kWorld, kObjects);
+    lua_settop(L, 6);  // the function, the world and the fields stand at 4, 5 and 6
+    lua_call(L, 2, 1);
+    for (const ShapePart& shape : part.shapes) {
+        push_function(L, kBodyMethods, "add_" + shape.variant);
+        lua_pushvalue(L, 4);
+        push_value(L, shape.fields);
+        lua_call(L, 2, 0);
+    }
+    return 1;
+}
+
+/// Without the name of the function, which the author of a level did not call.
+std::string without_function_name(std::string message) {
+    // "World:add_box: ..." or "cairn.prefab.rope: ...".
+    const std::size_t end = message.find(": ");
+    const bool names_function = end != std::string::npos && message.find_first_of(" \"") == end + 1;
+    return names_function ? message.substr(end + 2) : message;
+}
+
+const Module& methods_of(PartKind kind) {
+    switch (kind) {
+        case PartKind::Body:
+        case PartKind::Trigger:
+            return kBodyMethods;
+        case PartKind::Prefab:
+            return kPrefabMethods;
+        case PartKind::Joint:
+            break;
+    }
+    return kJointMethods;
+}
+
+/// Makes a world for trying out; pushed.
+void push_scratch_world(lua_State* L) {
+    push_function(L, kPhysicsModule, "new_world");
+    lua_newtable(L);
+    lua_call(L, 1, 1);
+}
+
+// What lives of it.
+void unmake_part(lua_State* L, const Level& level, std::size_t part, int objects) {
+    objects = lua_absindex(L, objects);
+    if (lua_rawgeti(L, objects, static_cast<lua_Integer>(part + 1)) != LUA_TNIL) {
+        const PartKind kind = level.parts[part].kind;
+        bool is_alive = true;
+        if (kind != PartKind::Prefab) {
+            push_function(L, methods_of(kind), "is_valid");
+            lua_pushvalue(L, -2);
+            lua_call(L, 1, 1);
+            is_alive = lua_toboolean(L, -1) != 0;
+            lua_pop(L, 1);
+        }
+        if (is_alive) {
+            push_function(L, methods_of(kind), "destroy");
+            lua_pushvalue(L, -2);
+            lua_call(L, 1, 0);
+        }
+        lua_pushnil(L);
+        lua_rawseti(L, objects, static_cast<lua_Integer>(part + 1));
+    }
+    lua_pop(L, 1);
+}
+
+}  // namespace
+
+std::string make_part(lua_State* L, const Level& level, std::size_t part, int world, int objects) {
+    Making making{level, part};
+    luaL_checkstack(L, LUA_MINSTACK, "parts of a level");
+    lua_pushcfunction(L, run_make);
+    lua_pushlightuserdata(L, &making);
+    lua_pushvalue(L, world);
+    lua_pushvalue(L, objects);
+    if (lua_pcall(L, 3, 1, 0) == LUA_OK) {
+        lua_rawseti(L, objects, static_cast<lua_Integer>(part + 1));
+        return "";
+    }
+    const char* text = lua_tostring(L, -1);
+    std::string message = text == nullptr ? "cannot be made" : without_function_name(text);
+    lua_pop(L, 1);
+    return message;
+}
+
+// Joints first: what they hold would wake and move meanwhile, were this done between steps.
+void unmake_parts(lua_State* L, const Level& level, int objects) {
+    for (std::size_t part = level.parts.size(); part-- > 0;) unmake_part(L, level, part, objects);
+}
+
+std::vector<std::string> faults_of_building(lua_State* L, const Level& level) {
+    const int top = lua_gettop(L);
+    push_scratch_world(L);
+    lua_newtable(L);
+    std::vector<std::string> faults;
+    for (std::size_t part = 0; part < level.parts.size(); ++part) {
+        const std::string message = make_part(L, level, part, top + 1, top + 2);
+        if (!message.empty()) faults.push_back(level.parts[part].place + ": " + message);
+    }
+    push_function(L, kWorldMethods, "destroy");
+    lua_pushvalue(L, top + 1);
+    lua_call(L, 1, 0);
+    lua_settop(L, top);
+    return faults;
+}
+
+}  // namespace cairn::scripting
