@@ -106,9 +106,10 @@ struct Motions {
         return {velocity[i].v,      spin(i),       pose[i].d, turned[i], velocity[i].inverse_mass,
                 inverse_inertia[i], locked_axes(i)};
     }
-    /// Writes the velocity back.
+    /// Writes the velocity back, of what can be moved: an infinite impulse times no inverse mass is NaN, and
+    /// would reach all that touches the world.
     void set(int i, const Motion& m) {
-        velocity[i].v = m.v;
+        if (velocity[i].inverse_mass > 0) velocity[i].v = m.v;
         if (inverse_inertia[i] > 0) velocity[i].w = m.w / pose[i].k;
     }
 };

@@ -126,14 +126,17 @@ void renew_boxes(Stores& stores, int body, std::vector<int>& untold) {
     });
 }
 
-void finalize_bodies(Stores& stores, StepScratch& scratch, float dt_s, bool sleep_enabled,
-                     std::vector<BodyId>& quarantined, TaskPool& tasks) {
-    BodyRows& awake = stores.bodies.rows(RowSet::Awake);
+void halt_lost_bodies(const BodyStore& bodies, Motions& motions, std::vector<BodyId>& quarantined) {
+    const BodyRows& awake = bodies.rows(RowSet::Awake);
     for (int row = 0; row < awake.size(); ++row) {
-        if (is_finite(scratch.motions, row + 1)) continue;
-        halt(scratch.motions, row + 1);
-        quarantined.push_back(stores.bodies.slots.id(awake.body[row]));
+        if (is_finite(motions, row + 1)) continue;
+        halt(motions, row + 1);
+        quarantined.push_back(bodies.slots.id(awake.body[row]));
     }
+}
+
+void finalize_bodies(Stores& stores, StepScratch& scratch, float dt_s, bool sleep_enabled, TaskPool& tasks) {
+    BodyRows& awake = stores.bodies.rows(RowSet::Awake);
     scratch.untold_boxes.start(awake.size(), kRowsPerChunk, tasks);
     tasks.parallel_for(awake.size(), kRowsPerChunk, [&](const Chunk& chunk) {
         ChunkedList<int>::Appender untold(scratch.untold_boxes, chunk);

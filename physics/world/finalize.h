@@ -1,13 +1,16 @@
-// Stage after the substeps: bodies take their new places, boxes follow, rest times are kept.
+// Stages after the substeps: what was lost to infinity is halted; bodies take their new places, boxes follow,
+// rest times are kept.
 #pragma once
 
 #include "world/world_state.h"
 
 namespace cairn::physics {
 
-/// Bodies whose motion became infinite or NaN stay where they were and are noted in `quarantined`.
-void finalize_bodies(Stores& stores, StepScratch& scratch, float dt_s, bool sleep_enabled,
-                     std::vector<BodyId>& quarantined, TaskPool& tasks);
+/// Bodies whose motion became infinite or NaN are where they were, stand, and are noted in `quarantined`. For
+/// all stages from here on: events tell of places, and there is none at infinity.
+void halt_lost_bodies(const BodyStore& bodies, Motions& motions, std::vector<BodyId>& quarantined);
+
+void finalize_bodies(Stores& stores, StepScratch& scratch, float dt_s, bool sleep_enabled, TaskPool& tasks);
 
 /// The box of a shape in the broad phase.
 void set_fat_box(Stores& stores, int shape, const Aabb& box);

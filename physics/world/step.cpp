@@ -73,13 +73,14 @@ void step_world(WorldState& world, float dt_s) {
     place_bounces(stores.bodies.rows(RowSet::Awake), scratch, time, rules);
     apply_restitution(scratch.contacts, scratch.motions, scratch.drives, rules);
 
+    halt_lost_bodies(stores.bodies, scratch.motions, world.events.quarantined);
     report_contacts(stores, scratch, def.hit_speed_m_s, world.events);
     find_overloads(stores, scratch, world.events);
     store_contact_impulses(stores.contacts, scratch);
     store_joint_impulses(stores.joints, time, scratch);
     store_direct(world.direct, stores);
     clock.enter(Stage::Finalize);
-    finalize_bodies(stores, scratch, time.dt_s, def.enable_sleep, world.events.quarantined, tasks);
+    finalize_bodies(stores, scratch, time.dt_s, def.enable_sleep, tasks);
     clock.enter(Stage::Continuous);
     hold_fast_bodies(stores, scratch, tasks);
     break_joints(stores, scratch, world.events);

@@ -1,0 +1,117 @@
+// Bodies whose motion becomes infinite: they are halted and named, and nobody else notices.
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "physics/support/making.h"
+
+namespace cairn::physics {
+namespace {
+
+using namespace test;
+
+constexpr Position kPlace_m{20, 0.5};
+
+// What holds the victim: the ground under it, and a joint to the ground, of most kinds.
+struct Hold {
+    const char* name;
+    Material material{};
+    JointDef joint = FilterJointDef{};
+};
+
+const std::vector<Hold>& holds() {
+    constexpr Vec2 kOnGround_m{20, 1.5f};  // in the frame of the ground, which is 1 m lower
+    static const std::vector<Hold> all{
+        {"nothing but a filter"},
+        {"a bounce", {.restitution = 0.5f}},
+        {"rolling resistance", {.rolling_resistance = 0.1f}},
+        {"a distance", {}, DistanceJointDef{.local_anchor_a_m = {20, 5}, .length_m = 3}},
+        {"a spring", {}, DistanceJointDef{.local_anchor_a_m = {20, 5}, .length_m = 3, .enable_spring = true}},
+        {"a pin", {}, RevoluteJointDef{.local_anchor_a_m = kOnGround_m, .collide_connected = true}},
+        {"a rail", {}, PrismaticJointDef{.local_anchor_a_m = kOnGround_m, .collide_connected = true}},
+        {"a weld", {}, WeldJointDef{.local_anchor_a_m = kOnGround_m, .collide_connected = true}},
+        {"a wheel", {}, WheelJointDef{.local_anchor_a_m = kOnGround_m, .collide_connected = true}},
+        {"a motor", {}, MotorJointDef{.local_anchor_a_m = kOnGround_m, .collide_connected = true}},
+        {"a drag", {}, MouseJointDef{.local_target_m = kOnGround_m, .max_force_n = 10}},
+        {"friction", {}, FrictionJointDef{.local_anchor_a_m = kOnGround_m, .max_force_n = 10}},
+    };
+    return all;
+}
+
+struct Scene {
+    World world;
+    BodyId victim;
+    std::vector<BodyId> others;  // a stack and a pendulum, far away, on the same ground
+};
+
+Scene make(const Hold& hold, JointSolver solver) {
+    Scene scene{.world = World({.joint_solver = solver}), .victim = {}, .others = {}};
+    World& world = scene.world;
+    const BodyId ground = add_ground(world);
+    const ShapeDef reporting{.material = hold.material, .contact_events = true, .hit_events = true};
+    scene.victim = add(world, {.position_m = kPlace_m}, Circle{.radius_m = 0.5f}, reporting);
+    JointDef joint = hold.joint;
+    std::visit(
+        [&](auto& def) {
+            if constexpr (requires { def.body_a; }) {
+                def.body_a = ground;
+                def.body_b = scene.victim;
+            }
+        },
+        joint);
+    world.create_joint(joint).value();
+    for (int i = 0; i < 4; ++i) {
+        scene.others.push_back(add(world, {.position_m = {0, 0.5 + i}}, Box{0.5f, 0.5f}));
+    }
+    scene.others.push_back(add(world, {.position_m = {-9, 5}}, Box{0.5f, 0.1f}));
+    world
+        .create_joint(RevoluteJointDef{.body_a = ground,
+                                       .body_b = scene.others.back(),
+                                       .local_anchor_a_m = {-10, 6},
+                                       .local_anchor_b_m = {-1, 0}})
+        .value();
+    return scene;
+}
+
+std::vector<double> numbers_of(const World& world, const std::vector<BodyId>& bodies) {
+    std::vector<double> all;
+    for (const BodyId id : bodies) {
+        const Body body = *world.body(id);
+        const Position p = body.position();
+        const Vec2 v = body.linear_velocity();
+        all.insert(all.end(), {p.x, p.y, static_cast<double>(body.angle()), static_cast<double>(v.x),
+                               static_cast<double>(v.y), static_cast<double>(body.angular_velocity())});
+    }
+    return all;
+}
+
+}  // namespace
+
+TEST_CASE("what is pushed to infinity stands where it was, and the rest goes on to the bit") {
+    const Hold& hold = GENERATE(from_range(holds()));
+    const JointSolver solver = GENERATE(JointSolver::Sweeping, JointSolver::Direct);
+    const Vec2 push_n = GENERATE(Vec2{3e38f, 0}, Vec2{0, -3e38f}, Vec2{1e38f, 2e38f}, Vec2{-1e30f, -1e37f});
+    CAPTURE(hold.name, push_n.x, push_n.y);
+    Scene pushed = make(hold, solver);
+    Scene calm = make(hold, solver);
+    for (int step = 0; step < 30; ++step) {
+        CAPTURE(step);
+        const Position before = pushed.world.body(pushed.victim)->position();
+        pushed.world.body(pushed.victim)->apply_force_to_center(push_n).value();
+        pushed.world.step(kStep_s).value();
+        calm.world.step(kStep_s).value();
+        const auto halted = pushed.world.quarantined();
+        for (const BodyId id : halted) {
+            REQUIRE(id == pushed.victim);
+            REQUIRE(pushed.world.body(id)->position() == before);
+            REQUIRE(pushed.world.body(id)->linear_velocity() == Vec2{});
+        }
+        for (const ContactBegin& begin : pushed.world.contact_begins()) {
+            REQUIRE(std::isfinite(begin.point_m.x + begin.point_m.y));
+        }
+        REQUIRE(numbers_of(pushed.world, pushed.others) == numbers_of(calm.world, calm.others));
+    }
+}
+
+}  // namespace cairn::physics
