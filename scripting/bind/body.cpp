@@ -3,6 +3,7 @@
 #include "bind/context.h"
 #include "bind/fracture.h"
 #include "bind/modules.h"
+#include "bind/pair_filter.h"
 #include "bind/physics_fields.h"
 #include "bind/physics_names.h"
 #include "bind/physics_objects.h"
@@ -200,8 +201,8 @@ void destroy(lua_State* L, BodyRef self) {
 }
 
 bool is_valid(Maybe<BodyObject> self) {
-    const WorldObject& owner = *self.object.world;
-    return owner.world && owner.world->contains(self.object.id);
+    const physics::World* world = readable_world(*self.object.world);
+    return world != nullptr && world->contains(self.object.id);
 }
 
 constexpr std::array<std::string_view, 1> kReturnsShape = {"Shape"};

@@ -1,6 +1,7 @@
 // The methods of Joint.
 #include "bind/joint_fields.h"
 #include "bind/modules.h"
+#include "bind/pair_filter.h"
 #include "bind/physics_objects.h"
 #include "data/nearest.h"
 
@@ -103,8 +104,8 @@ Change destroy(JointRef self) {
     return self.object.world->world->destroy_joint(self.object.id);
 }
 bool is_valid(Maybe<JointObject> self) {
-    const WorldObject& owner = *self.object.world;
-    return owner.world && owner.world->contains(self.object.id);
+    const physics::World* world = readable_world(*self.object.world);
+    return world != nullptr && world->contains(self.object.id);
 }
 
 constexpr std::array<std::string_view, 1> kReturnsBody = {"Body"};

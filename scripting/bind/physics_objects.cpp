@@ -8,6 +8,7 @@
 #include <string>
 
 #include "bind/fields.h"
+#include "bind/pair_filter.h"
 
 namespace cairn::scripting {
 namespace {
@@ -53,8 +54,21 @@ Object& checked_object(lua_State* L, int index) {
 }
 
 [[noreturn]] void stale_error(lua_State* L, const WorldObject& world, const char* what) {
+    if (!world.world && readable_world(world) != nullptr) {
+        call_error(L,
+                   "a pair filter may look at bodies and shapes, and not change anything or look farther; do "
+                   "that behind the step");
+    }
+    if (std::string_view(what) == "world") call_error(L, "this world was destroyed");
     call_error(L, !world.world ? std::string("the world of this ") + what + " was destroyed"
                                : std::string("this ") + what + " was destroyed; is_valid() tells");
+}
+
+/// Of an object; or an error is raised.
+physics::World& living_world(lua_State* L, WorldObject& object, const char* what) {
+    if (object.world) return *object.world;
+    if (physics::World* world = world_to_look_at(L, object)) return *world;
+    stale_error(L, object, what);
 }
 
 /// The world's value of a shape or joint, made when it is first asked for. A dead one, which only events can
@@ -83,7 +97,7 @@ void push_interned(lua_State* L, int world_index, WorldTable table, WorldObject&
     new_object<Object>(L, 1, &world, id);
     lua_pushvalue(L, world_index);
     lua_setiuservalue(L, -2, 1);
-    if (world.world && world.world->contains(id)) {
+    if (const physics::World* living = readable_world(world); living != nullptr && living->contains(id)) {
         lua_pushvalue(L, -1);
         lua_rawseti(L, -3, static_cast<lua_Integer>(id.index1));
     }
@@ -94,30 +108,26 @@ void push_interned(lua_State* L, int world_index, WorldTable table, WorldObject&
 
 WorldRef Argument<WorldRef>::get(lua_State* L, int index) {
     auto& object = checked_object<WorldObject>(L, index);
-    if (!object.world) call_error(L, "this world was destroyed");
-    return {object, *object.world, index};
+    return {object, living_world(L, object, "world"), index};
 }
 
 BodyRef Argument<BodyRef>::get(lua_State* L, int index) {
     auto& object = checked_object<BodyObject>(L, index);
-    if (!object.world->world) stale_error(L, *object.world, "body");
-    auto body = object.world->world->body(object.id);
+    auto body = living_world(L, *object.world, "body").body(object.id);
     if (!body) stale_error(L, *object.world, "body");
     return {object, *body, index};
 }
 
 ShapeRef Argument<ShapeRef>::get(lua_State* L, int index) {
     auto& object = checked_object<ShapeObject>(L, index);
-    if (!object.world->world) stale_error(L, *object.world, "shape");
-    auto shape = object.world->world->shape(object.id);
+    auto shape = living_world(L, *object.world, "shape").shape(object.id);
     if (!shape) stale_error(L, *object.world, "shape");
     return {object, *shape, index};
 }
 
 JointRef Argument<JointRef>::get(lua_State* L, int index) {
     auto& object = checked_object<JointObject>(L, index);
-    if (!object.world->world) stale_error(L, *object.world, "joint");
-    auto joint = object.world->world->joint(object.id);
+    auto joint = living_world(L, *object.world, "joint").joint(object.id);
     if (!joint) stale_error(L, *object.world, "joint");
     return {object, *joint, index};
 }

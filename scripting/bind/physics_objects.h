@@ -14,15 +14,19 @@
 
 namespace cairn::scripting {
 
+class FilteredStep;
+
 struct WorldObject : ObjectHeader {
     static constexpr ObjectTag kTag = ObjectTag::World;
 
-    std::optional<physics::World> world;  ///< empty after world:destroy()
+    std::optional<physics::World> world;  ///< empty after world:destroy(), and while its pair filter is asked
     int reference = 0;                    ///< of the world itself in the registry, while it lives
     int steps_with_retired = 0;           ///< for how many more steps the tables of retired bodies matter
     physics::BodyId ground{};             ///< what world:ground() gave last
     std::set<std::uint64_t> warned{};     ///< handle bits of bodies that the log has called halted
     physics::Snapshot last_snapshot{};    ///< kept for its memory
+    FilteredStep* filtered_step = nullptr;  ///< while it steps
+    bool is_profiled = false;               ///< the script wants it, whatever tools want
 };
 
 /// The Lua tables that a world keeps as user values.
@@ -38,6 +42,8 @@ enum class WorldTable {
     Known,  ///< handle bits -> Body: all that somebody still holds (weak), also of bodies that are gone
 };
 inline constexpr int kWorldTableCount = 8;
+/// The user value behind them: what world:set_pair_filter got.
+inline constexpr int kPairFilterValue = kWorldTableCount + 1;
 
 /// User value 1 is the world.
 struct BodyObject : ObjectHeader {

@@ -1,5 +1,6 @@
 // The methods of Shape.
 #include "bind/modules.h"
+#include "bind/pair_filter.h"
 #include "bind/physics_fields.h"
 #include "bind/physics_names.h"
 #include "bind/physics_objects.h"
@@ -122,8 +123,8 @@ Change destroy(ShapeRef self) {
     return self.object.world->world->destroy_shape(self.object.id);
 }
 bool is_valid(Maybe<ShapeObject> self) {
-    const WorldObject& owner = *self.object.world;
-    return owner.world && owner.world->contains(self.object.id);
+    const physics::World* world = readable_world(*self.object.world);
+    return world != nullptr && world->contains(self.object.id);
 }
 
 constexpr std::array<std::string_view, 1> kReturnsBody = {"Body"};

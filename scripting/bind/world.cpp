@@ -9,6 +9,7 @@
 #include "bind/joint_fields.h"
 #include "bind/modules.h"
 #include "bind/mover.h"
+#include "bind/pair_filter.h"
 #include "bind/physics_fields.h"
 #include "bind/physics_objects.h"
 #include "bind/report.h"
@@ -37,7 +38,7 @@ Pushed new_world(lua_State* L, std::optional<TableArgument> description) {
     const FieldReader reader(L, description ? description->index : -1, kWorldFields);
     auto created = physics::World::create(read_world_def(reader, L));
     if (!created) call_error(L, created.error());
-    auto& object = new_object<WorldObject>(L, kWorldTableCount, std::nullopt, 0, 0);
+    auto& object = new_object<WorldObject>(L, kPairFilterValue, std::nullopt, 0, 0);
     object.world.emplace(*std::move(created));
     for (int table = 1; table <= kWorldTableCount; ++table) {
         lua_newtable(L);
@@ -90,11 +91,13 @@ void warn_of_quarantined(WorldRef world) {
 
 physics::Result<void> step(lua_State* L, WorldRef self, double dt_s) {
     age_retired(L, self.index, self.object);
+    FilteredStep filtered(L, self);
     auto stepped = self.world.step(static_cast<float>(dt_s));
     if (!stepped) return stepped;
     warn_of_quarantined(self);
     keep_broken_joints(L, self);
     adopt_pieces(L, self);
+    filtered.raise_error();
     return stepped;
 }
 
@@ -234,7 +237,7 @@ void destroy(lua_State* L, WorldRef self) {
 }
 
 bool is_valid(Maybe<WorldObject> self) {
-    return self.object.world.has_value();
+    return readable_world(self.object) != nullptr;
 }
 
 constexpr std::array<std::string_view, 1> kReturnsIterator = {
@@ -425,6 +428,16 @@ constexpr Function kWorldFunctions[] = {
                                  &kMaterialRuleFields),
     function_pushing<&material_rule>("material_rule", "kind_a, kind_b", "rule", kReturnsTable,
                                      "A new table with the fields that `set_material_rule` takes."),
+    function<&set_pair_filter>(
+        "set_pair_filter", "filter = nil", "",
+        "Asks a function which pairs of shapes collide, besides their categories, masks and groups: "
+        "`world:set_pair_filter(function(a, b, shape_a, shape_b) return a.data.team ~= b.data.team end)`. It "
+        "is called once for each pair whose boxes come together, in the step in which they do and in an "
+        "order "
+        "that depends on the game alone; its answer, true or false, holds until the two part. It may read "
+        "bodies and shapes and their `data`, and must not change anything. nil ends the asking; pairs that "
+        "are near each other keep their answers. An error in it is raised by `step`, which is done then; the "
+        "rest of that step's pairs collide. Snapshots do not hold the filter."),
     function<&gravity>("gravity", "", "x [m/s^2], y [m/s^2]", ""),
     function<&set_gravity>("set_gravity", "x [m/s^2], y [m/s^2]", "", "Wakes every body."),
     function<&body_count>("body_count", "", "count", ""),

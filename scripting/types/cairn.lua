@@ -764,6 +764,10 @@ function World:set_material_rule(kind_a, kind_b, fields) end
 ---@return table rule
 function World:material_rule(kind_a, kind_b) end
 
+---Asks a function which pairs of shapes collide, besides their categories, masks and groups: `world:set_pair_filter(function(a, b, shape_a, shape_b) return a.data.team ~= b.data.team end)`. It is called once for each pair whose boxes come together, in the step in which they do and in an order that depends on the game alone; its answer, true or false, holds until the two part. It may read bodies and shapes and their `data`, and must not change anything. nil ends the asking; pairs that are near each other keep their answers. An error in it is raised by `step`, which is done then; the rest of that step's pairs collide. Snapshots do not hold the filter.
+---@param filter function?
+function World:set_pair_filter(filter) end
+
 ---@return number x [m/s^2]
 ---@return number y [m/s^2]
 function World:gravity() end
@@ -2779,6 +2783,11 @@ function cairn.audio.set_voice_volume(voice, volume) end
 ---@param voice integer
 ---@param pan number
 function cairn.audio.set_voice_pan(voice, pan) end
+
+---0.25 to 4: speed and pitch from now on, as of an engine that turns faster.
+---@param voice integer
+---@param pitch number
+function cairn.audio.set_voice_pitch(voice, pitch) end
 
 ---Loads a sound and says how long it plays at pitch 1.
 ---@param path string
