@@ -27,9 +27,12 @@ float unit(float value) {
     return value > 0 ? std::min(value, 1.0f) : 0.0f;
 }
 
-int to_pitch_step(float pitch) {
-    const float sane = std::isfinite(pitch) ? std::clamp(pitch, 0.25f, 4.0f) : 1.0f;
-    return static_cast<int>(std::lround(kPitchStepsPerOctave * std::log2(sane)));
+float sane_pitch(float pitch) {
+    return std::isfinite(pitch) ? std::clamp(pitch, 0.25f, 4.0f) : 1.0f;
+}
+
+float sane_pan(float pan) {
+    return std::isfinite(pan) ? std::clamp(pan, -1.0f, 1.0f) : 0.0f;
 }
 
 }  // namespace
@@ -47,6 +50,7 @@ struct Audio::State {
         double end_s = -kForever_s;
         double rest_s = 0;  ///< while its group is paused: what is left to play
         float volume = 1;
+        float pitch = 1;
         AudioGroup group = AudioGroup::Sound;
     };
     struct Music {
@@ -186,21 +190,21 @@ VoiceId Audio::play(SoundId id, const SoundPlay& play) {
         return {};
     }
 
-    const int pitch_step = to_pitch_step(play.pitch);
-    const double pitch = std::exp2(static_cast<double>(pitch_step) / kPitchStepsPerOctave);
     ++slot->generation;
     slot->sound = id;
-    slot->end_s = play.loop ? kForever_s : s.clock_s + sound->duration_s / pitch;
+    slot->pitch = sane_pitch(play.pitch);
+    slot->end_s = play.loop ? kForever_s : s.clock_s + sound->duration_s / static_cast<double>(slot->pitch);
     slot->volume = unit(play.volume);
     slot->group = play.group;
     sound->last_start_s = s.clock_s;
     ++s.plays;
 
     const int index = static_cast<int>(slot - s.voices.begin());
-    const float pan = std::isfinite(play.pan) ? std::clamp(play.pan, -1.0f, 1.0f) : 0;
-    s.backend->start_voice(
-        index, sound->data,
-        {.volume = s.heard_volume(*slot), .pan = pan, .pitch_step = pitch_step, .loop = play.loop});
+    s.backend->start_voice(index, sound->data,
+                           {.volume = s.heard_volume(*slot),
+                            .pan = sane_pan(play.pan),
+                            .pitch = slot->pitch,
+                            .loop = play.loop});
     if (s.group(play.group).is_paused) {
         slot->rest_s = slot->end_s - s.clock_s;
         slot->end_s = kForever_s;
@@ -224,9 +228,21 @@ void Audio::set_voice_volume(VoiceId id, float volume) {
 }
 
 void Audio::set_voice_pan(VoiceId id, float pan) {
-    if (state_->find(id))
-        state_->backend->set_voice_pan(static_cast<int>(id.index),
-                                       std::isfinite(pan) ? std::clamp(pan, -1.0f, 1.0f) : 0);
+    if (state_->find(id)) state_->backend->set_voice_pan(static_cast<int>(id.index), sane_pan(pan));
+}
+
+void Audio::set_voice_pitch(VoiceId id, float pitch) {
+    State::Voice* voice = state_->find(id);
+    if (!voice) return;
+    const float before = std::exchange(voice->pitch, sane_pitch(pitch));
+    // What is left of it is as much sound as before.
+    const double factor = static_cast<double>(before) / static_cast<double>(voice->pitch);
+    if (state_->group(voice->group).is_paused) {
+        voice->rest_s *= factor;
+    } else {
+        voice->end_s = state_->clock_s + (voice->end_s - state_->clock_s) * factor;
+    }
+    state_->backend->set_voice_pitch(static_cast<int>(id.index), voice->pitch);
 }
 
 bool Audio::is_playing(VoiceId voice) const {

@@ -23,15 +23,11 @@ struct SoundData {
 };
 
 struct VoiceSettings {
-    float volume = 1;    ///< 0 .. 1, the group's volume included
-    float pan = 0;       ///< -1 .. 1
-    int pitch_step = 0;  ///< in 1/48 octave
+    float volume = 1;  ///< 0 .. 1, the group's volume included
+    float pan = 0;     ///< -1 .. 1
+    float pitch = 1;   ///< 0.25 .. 4
     bool loop = false;
 };
-
-/// How many pitch steps an octave has. A 48th, a quarter of a semitone, is less than people hear between two
-/// thuds; it keeps the number of resampled copies small.
-inline constexpr int kPitchStepsPerOctave = 48;
 
 class AudioBackend {
   public:
@@ -42,6 +38,7 @@ class AudioBackend {
     virtual void stop_voice(int slot) = 0;
     virtual void set_voice_volume(int slot, float volume) = 0;
     virtual void set_voice_pan(int slot, float pan) = 0;
+    virtual void set_voice_pitch(int slot, float pitch) = 0;
     virtual void set_voice_paused(int slot, bool paused) = 0;
 
     virtual void start_music(SoundData music, float volume, bool loop) = 0;

@@ -67,6 +67,9 @@ void set_voice_volume(lua_State* L, std::int64_t voice, float volume) {
 void set_voice_pan(lua_State* L, std::int64_t voice, float pan) {
     context_of(L).services.audio.set_voice_pan(to_voice(voice), pan);
 }
+void set_voice_pitch(lua_State* L, std::int64_t voice, float pitch) {
+    context_of(L).services.audio.set_voice_pitch(to_voice(voice), pitch);
+}
 double duration(lua_State* L, std::string_view path) {
     engine::Audio& audio = context_of(L).services.audio;
     return audio.duration_s(value_or_raise(L, audio.load_sound(path)));
@@ -141,6 +144,8 @@ constexpr Function kFunctions[] = {
     function<&is_playing>("is_playing", "voice", "playing", ""),
     function<&set_voice_volume>("set_voice_volume", "voice, volume", "", ""),
     function<&set_voice_pan>("set_voice_pan", "voice, pan", "", "-1 left to 1 right."),
+    function<&set_voice_pitch>("set_voice_pitch", "voice, pitch", "",
+                               "0.25 to 4: speed and pitch from now on, as of an engine that turns faster."),
     function<&duration>("duration", "path", "seconds [s]",
                         "Loads a sound and says how long it plays at pitch 1."),
     function<&set_rate_cap>(

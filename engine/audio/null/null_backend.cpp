@@ -10,6 +10,7 @@ class NullAudio final : public AudioBackend {
     void stop_voice(int) override {}
     void set_voice_volume(int, float) override {}
     void set_voice_pan(int, float) override {}
+    void set_voice_pitch(int, float) override {}
     void set_voice_paused(int, bool) override {}
     void start_music(SoundData, float, bool) override {}
     void stop_music() override {}

@@ -1,12 +1,14 @@
-// The back-end on SDL2_mixer. Invariant: voice slot i plays on mixer channel i; the bytes of a chunk or of
-// the music live until no channel plays them.
+// The back-end on SDL2_mixer. Invariant: voice slot i plays on mixer channel i; the samples of a sound and
+// the bytes of the music live until no channel plays them. The mixer cannot change the speed of a channel, so
+// each channel plays silence for ever, into which its stream writes what is heard.
 #include "audio/sdl/mixer_backend.h"
 
 #include <SDL.h>
 #include <SDL_mixer.h>
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <cstring>
+#include <cstddef>
 #include <map>
 #include <set>
 #include <string>
@@ -14,7 +16,7 @@
 
 #include <cairn/engine/log.h>
 
-#include "audio/sdl/resample.h"
+#include "audio/sdl/voice_stream.h"
 
 namespace cairn::engine {
 namespace {
@@ -22,7 +24,7 @@ namespace {
 constexpr int kRate_hz = 44100;
 /// 23 ms of delay: less crackles on slow machines, more is heard as late.
 constexpr int kBufferFrames = 1024;
-/// Of resampled copies; a second in one takes 176 kB.
+/// Decoded; a second takes 176 kB.
 constexpr std::size_t kMaxChunks = 128;
 
 struct ChunkDeleter {
@@ -42,6 +44,7 @@ class MixerBackend final : public AudioBackend {
         if (!is_open_) return;
         Mix_HaltChannel(-1);
         chunks_.clear();
+        silence_.reset();
         music_.reset();
         Mix_CloseAudio();
         SDL_QuitSubSystem(SDL_INIT_AUDIO);
@@ -50,15 +53,25 @@ class MixerBackend final : public AudioBackend {
     void start_voice(int slot, const SoundData& sound, const VoiceSettings& settings) override {
         if (!open_device()) return;
         Mix_HaltChannel(slot);
-        Mix_Chunk* chunk = find_chunk(sound, settings.pitch_step);
+        const Mix_Chunk* chunk = find_chunk(sound);
         if (!chunk) return;
+        Voice& voice = voices_[static_cast<std::size_t>(slot)];
+        voice.chunk = chunk;
+        voice.stream.start({reinterpret_cast<const std::int16_t*>(chunk->abuf), chunk->alen / 2},
+                           settings.pitch, settings.loop);
         Mix_Volume(slot, to_mixer_volume(settings.volume));
+        if (Mix_PlayChannel(slot, silence_.get(), -1) < 0) return warn_once(sound.path, Mix_GetError());
+        // In this order: what the stream writes is panned.
+        Mix_RegisterEffect(slot, fill, nullptr, &voice.stream);
         pan(slot, settings.pan);
-        if (Mix_PlayChannel(slot, chunk, settings.loop ? -1 : 0) < 0) warn_once(sound.path, Mix_GetError());
     }
 
     void stop_voice(int slot) override {
         if (is_open_) Mix_HaltChannel(slot);
+    }
+
+    void set_voice_pitch(int slot, float pitch) override {
+        voices_[static_cast<std::size_t>(slot)].stream.set_pitch(pitch);
     }
 
     void set_voice_volume(int slot, float volume) override {
@@ -110,12 +123,17 @@ class MixerBackend final : public AudioBackend {
     bool is_device_open() const override { return is_open_; }
 
   private:
-    /// A mixer chunk and, for a resampled one, the samples that it points to.
-    struct Chunk {
-        std::vector<std::int16_t> samples;
-        std::unique_ptr<Mix_Chunk, ChunkDeleter> chunk;
+    using Chunk = std::unique_ptr<Mix_Chunk, ChunkDeleter>;
+    struct Voice {
+        const Mix_Chunk* chunk = nullptr;  ///< that the stream reads
+        VoiceStream stream;
     };
-    using ChunkKey = std::pair<std::uint32_t, int>;  ///< sound and pitch step
+
+    /// The mixer's effect of each channel, on its own thread.
+    static void fill(int, void* buffer, int bytes, void* stream) {
+        static_cast<VoiceStream*>(stream)->fill(
+            {static_cast<std::int16_t*>(buffer), static_cast<std::size_t>(bytes) / sizeof(std::int16_t)});
+    }
 
     static void pan(int slot, float where) {
         Mix_SetPanning(slot, static_cast<Uint8>(255 * std::min(1.0f, 1 - where)),
@@ -128,7 +146,7 @@ class MixerBackend final : public AudioBackend {
             log(LogLevel::Warning, std::string("no sound: ") + SDL_GetError());
             return false;
         }
-        // The mixer may not change the format: the resampler relies on 16-bit stereo.
+        // The mixer may not change the format: streams rely on 16-bit stereo.
         if (Mix_OpenAudioDevice(kRate_hz, AUDIO_S16SYS, 2, kBufferFrames, nullptr, 0) != 0) {
             log(LogLevel::Warning, std::string("no sound: ") + Mix_GetError());
             SDL_QuitSubSystem(SDL_INIT_AUDIO);
@@ -136,6 +154,7 @@ class MixerBackend final : public AudioBackend {
         }
         is_open_ = true;
         Mix_AllocateChannels(Audio::kMaxVoices);
+        silence_.reset(Mix_QuickLoad_RAW(no_sound_.data(), static_cast<Uint32>(no_sound_.size())));
         return true;
     }
 
@@ -144,45 +163,36 @@ class MixerBackend final : public AudioBackend {
             log(LogLevel::Warning, "sound '" + path + "' cannot be played: " + reason);
     }
 
-    Mix_Chunk* find_chunk(const SoundData& sound, int pitch_step) {
-        if (const auto known = chunks_.find({sound.key, pitch_step}); known != chunks_.end())
-            return known->second.chunk.get();
+    /// Decoded when it is first played.
+    const Mix_Chunk* find_chunk(const SoundData& sound) {
+        if (const auto known = chunks_.find(sound.key); known != chunks_.end()) return known->second.get();
         if (chunks_.size() >= kMaxChunks) drop_idle_chunks();
-
-        Chunk made;
-        if (pitch_step == 0) {
-            SDL_RWops* stream = SDL_RWFromConstMem(sound.file.data(), static_cast<int>(sound.file.size()));
-            made.chunk.reset(stream ? Mix_LoadWAV_RW(stream, /*freesrc=*/1) : nullptr);
-        } else {
-            const Mix_Chunk* original = find_chunk(sound, 0);
-            if (!original) return nullptr;
-            std::vector<std::int16_t> samples(original->alen / sizeof(std::int16_t));
-            std::memcpy(samples.data(), original->abuf, samples.size() * sizeof(std::int16_t));
-            made.samples =
-                resample_stereo(samples, std::exp2(static_cast<double>(pitch_step) / kPitchStepsPerOctave));
-            made.chunk.reset(
-                Mix_QuickLoad_RAW(reinterpret_cast<Uint8*>(made.samples.data()),
-                                  static_cast<Uint32>(made.samples.size() * sizeof(std::int16_t))));
-        }
-        if (!made.chunk) {
+        SDL_RWops* stream = SDL_RWFromConstMem(sound.file.data(), static_cast<int>(sound.file.size()));
+        Chunk chunk(stream ? Mix_LoadWAV_RW(stream, /*freesrc=*/1) : nullptr);
+        if (!chunk) {
             warn_once(sound.path, Mix_GetError());
             return nullptr;
         }
-        return chunks_.emplace(ChunkKey{sound.key, pitch_step}, std::move(made)).first->second.chunk.get();
+        return chunks_.emplace(sound.key, std::move(chunk)).first->second.get();
     }
 
-    /// Freeing a chunk that plays would cut it off.
+    /// What is still read stays.
     void drop_idle_chunks() {
-        std::erase_if(chunks_, [](const auto& entry) {
-            for (int channel = 0; channel < Audio::kMaxVoices; ++channel)
-                if (Mix_Playing(channel) && Mix_GetChunk(channel) == entry.second.chunk.get()) return false;
+        std::erase_if(chunks_, [&](const auto& entry) {
+            for (std::size_t slot = 0; slot < voices_.size(); ++slot) {
+                const bool plays = Mix_Playing(static_cast<int>(slot)) && !voices_[slot].stream.is_over();
+                if (plays && voices_[slot].chunk == entry.second.get()) return false;
+            }
             return true;
         });
     }
 
     bool is_open_ = false;
     bool has_tried_ = false;
-    std::map<ChunkKey, Chunk> chunks_;
+    std::map<std::uint32_t, Chunk> chunks_;  ///< by the key of their sound
+    std::array<Voice, Audio::kMaxVoices> voices_;
+    alignas(4) std::array<Uint8, std::size_t{4} * kBufferFrames> no_sound_{};
+    Chunk silence_;
     SoundData music_data_;
     std::unique_ptr<Mix_Music, MusicDeleter> music_;
     std::set<std::string> complaints_;

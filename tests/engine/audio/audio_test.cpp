@@ -67,6 +67,34 @@ TEST_CASE_METHOD(Sounds, "a higher pitch ends sooner, a loop not at all") {
     CHECK_FALSE(audio->is_playing(loop));
 }
 
+TEST_CASE_METHOD(Sounds,
+                 "what is left of a voice ends sooner when its pitch rises, also while it is paused") {
+    const VoiceId voice = audio->play(tone);  // half a second
+    audio->advance(0.2);
+    audio->set_voice_pitch(voice, 3);
+    audio->advance(0.09);
+    CHECK(audio->is_playing(voice));
+    audio->advance(0.02);
+    CHECK_FALSE(audio->is_playing(voice));
+
+    const VoiceId paused = audio->play(tone);
+    audio->advance(0.1);
+    audio->set_paused(AudioGroup::Sound, true);
+    audio->set_voice_pitch(paused, 0.5f);  // 0.4 s of sound take 0.8 s
+    audio->advance(9);
+    audio->set_paused(AudioGroup::Sound, false);
+    audio->advance(0.79);
+    CHECK(audio->is_playing(paused));
+    audio->advance(0.02);
+    CHECK_FALSE(audio->is_playing(paused));
+
+    const VoiceId loop = audio->play(tone, {.loop = true});
+    audio->set_voice_pitch(loop, 4);
+    audio->set_voice_pitch(VoiceId{}, 2);
+    audio->advance(100);
+    CHECK(audio->is_playing(loop));
+}
+
 TEST_CASE_METHOD(Sounds, "a voice's handle does not name the voice that took its place") {
     const VoiceId first = audio->play(tone);
     audio->stop(first);

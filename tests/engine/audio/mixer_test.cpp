@@ -1,4 +1,4 @@
-// SDL2_mixer on SDL's dummy device, and the resampler against a formula.
+// SDL2_mixer on SDL's dummy device, and the streams of voices against a formula.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cstdlib>
@@ -7,7 +7,7 @@
 
 #include "audio/backend.h"
 #include "audio/sdl/mixer_backend.h"
-#include "audio/sdl/resample.h"
+#include "audio/sdl/voice_stream.h"
 #include "engine/support/drawing.h"
 #include "engine/support/sounds.h"
 
@@ -22,14 +22,49 @@ class AudioDriver {
     ~AudioDriver() { unsetenv("SDL_AUDIODRIVER"); }
 };
 
+/// The first frames that a voice plays, in two buffers.
+std::vector<std::int16_t> heard(const std::vector<std::int16_t>& samples, float pitch, bool loop,
+                                std::size_t frames) {
+    VoiceStream stream;
+    stream.start(samples, pitch, loop);
+    std::vector<std::int16_t> out(2 * frames, 77);
+    const std::size_t half = 2 * (frames / 2);
+    stream.fill(std::span(out).first(half));
+    stream.fill(std::span(out).subspan(half));
+    return out;
+}
+
 }  // namespace
 
-TEST_CASE("resampling by two keeps every second frame, and by a half puts one in between") {
+TEST_CASE("a voice at twice the pitch reads every second frame, at half of it one in between") {
     const std::vector<std::int16_t> ramp = {0, 100, 10, 110, 20, 120, 30, 130};
-    CHECK(resample_stereo(ramp, 2) == std::vector<std::int16_t>{0, 100, 20, 120});
-    CHECK(resample_stereo(ramp, 0.5) ==
-          std::vector<std::int16_t>{0, 100, 5, 105, 10, 110, 15, 115, 20, 120, 25, 125, 30, 130, 30, 130});
-    CHECK(resample_stereo({}, 2).empty());
+    CHECK(heard(ramp, 1, false, 6) ==
+          std::vector<std::int16_t>{0, 100, 10, 110, 20, 120, 30, 130, 0, 0, 0, 0});
+    CHECK(heard(ramp, 2, false, 3) == std::vector<std::int16_t>{0, 100, 20, 120, 0, 0});
+    CHECK(heard(ramp, 0.5f, false, 9) == std::vector<std::int16_t>{0, 100, 5, 105, 10, 110, 15, 115, 20, 120,
+                                                                   25, 125, 30, 130, 30, 130, 0, 0});
+    CHECK(heard({}, 2, true, 1) == std::vector<std::int16_t>{0, 0});
+}
+
+TEST_CASE("a voice that loops goes on at its beginning, without a gap between") {
+    const std::vector<std::int16_t> ramp = {0, 100, 10, 110, 20, 120};
+    CHECK(heard(ramp, 2, true, 4) == std::vector<std::int16_t>{0, 100, 20, 120, 10, 110, 0, 100});
+    CHECK(heard(ramp, 2.5f, true, 3) == std::vector<std::int16_t>{0, 100, 10, 110, 20, 120});
+}
+
+TEST_CASE("a voice changes its pitch where it is") {
+    std::vector<std::int16_t> ramp(200);
+    for (std::size_t i = 0; i < ramp.size(); ++i) ramp[i] = static_cast<std::int16_t>(i / 2);
+    VoiceStream stream;
+    stream.start(ramp, 1, false);
+    std::vector<std::int16_t> out(20);
+    stream.fill(out);
+    CHECK(out.back() == 9);
+    stream.set_pitch(4);
+    stream.fill(out);
+    CHECK(out.front() == 10);
+    CHECK(out.back() == 10 + 4 * 9);
+    CHECK_FALSE(stream.is_over());
 }
 
 TEST_CASE("the audio device is opened by the first sound that plays, not before") {

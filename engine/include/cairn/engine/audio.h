@@ -26,7 +26,7 @@ enum class AudioGroup : int { Sound, Music };
 struct SoundPlay {
     float volume = 1;   ///< 0 .. 1, clamped; multiplied by the group's volume
     float pan = 0;      ///< -1 left .. 1 right, clamped
-    float pitch = 1;    ///< 0.25 .. 4, clamped; speed and pitch change together, in steps of 1/48 octave
+    float pitch = 1;    ///< 0.25 .. 4, clamped; speed and pitch change together
     bool loop = false;  ///< plays until stopped
     AudioGroup group = AudioGroup::Sound;
 };
@@ -72,6 +72,8 @@ class Audio {
     void stop(VoiceId voice);
     void set_voice_volume(VoiceId voice, float volume);
     void set_voice_pan(VoiceId voice, float pan);
+    /// What is left of it plays faster or slower from now on: 0.25 .. 4, clamped.
+    void set_voice_pitch(VoiceId voice, float pitch);
     bool is_playing(VoiceId voice) const;
     void stop_all_sounds();
 
