@@ -12,12 +12,11 @@ namespace cairn::engine {
 namespace {
 
 void fill(Image& image, Rgba8 color) {
-    for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
-        image.rgba[i] = color.r;
-        image.rgba[i + 1] = color.g;
-        image.rgba[i + 2] = color.b;
-        image.rgba[i + 3] = color.a;
-    }
+    std::uint32_t pixel;
+    static_assert(sizeof pixel == sizeof color);
+    std::memcpy(&pixel, &color, sizeof pixel);
+    for (std::size_t i = 0; i < image.rgba.size(); i += sizeof pixel)
+        std::memcpy(image.rgba.data() + i, &pixel, sizeof pixel);
 }
 
 }  // namespace
