@@ -52,6 +52,7 @@ Pushed report(lua_State* L, WorldRef self) {
 }
 
 void set_profiling(WorldRef self, bool enabled) {
+    self.object.is_profiled = enabled;
     self.world.set_profiling(enabled);
 }
 

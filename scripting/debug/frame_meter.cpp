@@ -14,7 +14,7 @@ void FrameMeter::turn(bool on, const Context& context) {
     now_ = {};
     totals_ = {};
     frame_start_ = {};
-    for (WorldObject* world : context.worlds) world->world->set_profiling(on);
+    for (WorldObject* world : context.worlds) world->world->set_profiling(on || world->is_profiled);
 }
 
 void FrameMeter::end_frame(const Context& context, std::uint64_t lua_allocated) {

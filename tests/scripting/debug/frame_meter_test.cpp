@@ -37,6 +37,23 @@ TEST_CASE("physics counts once for each step that was made, and stages add up to
     CHECK(frames[1].lua_allocated == 250);
 }
 
+TEST_CASE("a meter that ends leaves worlds measuring whose script wants it, and only those") {
+    LuaBench bench;
+    REQUIRE(bench.run(
+                "w1, w2 = cairn.physics.new_world{}, cairn.physics.new_world{} w1:set_profiling(true) "
+                "function measured(w) for i = 1, 200 do w:add_circle{ x = 2 * i, radius = 0.5 } end "
+                "local before = w:report().stages w:step(1 / 60) "
+                "for name, ms in pairs(w:report().stages) do if ms ~= before[name] then return true end end "
+                "return false end") == "");
+    FrameMeter meter;
+    meter.turn(true, bench.game().context());
+    meter.end_frame(bench.game().context(), 0);
+    CHECK(bench.value("measured(w2)") == "true");
+    meter.turn(false, bench.game().context());
+    CHECK(bench.value("measured(w1)") == "true");
+    CHECK(bench.value("measured(w2)") == "false");
+}
+
 TEST_CASE("the history holds the last frames, oldest first") {
     LuaBench bench;
     FrameMeter meter;
