@@ -38,7 +38,9 @@ constexpr KeyHelp kKeys[] = {
     {engine::Key::F7, "F7", "pause, and go on by one update; held, by one after the other"},
     {engine::Key::F8, "F8", "half as fast"},
     {engine::Key::F9, "F9", "twice as fast"},
-    {engine::Key::F10, "F10", "inspector: worlds, bodies, joints, values of the script, assets, log"},
+    {engine::Key::F10, "F10",
+     "inspector: worlds, bodies, joints, values of the script, assets, log; a gamepad's middle button drives "
+     "it"},
 };
 
 bool is_tool_key(engine::Key key) {

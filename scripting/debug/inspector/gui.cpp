@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <imgui.h>
 #include <utility>
 
@@ -41,6 +42,22 @@ constexpr std::array<std::pair<ImGuiKey_, Key>, 22> kKeys{{
     {ImGuiKey_Z, Key::Z},
 }};
 
+/// Sticks of worn gamepads rest anywhere within this.
+constexpr float kStickRest = 0.2f;
+
+constexpr std::array<std::pair<ImGuiNavInput_, engine::GamepadButton>, 10> kGamepadButtons{{
+    {ImGuiNavInput_Activate, engine::GamepadButton::A},
+    {ImGuiNavInput_Cancel, engine::GamepadButton::B},
+    {ImGuiNavInput_Menu, engine::GamepadButton::X},
+    {ImGuiNavInput_Input, engine::GamepadButton::Y},
+    {ImGuiNavInput_DpadLeft, engine::GamepadButton::DpadLeft},
+    {ImGuiNavInput_DpadRight, engine::GamepadButton::DpadRight},
+    {ImGuiNavInput_DpadUp, engine::GamepadButton::DpadUp},
+    {ImGuiNavInput_DpadDown, engine::GamepadButton::DpadDown},
+    {ImGuiNavInput_TweakSlow, engine::GamepadButton::LeftShoulder},
+    {ImGuiNavInput_TweakFast, engine::GamepadButton::RightShoulder},
+}};
+
 void note_modifiers(ImGuiIO& io) {
     const auto is_down = [&](Key key) { return io.KeysDown[static_cast<std::size_t>(key)]; };
     io.KeyCtrl = is_down(Key::LeftControl) || is_down(Key::RightControl);
@@ -75,7 +92,7 @@ Gui::Gui(engine::Renderer& renderer) : renderer_(renderer), context_(ImGui::Crea
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr;  // nothing is written behind the game's back
     io.LogFilename = nullptr;
-    io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
+    io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard | ImGuiConfigFlags_NavEnableGamepad;
     for (const auto& [gui_key, key] : kKeys) io.KeyMap[gui_key] = static_cast<int>(key);
     set_style();
 }
@@ -144,6 +161,7 @@ bool Gui::take(const InputEvent& event) {
         case InputKind::GamepadPressed:
         case InputKind::GamepadReleased:
         case InputKind::GamepadMoved:
+            return take_gamepad(event);
         case InputKind::WindowResized:
         case InputKind::FocusGained:
         case InputKind::QuitRequested:
@@ -179,6 +197,50 @@ bool Gui::take_touch(const InputEvent& event) {
     return was_taken || taken_touches_[finger];
 }
 
+bool Gui::take_gamepad(const InputEvent& event) {
+    gamepads_.apply(event);
+    const int number = std::clamp(event.number, 0, engine::kMaxGamepads);
+    auto& taken = taken_gamepad_buttons_[static_cast<std::size_t>(number)];
+    const auto button = static_cast<std::size_t>(event.gamepad_button);
+    const bool is_press = event.kind == InputKind::GamepadPressed;
+    if (event.kind == InputKind::GamepadReleased) {
+        const bool was_taken = taken[button];
+        taken[button] = false;
+        return was_taken;
+    }
+    if (is_press && event.gamepad_button == engine::GamepadButton::Guide) {
+        taken[button] = true;
+        gamepad_ = gamepad_ == number ? 0 : number;
+        wants_focus_ = gamepad_ != 0;
+        return true;
+    }
+    if (number != gamepad_) return false;
+    if (event.kind == InputKind::GamepadDisconnected) gamepad_ = 0;
+    if (is_press) taken[button] = true;
+    // A stick that comes to rest may have been moved in the game.
+    return is_press || (event.kind == InputKind::GamepadMoved && std::abs(event.value) > kStickRest);
+}
+
+void Gui::steer() {
+    ImGuiIO& io = ImGui::GetIO();
+    io.BackendFlags &= ~ImGuiBackendFlags_HasGamepad;
+    std::fill(std::begin(io.NavInputs), std::end(io.NavInputs), 0.0f);
+    if (gamepad_ == 0) return;
+    io.BackendFlags |= ImGuiBackendFlags_HasGamepad;
+    const engine::Gamepad& pad = gamepads_.gamepad(gamepad_);
+    for (const auto& [input, button] : kGamepadButtons)
+        io.NavInputs[input] = pad.is_down(button) ? 1.0f : 0.0f;
+    const engine::Vec2 stick{pad.axis(engine::GamepadAxis::LeftX), pad.axis(engine::GamepadAxis::LeftY)};
+    const auto beyond_rest = [](float value) {
+        return std::max(0.0f, value - kStickRest) / (1 - kStickRest);
+    };
+    io.NavInputs[ImGuiNavInput_LStickLeft] = beyond_rest(-stick.x);
+    io.NavInputs[ImGuiNavInput_LStickRight] = beyond_rest(stick.x);
+    io.NavInputs[ImGuiNavInput_LStickUp] = beyond_rest(stick.y);
+    io.NavInputs[ImGuiNavInput_LStickDown] = beyond_rest(-stick.y);
+    if (std::exchange(wants_focus_, false)) ImGui::SetNextWindowFocus();
+}
+
 bool Gui::covers(engine::Vec2 point) const {
     const engine::Vec2 p = point - engine::Vec2{window_.x, window_.y};
     return p.x >= 0 && p.y >= 0 && p.x < window_.width && p.y < window_.height;
@@ -205,6 +267,7 @@ void Gui::begin(float elapsed_s) {
     const engine::Size size = renderer_.logical_size();
     io.DisplaySize = {static_cast<float>(size.width), static_cast<float>(size.height)};
     io.DeltaTime = std::clamp(elapsed_s, 1e-4f, 1.0f);
+    steer();
     ImGui::NewFrame();
 }
 

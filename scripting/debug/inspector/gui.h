@@ -2,6 +2,7 @@
 // everything is drawn as triangles through engine::Renderer, so it works with every back-end.
 #pragma once
 
+#include <array>
 #include <bitset>
 #include <memory>
 
@@ -41,6 +42,10 @@ class Gui {
     bool take_mouse_button(const engine::InputEvent& event);
     bool take_key(const engine::InputEvent& event);
     bool take_touch(const engine::InputEvent& event);
+    /// The middle button gives a gamepad to the GUI, and back to the game.
+    bool take_gamepad(const engine::InputEvent& event);
+    /// What the gamepad that was given does, for the next picture.
+    void steer();
     /// Dear ImGui knows what the mouse is over only after the next picture; a finger comes from nowhere.
     [[nodiscard]] bool covers(engine::Vec2 point) const;
     void draw_list(const ImDrawList& list) const;
@@ -52,6 +57,10 @@ class Gui {
     // What went down here comes up here.
     std::bitset<engine::kMouseButtonCount> taken_buttons_;
     std::bitset<engine::kMaxTouches + 1> taken_touches_;
+    std::array<std::bitset<engine::kGamepadButtonCount>, engine::kMaxGamepads + 1> taken_gamepad_buttons_;
+    engine::InputState gamepads_;
+    int gamepad_ = 0;  ///< the one that drives the GUI; 0: none
+    bool wants_focus_ = false;
 };
 
 }  // namespace cairn::scripting

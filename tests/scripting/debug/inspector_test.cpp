@@ -89,6 +89,53 @@ TEST_CASE("a finger on the inspector never reaches the game, one beside it does"
               .size() == 3);
 }
 
+TEST_CASE("the middle button gives a gamepad to the inspector, and back to the game") {
+    InspectorBench bench;
+    REQUIRE(bench.tools().show("inspector"));
+    static_cast<void>(bench.picture());
+    const auto pad = [](InputKind kind, engine::GamepadButton button, int number = 1) {
+        return InputEvent{.kind = kind, .number = number, .gamepad_button = button};
+    };
+    const auto stick = [](float value) {
+        return InputEvent{.kind = InputKind::GamepadMoved,
+                          .number = 1,
+                          .gamepad_axis = engine::GamepadAxis::LeftX,
+                          .value = value};
+    };
+    const auto down = InputKind::GamepadPressed;
+    const auto up = InputKind::GamepadReleased;
+    const auto a = engine::GamepadButton::A;
+    const auto right = engine::GamepadButton::DpadRight;
+    const auto guide = engine::GamepadButton::Guide;
+    const auto connect = [](int number) {
+        return InputEvent{.kind = InputKind::GamepadConnected, .text = "pad", .number = number};
+    };
+    CHECK(bench.send({connect(1), connect(2), pad(down, a), stick(1)}).size() == 4);  // the game's
+
+    // What the game saw go down, it sees come up; of the rest it sees nothing.
+    CHECK(bench.send({pad(down, guide), pad(up, guide)}).empty());
+    const engine::Image before = bench.picture();
+    CHECK(bench.send({pad(up, a), stick(0)}).size() == 2);
+    CHECK(bench.send({pad(down, a, 2), pad(up, a, 2)}).size() == 2);
+    CHECK(bench.send({stick(0.9f)}).empty());
+    CHECK(bench.send({stick(0)}).size() == 1);
+    for (int i = 0; i < 2; ++i) {
+        CHECK(bench.send({pad(down, right)}).empty());
+        static_cast<void>(bench.picture());
+        CHECK(bench.send({pad(up, right)}).empty());
+        static_cast<void>(bench.picture());
+    }
+    CHECK(bench.picture().rgba != before.rgba);  // the mark has moved
+
+    CHECK(bench.send({pad(down, guide), pad(up, guide)}).empty());
+    CHECK(bench.send({pad(down, a), pad(up, a), stick(0.9f)}).size() == 3);
+
+    CHECK(bench.send({pad(down, guide), pad(up, guide)}).empty());
+    CHECK(bench.send({{.kind = InputKind::GamepadDisconnected, .number = 1}}).size() == 1);
+    static_cast<void>(bench.picture());
+    CHECK(bench.send({connect(1), pad(down, a), pad(up, a)}).size() == 3);
+}
+
 TEST_CASE("a click on a body picks it, and the game sees nothing of the click") {
     InspectorBench bench;
     REQUIRE(bench.tools().show("inspector"));
