@@ -5,6 +5,7 @@
 # cairn_feature(NAME "what it is" SOURCES...): the option CAIRN_WITH_NAME, on unless told otherwise.
 function(cairn_feature name what)
   option(CAIRN_WITH_${name} "Physics: ${what}" ON)
+  set(cairn_features ${cairn_features} ${name} PARENT_SCOPE)
   if(CAIRN_WITH_${name})
     target_sources(cairn_physics PRIVATE ${ARGN})
   else()
@@ -71,12 +72,48 @@ cairn_feature(RESTITUTION "impacts that give back speed"
   world/bounces.cpp)
 cairn_feature(ROLLING_RESISTANCE "torques that resist rolling"
   resolve/rolling.cpp)
+cairn_feature(SURFACE_SPEED "surfaces that run, as of conveyor belts"
+  world/surface_speed.cpp)
+cairn_feature(EFFECTS "explosions and wind"
+  world/explosion.cpp
+  world/wind.cpp
+  world/world_effects.cpp)
+cairn_feature(MOVER "characters that walk"
+  world/mover.cpp)
+cairn_feature(SNAPSHOTS "snapshots, going back to them, recordings"
+  state/body_state.cpp
+  state/broad_state.cpp
+  state/checksum.cpp
+  state/contact_state.cpp
+  state/delta.cpp
+  state/event_state.cpp
+  state/frame.cpp
+  state/joint_state.cpp
+  state/link_state.cpp
+  state/recording.cpp
+  state/shape_state.cpp
+  state/snapshot.cpp)
+cairn_feature(PREFABS "things made of several bodies and joints"
+  prefabs/blob.cpp
+  prefabs/brick_wall.cpp
+  prefabs/bridge.cpp
+  prefabs/elevator.cpp
+  prefabs/gear_train.cpp
+  prefabs/hanging_line.cpp
+  prefabs/link_chain.cpp
+  prefabs/linked_bodies.cpp
+  prefabs/pendulum.cpp
+  prefabs/pulley_lift.cpp
+  prefabs/ragdoll.cpp
+  prefabs/rope.cpp
+  prefabs/vehicle.cpp
+  prefabs/windmill.cpp)
 
 if(CAIRN_WITH_DIRECT_SOLVER AND NOT CAIRN_WITH_JOINTS)
   message(FATAL_ERROR "CAIRN_WITH_DIRECT_SOLVER=ON needs CAIRN_WITH_JOINTS=ON: it solves what joints describe.")
 endif()
 if(CAIRN_TESTS AND PROJECT_IS_TOP_LEVEL)
-  foreach(feature JOINTS DIRECT_SOLVER SENSORS CHAINS EVENTS FRACTURE RESTITUTION ROLLING_RESISTANCE)
+  foreach(feature IN LISTS cairn_features)
     if(NOT CAIRN_WITH_${feature})
       message(FATAL_ERROR "CAIRN_WITH_${feature}=OFF needs CAIRN_TESTS=OFF: the tests use all features.")
     endif()

@@ -24,6 +24,11 @@ constexpr std::array<Entry, kFeatures.size()> kEntries{{
     {"fracture", CAIRN_WITH_FRACTURE},
     {"restitution", CAIRN_WITH_RESTITUTION},
     {"rolling_resistance", CAIRN_WITH_ROLLING_RESISTANCE},
+    {"surface_speed", CAIRN_WITH_SURFACE_SPEED},
+    {"effects", CAIRN_WITH_EFFECTS},
+    {"mover", CAIRN_WITH_MOVER},
+    {"snapshots", CAIRN_WITH_SNAPSHOTS},
+    {"prefabs", CAIRN_WITH_PREFABS},
 }};
 
 const Entry& entry(Feature feature) {

@@ -7,6 +7,7 @@
 #include "world/contact_lists.h"
 #include "world/sleep.h"
 #include "world/special_contacts.h"
+#include "world/surface_speed.h"
 
 namespace cairn::physics {
 namespace {
@@ -68,15 +69,13 @@ float mix(const MixRule& rule, float a, float b) {
     return rule.fixed;
 }
 
-// Rolling: the stiffer resistance acts, and of the two roundings the wider one is what rolls. Surfaces run
-// clockwise round their shapes: a's along the tangent, b's, which faces it, against it; so both carry b on.
+// Rolling: the stiffer resistance acts, and of the two roundings the wider one is what rolls.
 SurfaceEffects surface_effects(const Stores& stores, const ContactRecord& contact) {
     const Material& a = material_of(stores, contact.shape_a);
     const Material& b = material_of(stores, contact.shape_b);
     const float radius = std::max(stores.shapes[contact.shape_a].convex.radius(),
                                   stores.shapes[contact.shape_b].convex.radius());
-    return {std::max(a.rolling_resistance, b.rolling_resistance) * radius,
-            a.surface_speed_m_s + b.surface_speed_m_s};
+    return {std::max(a.rolling_resistance, b.rolling_resistance) * radius, mixed_surface_speed(a, b)};
 }
 
 void mix_materials(const Stores& stores, ContactRecord& contact) {
@@ -85,8 +84,7 @@ void mix_materials(const Stores& stores, ContactRecord& contact) {
     const MaterialRule rule = stores.rules.mixing.rule(a.kind, b.kind);
     contact.friction = mix(rule.friction, a.friction, b.friction);
     contact.restitution = mix(rule.restitution, a.restitution, b.restitution);
-    const bool surface = a.rolling_resistance > 0 || b.rolling_resistance > 0 || a.surface_speed_m_s != 0 ||
-                         b.surface_speed_m_s != 0;
+    const bool surface = a.rolling_resistance > 0 || b.rolling_resistance > 0 || runs(a) || runs(b);
     special::set(contact, special::kSurface, surface);
 }
 

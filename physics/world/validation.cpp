@@ -51,7 +51,8 @@ check::Fault validate(const Material& material) {
          check::finite("material.surface_speed_m_s", d(material.surface_speed_m_s)),
          check::within("material.kind", material.kind, 0, kMaterialKinds - 1),
          require_built_in(Feature::Restitution, material.restitution > 0),
-         require_built_in(Feature::RollingResistance, material.rolling_resistance > 0)});
+         require_built_in(Feature::RollingResistance, material.rolling_resistance > 0),
+         require_built_in(Feature::SurfaceSpeed, material.surface_speed_m_s != 0)});
 }
 
 check::Fault validate(const MaterialRule& rule) {

@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 #include <set>
 
+#include "cost_command.h"
 #include "determinism/proof.h"
 #include "support/command_lines.h"
 
@@ -53,6 +54,16 @@ TEST_CASE("problems are solved in the order in which they are named") {
     CHECK(line.plot == "plots");
     CHECK(parsed({"accuracy"}).problems.size() == all_problems().size());
     CHECK_FALSE(parsed({"accuracy"}).quick);
+}
+
+TEST_CASE("what is said to cost is said to its script") {
+    const CommandLine line =
+        parsed({"cost", "--feature", "joints", "--json", "-", "--quick", "--feature", "mover"});
+    CHECK(line.command == Command::Cost);
+    CHECK(cost_arguments(line, "script") == std::vector<std::string>{"script", "--quick", "--feature",
+                                                                     "joints", "--feature", "mover", "--json",
+                                                                     "-"});
+    CHECK(cost_arguments(parsed({"cost"}), "script") == std::vector<std::string>{"script"});
 }
 
 TEST_CASE("scenes are compared as they are named, all of them when none is") {

@@ -58,7 +58,9 @@ Result<CommandLine> parse_command_line(const std::vector<std::string>& arguments
     Texts texts;
     CommandLine line;
     CLI::App app(
-        "Examines Cairn's physics: what it withstands, how accurate it is, and whether runs are the same.",
+        "Examines Cairn's physics: what it withstands, how accurate it is, whether runs are the same, and "
+        "what "
+        "is paid for what is not used.",
         "cairn-lab");
     CLI::App* list = app.add_subcommand("list", "name the cases, problems and scenes");
     CLI::App* torture = app.add_subcommand("torture", "run the cases that are hard on an engine");
@@ -71,6 +73,10 @@ Result<CommandLine> parse_command_line(const std::vector<std::string>& arguments
     accuracy->add_flag("--quick", line.quick, "fewer settings, runs and starts");
     for (CLI::App* command : {torture, accuracy})
         command->add_flag("--peers", line.peers, "other engines too");
+    CLI::App* cost = app.add_subcommand("cost", "prove that a scene pays nothing for what it does not use");
+    cost->add_option("--feature", line.features, "one of those that a build can leave out (all)")
+        ->type_name("NAME");
+    cost->add_flag("--quick", line.quick, "at most 1,000 bodies");
     CLI::App* determinism = app.add_subcommand(
         "determinism", "run scenes with all threads and SIMD levels, and compare every step");
     determinism->add_option("--scene", texts.scenes, "a scene of the list; may be given again (all)")
@@ -83,7 +89,7 @@ Result<CommandLine> parse_command_line(const std::vector<std::string>& arguments
         ->add_option("--nudge", texts.nudge,
                      "push a body a little before step N of the last setting, which must be found (-1: no)")
         ->type_name("N");
-    for (CLI::App* command : {torture, accuracy, determinism}) {
+    for (CLI::App* command : {torture, accuracy, cost, determinism}) {
         command->add_option("--json", line.json, "one object a line to FILE, or to standard output")
             ->type_name("FILE|-");
     }
@@ -107,6 +113,10 @@ Result<CommandLine> parse_command_line(const std::vector<std::string>& arguments
         auto problems = chosen_of(all_problems(), texts.problems, "problem");
         if (!problems) return problems.error();
         line.problems = *std::move(problems);
+        return line;
+    }
+    if (cost->parsed()) {
+        line.command = Command::Cost;
         return line;
     }
     line.command = Command::Determinism;

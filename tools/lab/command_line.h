@@ -12,14 +12,15 @@
 
 namespace cairn::lab {
 
-enum class Command { Help, List, Torture, Accuracy, Determinism };
+enum class Command { Help, List, Torture, Accuracy, Cost, Determinism };
 
 struct CommandLine {
     Command command = Command::Help;
     std::vector<const Case*> cases;
     std::vector<const Problem*> problems;
     std::vector<const bench::Scene*> scenes;
-    int steps = 0;         ///< of scenes, at most; 0: as many as they have
+    std::vector<std::string> features;  ///< of the physics, as tools/lab/cost knows them
+    int steps = 0;                      ///< of scenes, at most; 0: as many as they have
     int nudged_step = -1;  ///< before which a body is nudged, to see whether it is noticed; -1: never
     bool peers = false;
     bool quick = false;

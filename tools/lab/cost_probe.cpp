@@ -7,6 +7,8 @@
 #include <string>
 
 #include <cairn/physics/features.h>
+#include <cairn/physics/mover.h>
+#include <cairn/physics/prefabs/pendulum.h>
 #include <cairn/physics/world.h>
 
 #include "memory_meter.h"
@@ -94,6 +96,16 @@ std::string answer_to(Feature feature) {
             return message(world.create_shape(a, Circle{}, {.material = {.restitution = 0.5f}}));
         case Feature::RollingResistance:
             return message(world.create_shape(a, Circle{}, {.material = {.rolling_resistance = 0.1f}}));
+        case Feature::SurfaceSpeed:
+            return message(world.create_shape(a, Circle{}, {.material = {.surface_speed_m_s = 1}}));
+        case Feature::Effects:
+            return message(world.explode({.radius_m = 1, .impulse_ns_m = 1}));
+        case Feature::Mover:
+            return message(Mover::create({}, {}));
+        case Feature::Snapshots:
+            return message(world.snapshot());
+        case Feature::Prefabs:
+            return message(create_pendulum(world, {}));
     }
     return {};
 }

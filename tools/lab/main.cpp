@@ -6,6 +6,7 @@
 
 #include "accuracy/summary.h"
 #include "command_line.h"
+#include "cost_command.h"
 #include "determinism/proof.h"
 #include "program.h"
 #include "text.h"
@@ -125,6 +126,8 @@ int execute(const CommandLine& line, Output& output) {
             return torture(line, output);
         case Command::Accuracy:
             return accuracy(line, output);
+        case Command::Cost:  // writes by itself
+            break;
         case Command::Determinism:
             return determinism(line, output);
     }
@@ -138,6 +141,7 @@ int main(int argc, char** argv) {
     const auto line = parse_command_line({argv + 1, argv + argc}, help);
     if (!line) return kProgram.fail(line.error().message);
     std::fputs(help.c_str(), stdout);
+    if (line->command == Command::Cost) return kProgram.fail(become_cost_script(*line));
     return kProgram.end(
         kProgram.with_output(line->json, [&](Output& output) { return execute(*line, output); }));
 }

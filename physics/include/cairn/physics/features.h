@@ -17,14 +17,21 @@ enum class Feature : std::uint8_t {
     Fracture,  ///< cuts, breaks and breakable bodies
     Restitution,
     RollingResistance,
+    SurfaceSpeed,  ///< of materials: conveyor belts
+    Effects,       ///< explosions and wind
+    Mover,         ///< characters that walk
+    Snapshots,     ///< going back to them, recordings
+    Prefabs,
 };
 
-inline constexpr std::array kFeatures{Feature::Joints,      Feature::DirectSolver,     Feature::Sensors,
-                                      Feature::Chains,      Feature::Events,           Feature::Fracture,
-                                      Feature::Restitution, Feature::RollingResistance};
+inline constexpr std::array kFeatures{
+    Feature::Joints,       Feature::DirectSolver, Feature::Sensors,     Feature::Chains,
+    Feature::Events,       Feature::Fracture,     Feature::Restitution, Feature::RollingResistance,
+    Feature::SurfaceSpeed, Feature::Effects,      Feature::Mover,       Feature::Snapshots,
+    Feature::Prefabs,
+};
 
-/// "joints", "direct_solver", "sensors", "chains", "events", "fracture", "restitution" or
-/// "rolling_resistance".
+/// In lower case, with underscores: "direct_solver". The option of a build is CAIRN_WITH_DIRECT_SOLVER.
 std::string_view name(Feature feature);
 bool is_built_in(Feature feature);
 
