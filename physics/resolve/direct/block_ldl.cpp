@@ -44,6 +44,22 @@ void with_size(int size, const Work& work) {
     }
 }
 
+// Calls work(rows), with their number as a constant where it is that of most blocks: those of bodies and
+// pins.
+template <class Work>
+void with_rows(int rows, const Work& work) {
+    switch (rows) {
+        case 1:
+            return work(std::integral_constant<int, 1>{});
+        case 2:
+            return work(std::integral_constant<int, 2>{});
+        case 3:
+            return work(std::integral_constant<int, 3>{});
+        default:
+            return work(rows);
+    }
+}
+
 // The pivots of a block on the diagonal: in place, L below, 1/D on the diagonal.
 template <int N>
 void factor_dense(double* a) {
@@ -74,8 +90,8 @@ void solve_dense(const double* a, double* b) {
 }
 
 // c -= a b^T, with a of m x N and b of n x N, all row by row.
-template <int N>
-void subtract(double* c, const double* a, const double* b, int m, int n) {
+template <int N, class M, class Rows>
+void subtract(double* c, const double* a, const double* b, M m, Rows n) {
     for (int i = 0; i < m; ++i) {
         for (int j = 0; j < n; ++j) {
             double sum = 0;
@@ -215,15 +231,21 @@ void BlockLdl::factor_column(const Column& column) {
     for (int b = column.first_block; b < column.last_block; ++b) {
         const Block& block = blocks_[static_cast<std::size_t>(b)];
         double* values = values_.data() + block.at;
-        std::copy(values, values + block.rows * N, scaled_.data() + block.at);
-        for (int row = 0; row < block.rows; ++row) solve_dense<N>(diagonal, values + row * N);
+        double* scaled = scaled_.data() + block.at;
+        with_rows(block.rows, [=](auto rows) {
+            for (int i = 0; i < rows * N; ++i) scaled[i] = values[i];
+            for (int row = 0; row < rows; ++row) solve_dense<N>(diagonal, values + row * N);
+        });
     }
     for (int u = column.first_update; u < column.last_update; ++u) {
         const Update& update = updates_[static_cast<std::size_t>(u)];
         const Block& left = blocks_[static_cast<std::size_t>(update.left)];
         const Block& right = blocks_[static_cast<std::size_t>(update.right)];
-        subtract<N>(values_.data() + update.target, values_.data() + left.at, scaled_.data() + right.at,
-                    left.rows, right.rows);
+        double* target = values_.data() + update.target;
+        const double* a = values_.data() + left.at;
+        const double* b = scaled_.data() + right.at;
+        with_rows(left.rows,
+                  [=](auto m) { with_rows(right.rows, [=](auto n) { subtract<N>(target, a, b, m, n); }); });
     }
 }
 
@@ -233,11 +255,14 @@ void BlockLdl::forward(const Column& column, double* x) const {
     for (int b = column.first_block; b < column.last_block; ++b) {
         const Block& block = blocks_[static_cast<std::size_t>(b)];
         const double* values = values_.data() + block.at;
-        for (int i = 0; i < block.rows; ++i) {
-            double sum = 0;
-            for (int j = 0; j < N; ++j) sum += values[i * N + j] * from[j];
-            x[block.offset + i] -= sum;
-        }
+        double* to = x + block.offset;
+        with_rows(block.rows, [=](auto rows) {
+            for (int i = 0; i < rows; ++i) {
+                double sum = 0;
+                for (int j = 0; j < N; ++j) sum += values[i * N + j] * from[j];
+                to[i] -= sum;
+            }
+        });
     }
 }
 
@@ -248,9 +273,12 @@ void BlockLdl::backward(const Column& column, double* x) const {
     for (int b = column.first_block; b < column.last_block; ++b) {
         const Block& block = blocks_[static_cast<std::size_t>(b)];
         const double* values = values_.data() + block.at;
-        for (int i = 0; i < block.rows; ++i) {
-            for (int j = 0; j < N; ++j) to[j] -= values[i * N + j] * x[block.offset + i];
-        }
+        const double* from = x + block.offset;
+        with_rows(block.rows, [=](auto rows) {
+            for (int i = 0; i < rows; ++i) {
+                for (int j = 0; j < N; ++j) to[j] -= values[i * N + j] * from[i];
+            }
+        });
     }
 }
 
