@@ -132,6 +132,7 @@ class DirectComponent {
     std::vector<double> velocity_before_;
     std::vector<double> impulse_at_start_;  // of the phase
     std::vector<double> x_;
+    bool is_weighed_ = false;  // since J changed
     Attempt attempt_;
 };
 

@@ -120,7 +120,7 @@ void DirectSystem::descend() {
     settle();
     for (int i = 0; i < kMaxDescents; ++i) {
         release();
-        factor(factors_);
+        renew_factors();
         balance(factors_);
         find_wrong();
         if (wrong_.empty()) return;
@@ -136,7 +136,7 @@ void DirectSystem::descend() {
     }
     settle();
     release();
-    factor(factors_);
+    renew_factors();
 }
 
 }  // namespace cairn::physics

@@ -118,7 +118,8 @@ void DirectComponent::describe_contact(const DirectScene& scene, std::size_t con
 }
 
 void DirectComponent::describe(const DirectScene& scene, Phase phase) {
-    system_.weigh();
+    if (!is_weighed_) system_.weigh();
+    is_weighed_ = true;
     for (DirectEquation& e : system_.equations) {
         if (phase == Phase::Solve) e.before = 0;
         e.give = attempt_.joints * e.inverse_mass;
@@ -138,6 +139,7 @@ void DirectComponent::describe(const DirectScene& scene, Phase phase) {
             system_.equations[i].state = State::Idle;
             system_.equations[i].inverse_mass = 0;  // and stays so
         }
+        is_weighed_ = false;
     }
     for (DirectEquation& e : system_.equations) {
         if (!(e.inverse_mass > 0)) e.state = State::Idle;

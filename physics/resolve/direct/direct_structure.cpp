@@ -113,6 +113,7 @@ void DirectComponent::assemble(std::span<const int> joints, std::span<const int>
 
 void DirectComponent::place_joints(const DirectScene& scene) {
     const Motions& motions = scene.motions;
+    is_weighed_ = false;
     Directions directions;
     for (std::size_t j = 0; j < joints_.size(); ++j) {
         const JointMember& joint = joints_[j];

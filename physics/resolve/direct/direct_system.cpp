@@ -2,6 +2,7 @@
 #include "resolve/direct/direct_system.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -94,6 +95,17 @@ double DirectSystem::speed(int member, int equation) const {
     return sum;
 }
 
+// Of all equations of a member at once; the same sums as `speed`.
+void DirectSystem::speeds(const Member& m, std::array<double, kMaxBlock>& out) const {
+    const int count = m.equations();
+    for (int e = 0; e < count; ++e) out[at(e)] = equations[at(m.first_equation + e)].drift;
+    const double* j = j_.data() + m.first_j;
+    for (int l = m.first_link; l < m.last_link; ++l) {
+        const double* v = velocity.data() + 3 * links[at(l)].body;
+        for (int e = 0; e < count; ++e, j += 3) out[at(e)] += j[0] * v[0] + j[1] * v[1] + j[2] * v[2];
+    }
+}
+
 void DirectSystem::push(int member, int equation, double impulse) {
     const Member& m = members[at(member)];
     const double* j = j_.data() + m.first_j + 3 * (equation - m.first_equation);
@@ -133,6 +145,11 @@ void DirectSystem::factor(BlockLdl& factors) const {
     factors.factor();
 }
 
+void DirectSystem::renew_factors() {
+    factor(factors_);
+    is_stale_ = false;
+}
+
 // Velocities and impulses that fulfil the equations as they are now; with their factors.
 void DirectSystem::balance(const BlockLdl& factors) {
     velocity = velocity_before_;
@@ -146,11 +163,15 @@ void DirectSystem::balance(const BlockLdl& factors) {
             if (e.impulse != 0) push(m, i, e.impulse);
         }
     }
-    std::fill(x_.begin(), x_.end(), 0.0);
+    for (int b = 0; b < static_cast<int>(bodies.size()); ++b)
+        std::fill_n(x_.data() + place_of_body(b), 3, 0.0);
     for (int m = 0; m < static_cast<int>(members.size()); ++m) {
+        std::array<double, kMaxBlock> now;
+        speeds(members[at(m)], now);
+        const double* speed = now.data();
         double* x = x_.data() + place_of_member(m);
-        for (int i = members[at(m)].first_equation; i < members[at(m)].last_equation; ++i, ++x) {
-            if (equations[at(i)].state == State::Acts) *x = equations[at(i)].wanted - speed(m, i);
+        for (int i = members[at(m)].first_equation; i < members[at(m)].last_equation; ++i, ++x, ++speed) {
+            *x = equations[at(i)].state == State::Acts ? equations[at(i)].wanted - *speed : 0;
         }
     }
     factors.solve(x_);
@@ -184,6 +205,7 @@ bool DirectSystem::is_wrong(const DirectEquation& e, int member, int equation) c
 
 void DirectSystem::change_over(int equation) {
     DirectEquation& e = equations[at(equation)];
+    is_stale_ = true;
     if (e.bound == Bound::Round) {  // shortened once and for all
         DirectEquation& other = equations[at(equation + 1)];
         const double x = e.before + e.impulse;
@@ -212,7 +234,7 @@ void DirectSystem::find_wrong() {
 bool DirectSystem::pivot() {
     std::size_t fewest = std::numeric_limits<std::size_t>::max();
     for (int chances = kChances; chances >= 0;) {
-        factor(factors_);
+        if (is_stale_) renew_factors();
         balance(factors_);
         find_wrong();
         if (wrong_.empty()) return true;
@@ -244,6 +266,7 @@ bool DirectSystem::renew_friction() {
             e.high = bound;
         } else if (bound > 0) {  // it did not press before: nobody knows to which side
             e.state = State::Acts;
+            is_stale_ = true;
             e.low = -bound;
             e.high = bound;
         }
@@ -253,6 +276,7 @@ bool DirectSystem::renew_friction() {
 
 void DirectSystem::satisfy(std::span<const double> velocity_before) {
     velocity_before_.assign(velocity_before.begin(), velocity_before.end());
+    is_stale_ = true;
     for (int round = 0; round < kMaxFrictionRounds; ++round) {
         if (!pivot()) descend();
         if (!renew_friction()) break;

@@ -10,6 +10,7 @@
 // pivoting algorithm for large-scale strictly monotone linear complementarity problems" (1994).
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -124,8 +125,10 @@ class DirectSystem {
         bool stays = false;  // at its bound, though its equation would let it go
     };
 
+    void speeds(const Member& m, std::array<double, kMaxBlock>& out) const;
     void push(int member, int equation, double impulse);
     void factor(BlockLdl& factors) const;
+    void renew_factors();
     void balance(const BlockLdl& factors);
     void find_wrong();
     bool pivot();
@@ -150,6 +153,7 @@ class DirectSystem {
     std::vector<double> j_;
     std::vector<double> x_;  // right-hand side and solution
     BlockLdl factors_;
+    bool is_stale_ = true;               // factors_ are not those of the states as they are
     std::vector<BlockLdl::Node> nodes_;  // while arranging
     std::vector<BlockLdl::Edge> edges_;
 };
