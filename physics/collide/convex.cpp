@@ -87,6 +87,16 @@ Result<Convex> convert(const Segment& segment) {
     return shape;
 }
 
+// Corners are floats, and the farther they are from the body's origin, the coarser. A side of a box must not
+// be lost in that: it would have no direction.
+check::Fault told_apart(const char* field, float half_size, Vec2 a, Vec2 b) {
+    const float side = 2 * half_size;
+    if (std::fabs(length(b - a) - side) <= 0.1f * side) return {};
+    const std::string rule = "large enough to tell its corners apart, " +
+                             check::number(static_cast<double>(length(a))) + " m from the body's origin";
+    return check::require(false, field, static_cast<double>(half_size), rule.c_str());
+}
+
 Result<Convex> convert(const Box& box) {
     if (auto fault = check::first_of({size("box.half_width_m", static_cast<double>(box.half_width_m)),
                                       size("box.half_height_m", static_cast<double>(box.half_height_m)),
@@ -99,9 +109,15 @@ Result<Convex> convert(const Box& box) {
     const auto corner = [&](float sx, float sy) {
         return box.center_m + rotate(q, {sx * box.half_width_m, sy * box.half_height_m});
     };
+    const std::array corners{corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1)};
+    if (auto fault =
+            check::first_of({told_apart("box.half_width_m", box.half_width_m, corners[0], corners[1]),
+                             told_apart("box.half_height_m", box.half_height_m, corners[1], corners[2])})) {
+        return *fault;
+    }
     Convex shape;
     shape.outline.kind = ShapeKind::Polygon;
-    set_points(shape, std::array{corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1)}, box.radius_m);
+    set_points(shape, corners, box.radius_m);
     shape.is_box = box.angle_rad == 0 && box.radius_m == 0;
     shape.half_size = {box.half_width_m, box.half_height_m};
     if (shape.is_box) shape.centroid = box.center_m;

@@ -120,6 +120,10 @@ TEST_CASE("bad geometry gives an error that names the field, the value and the r
     CHECK_THAT(error_of(Box{0, 1}), Contains("box.half_width_m is 0"));
     CHECK_THAT(error_of(Box{1, -2}), Contains("box.half_height_m is -2"));
     CHECK_THAT(error_of(Box{1, 1, {NAN, 0}}), Contains("box.center_m"));
+    CHECK_THAT(error_of(Box{1, 1e-8f, {3, 4}}),
+               Contains("box.half_height_m is 1e-08, but must be large enough to tell its corners apart"));
+    CHECK(make_convex(Box{1e6f, 0.5f}));
+    CHECK(make_convex(Box{1e-8f, 1e-8f}));
     CHECK_THAT(error_of(Box{1, 1, {}, INFINITY}), Contains("box.angle_rad is inf"));
     CHECK_THAT(error_of(Box{1, 1, {}, 0, -0.1f}), Contains("box.radius_m is -0.1") && Contains("at least 0"));
     const std::array<Vec2, 3> triangle{Vec2{0, 0}, Vec2{1, 0}, Vec2{0, 1}};

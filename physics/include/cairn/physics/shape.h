@@ -34,7 +34,8 @@ struct Segment {
     Vec2 b_m{0.5f, 0};
 };
 
-/// A rectangle, turned by angle_rad about its centre; corners rounded outward by radius_m >= 0.
+/// A rectangle, turned by angle_rad about its centre; corners rounded outward by radius_m >= 0. Its sides are
+/// longer than what float rounds off at its place on the body.
 struct Box {
     float half_width_m = 0.5f;
     float half_height_m = 0.5f;
