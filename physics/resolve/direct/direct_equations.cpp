@@ -107,6 +107,9 @@ void DirectComponent::describe_contact(const DirectScene& scene, std::size_t con
         DirectEquation& e = system_.equations[at(i)];
         e.wanted = i == first ? d(c.surface_speed_m_s) : 0;
         e.give = give;
+        // Give lets what rests on a slope creep with give times impulse. Where the impulse of rest is aimed
+        // at it stands still: half of that of the last substep, as the other half was given while closing.
+        if (!closing) e.wanted += give * e.impulse / 2;
         e.high = e.coefficient * pressed;
         e.low = -e.high;
         const double last = phase == Phase::Solve ? e.impulse : e.before;
