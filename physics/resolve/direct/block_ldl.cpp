@@ -8,6 +8,8 @@
 #include <functional>
 #include <type_traits>
 
+#include "resolve/direct/numbers.h"
+
 namespace cairn::physics {
 namespace {
 
@@ -41,22 +43,6 @@ void with_size(int size, const Work& work) {
             return work(std::integral_constant<int, 7>{});
         default:
             return work(std::integral_constant<int, 8>{});
-    }
-}
-
-// Calls work(rows), with their number as a constant where it is that of most blocks: those of bodies and
-// pins.
-template <class Work>
-void with_rows(int rows, const Work& work) {
-    switch (rows) {
-        case 1:
-            return work(std::integral_constant<int, 1>{});
-        case 2:
-            return work(std::integral_constant<int, 2>{});
-        case 3:
-            return work(std::integral_constant<int, 3>{});
-        default:
-            return work(rows);
     }
 }
 
@@ -232,7 +218,7 @@ void BlockLdl::factor_column(const Column& column) {
         const Block& block = blocks_[static_cast<std::size_t>(b)];
         double* values = values_.data() + block.at;
         double* scaled = scaled_.data() + block.at;
-        with_rows(block.rows, [=](auto rows) {
+        with_count(block.rows, [=](auto rows) {
             for (int i = 0; i < rows * N; ++i) scaled[i] = values[i];
             for (int row = 0; row < rows; ++row) solve_dense<N>(diagonal, values + row * N);
         });
@@ -244,8 +230,8 @@ void BlockLdl::factor_column(const Column& column) {
         double* target = values_.data() + update.target;
         const double* a = values_.data() + left.at;
         const double* b = scaled_.data() + right.at;
-        with_rows(left.rows,
-                  [=](auto m) { with_rows(right.rows, [=](auto n) { subtract<N>(target, a, b, m, n); }); });
+        with_count(left.rows,
+                   [=](auto m) { with_count(right.rows, [=](auto n) { subtract<N>(target, a, b, m, n); }); });
     }
 }
 
@@ -256,7 +242,7 @@ void BlockLdl::forward(const Column& column, double* x) const {
         const Block& block = blocks_[static_cast<std::size_t>(b)];
         const double* values = values_.data() + block.at;
         double* to = x + block.offset;
-        with_rows(block.rows, [=](auto rows) {
+        with_count(block.rows, [=](auto rows) {
             for (int i = 0; i < rows; ++i) {
                 double sum = 0;
                 for (int j = 0; j < N; ++j) sum += values[i * N + j] * from[j];
@@ -274,7 +260,7 @@ void BlockLdl::backward(const Column& column, double* x) const {
         const Block& block = blocks_[static_cast<std::size_t>(b)];
         const double* values = values_.data() + block.at;
         const double* from = x + block.offset;
-        with_rows(block.rows, [=](auto rows) {
+        with_count(block.rows, [=](auto rows) {
             for (int i = 0; i < rows; ++i) {
                 for (int j = 0; j < N; ++j) to[j] -= values[i * N + j] * from[i];
             }

@@ -97,13 +97,15 @@ double DirectSystem::speed(int member, int equation) const {
 
 // Of all equations of a member at once; the same sums as `speed`.
 void DirectSystem::speeds(const Member& m, std::array<double, kMaxBlock>& out) const {
-    const int count = m.equations();
-    for (int e = 0; e < count; ++e) out[at(e)] = equations[at(m.first_equation + e)].drift;
-    const double* j = j_.data() + m.first_j;
-    for (int l = m.first_link; l < m.last_link; ++l) {
-        const double* v = velocity.data() + 3 * links[at(l)].body;
-        for (int e = 0; e < count; ++e, j += 3) out[at(e)] += j[0] * v[0] + j[1] * v[1] + j[2] * v[2];
-    }
+    const DirectEquation* const own = equations.data() + m.first_equation;
+    with_count(m.equations(), [&](auto count) {
+        for (int e = 0; e < count; ++e) out[at(e)] = own[e].drift;
+        const double* j = j_.data() + m.first_j;
+        for (int l = m.first_link; l < m.last_link; ++l) {
+            const double* v = velocity.data() + 3 * links[at(l)].body;
+            for (int e = 0; e < count; ++e, j += 3) out[at(e)] += j[0] * v[0] + j[1] * v[1] + j[2] * v[2];
+        }
+    });
 }
 
 void DirectSystem::push(int member, int equation, double impulse) {
@@ -127,20 +129,20 @@ void DirectSystem::factor(BlockLdl& factors) const {
     }
     int node = static_cast<int>(bodies.size());
     for (const Member& m : members) {
-        const int n = m.equations();
         double* diagonal = factors.diagonal(node++);
-        for (int row = 0; row < n; ++row) {
-            const DirectEquation& e = equations[at(m.first_equation + row)];
-            diagonal[row * n + row] = e.state == State::Acts ? -e.give : -1;
-        }
-        const double* j = j_.data() + m.first_j;
-        for (int l = m.first_link; l < m.last_link; ++l) {
-            const BlockLdl::EdgeBlock edge = factors.edge(links[at(l)].edge);
-            for (int row = 0; row < n; ++row, j += 3) {
-                if (equations[at(m.first_equation + row)].state != State::Acts) continue;
-                for (int column = 0; column < 3; ++column) edge.set(row, column, j[column]);
+        const DirectEquation* const own = equations.data() + m.first_equation;
+        with_count(m.equations(), [&](auto n) {
+            for (int row = 0; row < n; ++row)
+                diagonal[row * n + row] = own[row].state == State::Acts ? -own[row].give : -1;
+            const double* j = j_.data() + m.first_j;
+            for (int l = m.first_link; l < m.last_link; ++l) {
+                const BlockLdl::EdgeBlock edge = factors.edge(links[at(l)].edge);
+                for (int row = 0; row < n; ++row, j += 3) {
+                    if (own[row].state != State::Acts) continue;
+                    for (int column = 0; column < 3; ++column) edge.set(row, column, j[column]);
+                }
             }
-        }
+        });
     }
     factors.factor();
 }
