@@ -45,23 +45,33 @@ void add_words(const std::uint64_t* words, std::size_t count, const Words& keys,
 
 #else
 
-// Of so many times eight words.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V added(D d, V sum, V word, V key) {
+    const hn::Repartition<std::uint32_t, D> halves;
+    const V mixed = hn::Xor(word, key);
+    const V product = hn::MulEven(hn::BitCast(halves, mixed), hn::BitCast(halves, hn::ShiftRight<32>(mixed)));
+    return hn::Add(sum, hn::Add(product, hn::Reverse2(d, word)));
+}
+
+// Of so many times eight words. Two vectors at a time: with four lanes one walk over the bytes is enough.
 void add_words(const std::uint64_t* words, std::size_t count, const Words& keys, Words& sums) {
-    const hn::CappedTag<std::uint64_t, kSums> d;
-    const hn::Repartition<std::uint32_t, decltype(d)> halves;
+    const hn::CappedTag<std::uint64_t, kSums / 2> d;
+    const std::size_t lanes = hn::Lanes(d);
     const auto step = hn::Set(d, kKeyStep);
-    for (std::size_t lane = 0; lane < kSums; lane += hn::Lanes(d)) {
-        auto sum = hn::Zero(d);
-        auto key = hn::LoadU(d, keys.data() + lane);
+    for (std::size_t lane = 0; lane < kSums; lane += 2 * lanes) {
+        auto sum_a = hn::Zero(d);
+        auto sum_b = hn::Zero(d);
+        auto key_a = hn::LoadU(d, keys.data() + lane);
+        auto key_b = hn::LoadU(d, keys.data() + lane + lanes);
         for (std::size_t i = 0; i < count; ++i) {
-            const auto word = hn::LoadU(d, words + kSums * i + lane);
-            const auto mixed = hn::Xor(word, key);
-            const auto product =
-                hn::MulEven(hn::BitCast(halves, mixed), hn::BitCast(halves, hn::ShiftRight<32>(mixed)));
-            sum = hn::Add(sum, hn::Add(product, hn::Reverse2(d, word)));
-            key = hn::Add(key, step);
+            const std::uint64_t* const at = words + kSums * i + lane;
+            sum_a = added(d, sum_a, hn::LoadU(d, at), key_a);
+            sum_b = added(d, sum_b, hn::LoadU(d, at + lanes), key_b);
+            key_a = hn::Add(key_a, step);
+            key_b = hn::Add(key_b, step);
         }
-        hn::StoreU(sum, d, sums.data() + lane);
+        hn::StoreU(sum_a, d, sums.data() + lane);
+        hn::StoreU(sum_b, d, sums.data() + lane + lanes);
     }
 }
 

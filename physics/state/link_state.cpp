@@ -14,6 +14,7 @@ constexpr std::uint8_t kHasSensors = 2;
 constexpr std::uint8_t kHasContacts = 4;
 constexpr std::uint8_t kHasJoints = 8;
 constexpr std::uint32_t kLastBit = 0x80000000u;
+constexpr const char* kWrongShape = "a body has a shape that there is not, or that another has";
 
 // next(item) leads on; kNone ends the list.
 template <class Next>
@@ -31,30 +32,14 @@ auto along_edges(const Records& records) {
     return [&records](int key) { return records[edge_record(key)].edges[edge_side(key)].next; };
 }
 
-// Calls take(item), which tells whether the item may stand there.
-template <class Take>
-bool for_each_listed(Reader& in, const Take& take) {
-    const std::span<const std::byte> rest = in.rest();
-    for (std::size_t at = 0; at + sizeof(std::uint32_t) <= rest.size();) {
-        std::uint32_t word = 0;
-        std::memcpy(&word, rest.data() + at, sizeof word);
-        at += sizeof word;
-        if (!take(static_cast<int>(word & ~kLastBit))) return false;
-        if ((word & kLastBit) == 0) continue;
-        in.end(rest.data() + at);
-        return true;
-    }
-    in.fail("it ends in the middle of a list");
-    return false;
-}
-
 class Linking {
   public:
-    Linking(Reader& in, Stores& stores) : in_(in), stores_(stores) {}
+    Linking(Reader& in, Stores& stores) : in_(in), stores_(stores), rest_(in.rest()) {}
 
+    // After a fault nothing is read any more.
     void link(int body) {
-        std::uint8_t lists = 0;
-        in_.value(lists);
+        if (at_ >= rest_.size()) return fail("it ends before the lists of all bodies");
+        const auto lists = std::to_integer<std::uint8_t>(rest_[at_++]);
         BodyRecord& record = stores_.bodies.slots[body];
         if ((lists & kHasShapes) != 0) read_shapes(body, record);
         if ((lists & kHasSensors) != 0) read_sensors(body, record);
@@ -66,10 +51,11 @@ class Linking {
             read_edges(stores_.joints.slots, body, record.first_joint, edges_of_joints_,
                        "a body has an edge of a joint that there is not, or another has it");
         }
-        in_.require(lists < 2 * kHasJoints, "a body has lists that there are not");
+        if (lists >= 2 * kHasJoints) fail("a body has lists that there are not");
     }
 
     void finish() {
+        if (in_.ok()) in_.end(rest_.data() + at_);
         in_.require(shapes_ == stores_.shapes.size(), "a shape is of no body");
         in_.require(edges_of_contacts_ == 2 * stores_.contacts.slots.size(),
                     "a contact is not between two bodies");
@@ -77,17 +63,36 @@ class Linking {
     }
 
   private:
+    void fail(const char* what) {
+        if (in_.ok()) in_.end(rest_.data() + at_);
+        in_.fail(what);
+        at_ = rest_.size();
+    }
+
+    // Calls take(item), which tells whether the item may stand there, for each item of a list.
+    template <class Take>
+    void for_each_listed(const char* fault, const Take& take) {
+        while (at_ + sizeof(std::uint32_t) <= rest_.size()) {
+            std::uint32_t word = 0;
+            std::memcpy(&word, rest_.data() + at_, sizeof word);
+            at_ += sizeof word;
+            if (!take(static_cast<int>(word & ~kLastBit))) return fail(fault);
+            if ((word & kLastBit) != 0) return;
+        }
+        fail("it ends in the middle of a list");
+    }
+
     bool take_shape(int body, int shape, bool sensor) {
         const bool fits = names(stores_.shapes, shape) && stores_.shapes[shape].body == kNone &&
                           stores_.shapes[shape].def.sensor == sensor;
-        if (!in_.require(fits, "a body has a shape that there is not, or that another has")) return false;
+        if (!fits) return false;
         stores_.shapes[shape].body = body;
         ++shapes_;
         return true;
     }
 
     void read_shapes(int body, BodyRecord& record) {
-        for_each_listed(in_, [&](int shape) {
+        for_each_listed(kWrongShape, [&](int shape) {
             if (!take_shape(body, shape, false)) return false;
             stores_.shapes[shape].previous_of_body = record.last_shape;
             (record.last_shape == kNone ? record.first_shape
@@ -99,7 +104,7 @@ class Linking {
 
     void read_sensors(int body, BodyRecord& record) {
         int* link = &record.first_sensor;
-        for_each_listed(in_, [&](int shape) {
+        for_each_listed(kWrongShape, [&](int shape) {
             if (!take_shape(body, shape, true)) return false;
             *link = shape;
             link = &stores_.shapes[shape].next_of_body;
@@ -110,14 +115,13 @@ class Linking {
     template <class Records>
     void read_edges(Records& records, int body, int& first, int& count, const char* fault) {
         int previous = kNone;
-        for_each_listed(in_, [&](int key) {
+        for_each_listed(fault, [&](int key) {
             const int index = edge_record(key);
             const int side = edge_side(key);
-            if (!in_.require(names(records, index), fault)) return false;
+            if (!names(records, index)) return false;
             auto& record = records[index];
             int& end = side == 0 ? record.body_a : record.body_b;
-            if (!in_.require(end == kNone && (side == 0 ? record.body_b : record.body_a) != body, fault))
-                return false;
+            if (end != kNone || (side == 0 ? record.body_b : record.body_a) == body) return false;
             end = body;
             record.edges[side] = {previous, kNone};
             (previous == kNone ? first : records[edge_record(previous)].edges[edge_side(previous)].next) =
@@ -130,6 +134,8 @@ class Linking {
 
     Reader& in_;
     Stores& stores_;
+    std::span<const std::byte> rest_;
+    std::size_t at_ = 0;  // of rest_
     int shapes_ = 0;
     int edges_of_contacts_ = 0;
     int edges_of_joints_ = 0;
