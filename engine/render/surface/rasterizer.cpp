@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <utility>
 
 namespace cairn::engine {
@@ -78,49 +79,65 @@ struct Span {
     std::array<std::int64_t, 3> at_first;
 };
 
-/// `at` is E of the edges at column `first`. The pixels inside lie side by side, so in the short rows of
-/// small triangles, which are most, stepping to them costs less than dividing.
-Span find_span(const std::array<Edge, 3>& edges, std::array<std::int64_t, 3> at, std::int64_t first,
-               std::int64_t last) {
-    constexpr std::int64_t kShort = 8;
-    if (last - first >= kShort) {
-        std::int64_t left = 0;
-        std::int64_t right = last - first;
-        for (std::size_t k = 0; k < 3; ++k) edges[k].narrow(at[k] + edges[k].bias, left, right);
-        for (std::size_t k = 0; k < 3; ++k) at[k] += edges[k].step_x * left;
-        return {first + left, first + right, at};
-    }
+/// `at` is E of the edges at column `first`.
+Span find_long_span(const std::array<Edge, 3>& edges, std::array<std::int64_t, 3> at, std::int64_t first,
+                    std::int64_t last) {
+    std::int64_t left = 0;
+    std::int64_t right = last - first;
+    for (std::size_t k = 0; k < 3; ++k) edges[k].narrow(at[k] + edges[k].bias, left, right);
+    for (std::size_t k = 0; k < 3; ++k) at[k] += edges[k].step_x * left;
+    return {first + left, first + right, at};
+}
+
+/// The same. The pixels inside lie side by side, so in the short rows of small triangles, which are most,
+/// stepping to them costs less than dividing.
+[[gnu::always_inline]] inline Span find_short_span(const std::array<Edge, 3>& edges,
+                                                   const std::array<std::int64_t, 3>& at, std::int64_t first,
+                                                   std::int64_t last) {
+    std::int64_t a = at[0] + edges[0].bias;
+    std::int64_t b = at[1] + edges[1].bias;
+    std::int64_t c = at[2] + edges[2].bias;
     // Not below 0 means that no sign bit is set.
-    std::array<std::int64_t, 3> e;
-    for (std::size_t k = 0; k < 3; ++k) e[k] = at[k] + edges[k].bias;
-    const auto step = [&] {
-        for (std::size_t k = 0; k < 3; ++k) e[k] += edges[k].step_x;
-    };
-    std::int64_t begin = first;
-    for (; begin <= last && (e[0] | e[1] | e[2]) < 0; ++begin) step();
-    if (begin > last) return {begin, last, at};
-    for (std::size_t k = 0; k < 3; ++k) at[k] = e[k] - edges[k].bias;
-    std::int64_t end = begin;
+    while ((a | b | c) < 0) {
+        if (++first > last) return {first, last, {}};
+        a += edges[0].step_x;
+        b += edges[1].step_x;
+        c += edges[2].step_x;
+    }
+    const std::array<std::int64_t, 3> at_first = {a - edges[0].bias, b - edges[1].bias, c - edges[2].bias};
+    std::int64_t end = first;
     do {
-        step();
         ++end;
-    } while (end <= last && (e[0] | e[1] | e[2]) >= 0);
-    return {begin, end - 1, at};
+        a += edges[0].step_x;
+        b += edges[1].step_x;
+        c += edges[2].step_x;
+    } while (end <= last && (a | b | c) >= 0);
+    return {first, end - 1, at_first};
 }
 
-/// What is interpolated over a triangle: r, g, b, a in 0 .. 255, then u, v.
-using Attributes = std::array<float, 6>;
+/// r, g, b, a in 0 .. 255, side by side: the compiler does four at a time.
+using Texel [[gnu::vector_size(16)]] = float;
+using TexelSum [[gnu::vector_size(32)]] = double;
+using Words [[gnu::vector_size(16)]] = std::int32_t;
+using Bytes [[gnu::vector_size(4)]] = std::uint8_t;
+static_assert(sizeof(Texel) == 4 * sizeof(float));
 
-Attributes attributes_of(const RenderVertex& v) {
-    return {static_cast<float>(v.color.r),
-            static_cast<float>(v.color.g),
-            static_cast<float>(v.color.b),
-            static_cast<float>(v.color.a),
-            v.uv.x,
-            v.uv.y};
+Texel load_texel(const std::uint8_t* from) {
+    Bytes bytes;
+    std::memcpy(&bytes, from, sizeof bytes);
+    return __builtin_convertvector(__builtin_convertvector(bytes, Words), Texel);
 }
 
-using Texel = std::array<float, 4>;
+/// Rounded and clamped.
+void store_texel(std::uint8_t* to, Texel color) {
+    const Texel black = {0, 0, 0, 0};
+    const Texel white = {255, 255, 255, 255};
+    color += 0.5f;
+    color = color > black ? color : black;
+    color = color < white ? color : white;
+    const Bytes bytes = __builtin_convertvector(__builtin_convertvector(color, Words), Bytes);
+    std::memcpy(to, &bytes, sizeof bytes);
+}
 
 /// As Image::pixel, but inline.
 const std::uint8_t* texel_at(const Image& image, int x, int y) {
@@ -144,13 +161,11 @@ Texel sample(const Image& texture, float u, float v) {
     const std::uint8_t* p10 = texel_at(texture, x1, y0);
     const std::uint8_t* p01 = texel_at(texture, x0, y1);
     const std::uint8_t* p11 = texel_at(texture, x1, y1);
-    Texel texel;
-    for (std::size_t i = 0; i < 4; ++i) {
-        const float upper = p00[i] + (p10[i] - p00[i]) * fx;
-        const float lower = p01[i] + (p11[i] - p01[i]) * fx;
-        texel[i] = upper + (lower - upper) * fy;
-    }
-    return texel;
+    const Texel t00 = load_texel(p00);
+    const Texel t01 = load_texel(p01);
+    const Texel upper = t00 + (load_texel(p10) - t00) * fx;
+    const Texel lower = t01 + (load_texel(p11) - t01) * fx;
+    return upper + (lower - upper) * fy;
 }
 
 /// The texel that holds a place.
@@ -159,38 +174,32 @@ Texel sample_nearest(const Image& texture, float u, float v) {
         return std::clamp(static_cast<int>(share * static_cast<float>(size)), 0, size - 1);
     };
     const std::uint8_t* p = texel_at(texture, index(u, texture.size.width), index(v, texture.size.height));
-    return {static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2]),
-            static_cast<float>(p[3])};
+    return load_texel(p);
 }
 
-/// Component i of what a color, 0 .. 255 and premultiplied, makes of what lies under it.
+/// What a color, premultiplied, makes of what lies under it.
 template <BlendMode kBlend>
-float blended(float under, const Texel& color, std::size_t i) {
-    constexpr std::size_t kAlpha = 3;
-    const float uncovered = 1 - color[kAlpha] * (1.0f / 255);
+Texel blended(Texel under, Texel color) {
+    constexpr float kShare = 1.0f / 255;
+    const float uncovered = 1 - color[3] * kShare;
+    Texel result = color;
     switch (kBlend) {
         case BlendMode::Alpha:
-            return color[i] + under * uncovered;
+            return color + under * uncovered;
         case BlendMode::Add:
-            return i == kAlpha ? under : under + color[i];
+            result = under + color;
+            result[3] = under[3];
+            return result;
         case BlendMode::Multiply:
-            return i == kAlpha ? under : under * (color[i] * (1.0f / 255) + uncovered);
+            result = under * (color * kShare + uncovered);
+            result[3] = under[3];
+            return result;
         case BlendMode::Screen:
-            return color[i] + under * (1 - color[i] * (1.0f / 255));
+            return color + under * (1 - color * kShare);
         case BlendMode::Replace:
-            return color[i];
+            return color;
     }
-    return under;
-}
-
-template <BlendMode kBlend>
-void blend_pixel(std::uint8_t* pixel, const Texel& color) {
-    std::array<float, 4> result;
-    for (std::size_t i = 0; i < 4; ++i) result[i] = blended<kBlend>(pixel[i], color, i) + 0.5f;
-    for (std::size_t i = 0; i < 4; ++i) {
-        const float clamped = result[i] > 0 ? result[i] : 0;
-        pixel[i] = static_cast<std::uint8_t>(static_cast<int>(clamped < 255 ? clamped : 255));
-    }
+    return result;
 }
 
 /// A triangle that has pixels, and where they may be.
@@ -206,11 +215,14 @@ struct Triangle {
 
 /// Calls `draw(row, span)` for each row with pixels inside.
 template <class Draw>
-void for_each_span(const Triangle& t, const Draw& draw) {
+[[gnu::always_inline]] inline void for_each_span(const Triangle& t, const Draw& draw) {
+    constexpr std::int64_t kShort = 8;
+    const bool is_short = t.last_column - t.first_column < kShort;
     std::array<std::int64_t, 3> at;
     for (std::size_t k = 0; k < 3; ++k) at[k] = t.edge[k].at(t.first_column, t.first_row);
     for (std::int64_t y = t.first_row; y <= t.last_row; ++y) {
-        const Span span = find_span(t.edge, at, t.first_column, t.last_column);
+        const Span span = is_short ? find_short_span(t.edge, at, t.first_column, t.last_column)
+                                   : find_long_span(t.edge, at, t.first_column, t.last_column);
         if (span.first <= span.last) draw(y, span);
         for (std::size_t k = 0; k < 3; ++k) at[k] += t.edge[k].step_y;
     }
@@ -225,12 +237,8 @@ void fill_triangle(const Triangle& t, Image& target) {
     const Rgba8 color = t.corner[0]->color;
     for_each_span(t, [&](std::int64_t y, const Span& span) {
         std::uint8_t* pixel = pixel_of(target, span.first, y);
-        for (std::int64_t x = span.first; x <= span.last; ++x, pixel += 4) {
-            pixel[0] = color.r;
-            pixel[1] = color.g;
-            pixel[2] = color.b;
-            pixel[3] = 255;
-        }
+        for (std::int64_t x = span.first; x <= span.last; ++x, pixel += sizeof color)
+            std::memcpy(pixel, &color, sizeof color);
     });
 }
 
@@ -238,38 +246,43 @@ void fill_triangle(const Triangle& t, Image& target) {
 /// they are multiplied by; where there is no texture it is not called.
 template <BlendMode kBlend, bool kIsTextured, class Sample>
 void shade_triangle(const Triangle& t, const Sample& sample_texture, Image& target) {
-    constexpr std::size_t kUsed = kIsTextured ? 6 : 4;
-    const std::array<Attributes, 3> values = {attributes_of(*t.corner[0]), attributes_of(*t.corner[1]),
-                                              attributes_of(*t.corner[2])};
     const double reciprocal_area = 1.0 / static_cast<double>(t.area);
-    const auto interpolate = [&](const std::array<double, 3>& weights) {
-        Attributes result{};
-        for (std::size_t i = 0; i < kUsed; ++i) {
-            double sum = 0;
-            for (std::size_t k = 0; k < 3; ++k) sum += weights[k] * static_cast<double>(values[k][i]);
-            result[i] = static_cast<float>(sum * reciprocal_area);
-        }
-        return result;
+    std::array<TexelSum, 3> colors;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Rgba8 c = t.corner[k]->color;
+        colors[k] = TexelSum{static_cast<double>(c.r), static_cast<double>(c.g), static_cast<double>(c.b),
+                             static_cast<double>(c.a)};
+    }
+    // Of E of the three edges, or of the steps of E to the next pixel.
+    const auto color_of = [&](const std::array<std::int64_t, 3>& e) {
+        const TexelSum sum = static_cast<double>(e[0]) * colors[0] + static_cast<double>(e[1]) * colors[1] +
+                             static_cast<double>(e[2]) * colors[2];
+        return __builtin_convertvector(sum * reciprocal_area, Texel);
     };
-    const Attributes step =
-        interpolate({static_cast<double>(t.edge[0].step_x), static_cast<double>(t.edge[1].step_x),
-                     static_cast<double>(t.edge[2].step_x)});
+    const auto number_of = [&](const std::array<std::int64_t, 3>& e, float Vec2::*part) {
+        double sum = 0;
+        for (std::size_t k = 0; k < 3; ++k)
+            sum += static_cast<double>(e[k]) * static_cast<double>(t.corner[k]->uv.*part);
+        return static_cast<float>(sum * reciprocal_area);
+    };
+    const std::array<std::int64_t, 3> to_next = {t.edge[0].step_x, t.edge[1].step_x, t.edge[2].step_x};
+    const Texel color_step = color_of(to_next);
+    Vec2 uv_step;
+    if constexpr (kIsTextured) uv_step = {number_of(to_next, &Vec2::x), number_of(to_next, &Vec2::y)};
     for_each_span(t, [&](std::int64_t y, const Span& span) {
-        const Attributes start =
-            interpolate({static_cast<double>(span.at_first[0]), static_cast<double>(span.at_first[1]),
-                         static_cast<double>(span.at_first[2])});
+        const Texel start = color_of(span.at_first);
+        Vec2 uv;
+        if constexpr (kIsTextured)
+            uv = {number_of(span.at_first, &Vec2::x), number_of(span.at_first, &Vec2::y)};
         std::uint8_t* pixel = pixel_of(target, span.first, y);
         const auto count = static_cast<int>(span.last - span.first);
         for (int x = 0; x <= count; ++x, pixel += 4) {
             const auto distance = static_cast<float>(x);
-            Texel color;
-            for (std::size_t i = 0; i < 4; ++i) color[i] = start[i] + step[i] * distance;
-            if constexpr (kIsTextured) {
-                const Texel texel =
-                    sample_texture(start[4] + step[4] * distance, start[5] + step[5] * distance);
-                for (std::size_t i = 0; i < 4; ++i) color[i] *= texel[i] * (1.0f / 255);
-            }
-            blend_pixel<kBlend>(pixel, color);
+            Texel color = start + color_step * distance;
+            if constexpr (kIsTextured)
+                color *=
+                    sample_texture(uv.x + uv_step.x * distance, uv.y + uv_step.y * distance) * (1.0f / 255);
+            store_texel(pixel, blended<kBlend>(load_texel(pixel), color));
         }
     });
 }
@@ -295,6 +308,15 @@ void rasterize_triangle(const RenderVertex& a, const RenderVertex& b, const Rend
                         Image& target) {
     std::array<const RenderVertex*, 3> corner = {&a, &b, &c};
     std::array<FixedPoint, 3> p = {to_fixed(a.position), to_fixed(b.position), to_fixed(c.position)};
+    const auto [min_x, max_x] = std::minmax({p[0].x, p[1].x, p[2].x});
+    const auto [min_y, max_y] = std::minmax({p[0].y, p[1].y, p[2].y});
+    const std::int64_t first_column = std::max<std::int64_t>(clip.x, first_pixel(min_x));
+    const std::int64_t last_column = std::min<std::int64_t>(clip.x + clip.width - 1, last_pixel(max_x));
+    const std::int64_t first_row = std::max<std::int64_t>(clip.y, first_pixel(min_y));
+    const std::int64_t last_row = std::min<std::int64_t>(clip.y + clip.height - 1, last_pixel(max_y));
+    // Many of the triangles that smooth edges are so thin that they hold the middle of no pixel.
+    if (first_column > last_column || first_row > last_row) return;
+
     std::int64_t area = (p[1].x - p[0].x) * (p[2].y - p[0].y) - (p[1].y - p[0].y) * (p[2].x - p[0].x);
     if (area == 0) return;
     if (area < 0) {
@@ -302,19 +324,15 @@ void rasterize_triangle(const RenderVertex& a, const RenderVertex& b, const Rend
         std::swap(p[1], p[2]);
         area = -area;
     }
-    const auto [min_x, max_x] = std::minmax({p[0].x, p[1].x, p[2].x});
-    const auto [min_y, max_y] = std::minmax({p[0].y, p[1].y, p[2].y});
     const Triangle t{
         .corner = corner,
         .edge = {Edge(p[1], p[2]), Edge(p[2], p[0]), Edge(p[0], p[1])},
         .area = area,
-        .first_column = std::max<std::int64_t>(clip.x, first_pixel(min_x)),
-        .last_column = std::min<std::int64_t>(clip.x + clip.width - 1, last_pixel(max_x)),
-        .first_row = std::max<std::int64_t>(clip.y, first_pixel(min_y)),
-        .last_row = std::min<std::int64_t>(clip.y + clip.height - 1, last_pixel(max_y)),
+        .first_column = first_column,
+        .last_column = last_column,
+        .first_row = first_row,
+        .last_row = last_row,
     };
-    // Many of the triangles that smooth edges are so thin that they hold the middle of no pixel.
-    if (t.first_column > t.last_column || t.first_row > t.last_row) return;
 
     switch (blend) {
         case BlendMode::Alpha:
