@@ -201,8 +201,10 @@ class MapReader {
     TileMap read() {
         const Json json = read_json(files_, path_);
         const Node node(json, "");
-        if (node.text("orientation", "orthogonal") != "orthogonal")
-            node.fail("orientation", "must be orthogonal");
+        const std::string grid = node.text("orientation", "orthogonal");
+        if (grid != "orthogonal" && grid != "isometric")
+            node.fail("orientation", "must be orthogonal or isometric");
+        map_.grid = grid == "isometric" ? MapGrid::Isometric : MapGrid::Orthogonal;
         if (node.flag("infinite", false))
             node.fail("infinite", "must be false: give the map a fixed size in the editor");
         map_.columns = node.whole("width", 1, kMaxSide);
@@ -346,6 +348,42 @@ Rect TileSet::source(std::uint32_t id) const {
     return {static_cast<float>(margin + index % columns * (tile_size.width + spacing)),
             static_cast<float>(margin + index / columns * (tile_size.height + spacing)),
             static_cast<float>(tile_size.width), static_cast<float>(tile_size.height)};
+}
+
+Vec2 TileMap::size() const {
+    const auto width = static_cast<float>(tile_size.width);
+    const auto height = static_cast<float>(tile_size.height);
+    if (grid == MapGrid::Orthogonal)
+        return {static_cast<float>(columns) * width, static_cast<float>(rows) * height};
+    const auto sides = static_cast<float>(columns + rows);
+    return {0.5f * sides * width, 0.5f * sides * height};
+}
+
+Vec2 TileMap::from_cells(Vec2 cells) const {
+    const auto width = static_cast<float>(tile_size.width);
+    const auto height = static_cast<float>(tile_size.height);
+    if (grid == MapGrid::Orthogonal) return {cells.x * width, cells.y * height};
+    return {0.5f * width * (cells.x - cells.y + static_cast<float>(rows)),
+            0.5f * height * (cells.x + cells.y)};
+}
+
+Vec2 TileMap::to_cells(Vec2 place) const {
+    const Vec2 cells = {place.x / static_cast<float>(tile_size.width),
+                        place.y / static_cast<float>(tile_size.height)};
+    if (grid == MapGrid::Orthogonal) return cells;
+    const float across = cells.x - 0.5f * static_cast<float>(rows);
+    return {cells.y + across, cells.y - across};
+}
+
+Vec2 TileMap::from_object(Vec2 place) const {
+    if (grid == MapGrid::Orthogonal) return place;
+    return from_cells(place * (1 / static_cast<float>(tile_size.height)));
+}
+
+Vec2 TileMap::tile_corner(int column, int row) const {
+    const Vec2 below = from_cells({static_cast<float>(column), static_cast<float>(row + 1)});
+    if (grid == MapGrid::Orthogonal) return below;
+    return below + Vec2{0, 0.5f * static_cast<float>(tile_size.height)};
 }
 
 const TileSet* TileMap::set_of(std::uint32_t id) const {

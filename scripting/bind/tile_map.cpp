@@ -1,7 +1,9 @@
 // cairn.tilemap and the methods of TileMap. Invariant: the author sees one frame only, that of the map's
 // units: y down as on the screen, or y up as in the world, with (0, 0) at the map's corner of least x and y.
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
 
 #include "bind/context.h"
 #include "bind/fields.h"
@@ -56,7 +58,8 @@ Pushed load(lua_State* L, std::string_view path, std::optional<TableArgument> fi
 // ---- Facts
 
 std::tuple<float, float> size(TileMapObject* self) {
-    return {static_cast<float>(self->map.columns) * self->cell_width(), self->height()};
+    const Vec2 size = self->map.size() * self->scale;
+    return {size.x, size.y};
 }
 std::tuple<std::int64_t, std::int64_t> cells(TileMapObject* self) {
     return {self->map.columns, self->map.rows};
@@ -142,18 +145,59 @@ Pushed tile_properties(lua_State* L, TileMapObject* self, std::int64_t id) {
 }
 
 std::tuple<std::int64_t, std::int64_t> cell_at(TileMapObject* self, float x, float y) {
-    const auto index = [](float place, float cell) {
-        const float whole = std::floor(place / cell);
-        return static_cast<std::int64_t>(std::clamp(whole, -1e9f, 1e9f)) + 1;
+    const auto index = [](float place) {
+        return static_cast<std::int64_t>(std::clamp(std::floor(place), -1e9f, 1e9f)) + 1;
     };
-    return {index(x, self->cell_width()), index(self->is_y_up ? self->height() - y : y, self->cell_height())};
+    const Vec2 cells = self->map.to_cells(self->to_pixels({x, y}));
+    return {index(cells.x), index(cells.y)};
 }
 
 std::tuple<float, float> cell_center(TileMapObject* self, std::int64_t column, std::int64_t row) {
-    const Vec2 middle =
-        self->to_units({(static_cast<float>(column) - 0.5f) * static_cast<float>(self->map.tile_size.width),
-                        (static_cast<float>(row) - 0.5f) * static_cast<float>(self->map.tile_size.height)});
+    const Vec2 middle = self->to_units(
+        self->map.from_cells({static_cast<float>(column) - 0.5f, static_cast<float>(row) - 0.5f}));
     return {middle.x, middle.y};
+}
+
+void set_number(lua_State* L, const char* field, float value) {
+    lua_pushnumber(L, static_cast<double>(value));
+    lua_setfield(L, -2, field);
+}
+void set_text(lua_State* L, const char* field, std::string_view value) {
+    lua_pushlstring(L, value.data(), value.size());
+    lua_setfield(L, -2, field);
+}
+
+/// { {x, y}, ... } becomes a field of the table on top of the stack.
+void set_points(lua_State* L, std::span<const Vec2> points) {
+    lua_createtable(L, static_cast<int>(points.size()), 0);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        lua_createtable(L, 2, 0);
+        lua_pushnumber(L, static_cast<double>(points[i].x));
+        lua_rawseti(L, -2, 1);
+        lua_pushnumber(L, static_cast<double>(points[i].y));
+        lua_rawseti(L, -2, 2);
+        lua_rawseti(L, -2, static_cast<lua_Integer>(i + 1));
+    }
+    lua_setfield(L, -2, "points");
+}
+
+/// A table with the middle of a rectangle of cells, and its sizes or, where it is a diamond, its corners.
+void push_solid(lua_State* L, const TileMapObject& self, const engine::CellRect& rect) {
+    const Vec2 low = {static_cast<float>(rect.column), static_cast<float>(rect.row)};
+    const Vec2 high = low + Vec2{static_cast<float>(rect.columns), static_cast<float>(rect.rows)};
+    const auto place = [&](Vec2 cells) { return self.to_units(self.map.from_cells(cells)); };
+    const Vec2 middle = place(0.5f * (low + high));
+    lua_createtable(L, 0, 4);
+    set_number(L, "x", middle.x);
+    set_number(L, "y", middle.y);
+    if (self.map.grid == engine::MapGrid::Orthogonal) {
+        set_number(L, "width", static_cast<float>(rect.columns) * self.cell_width());
+        set_number(L, "height", static_cast<float>(rect.rows) * self.cell_height());
+        return;
+    }
+    std::array<Vec2, 4> corners = {low, {high.x, low.y}, high, {low.x, high.y}};
+    for (Vec2& corner : corners) corner = place(corner) - middle;
+    set_points(L, corners);
 }
 
 Pushed solids(lua_State* L, TileMapObject* self, std::string_view name,
@@ -174,21 +218,7 @@ Pushed solids(lua_State* L, TileMapObject* self, std::string_view name,
     lua_newtable(L);
     lua_Integer count = 0;
     for (const engine::CellRect& rect : engine::cover_cells(self->map.columns, self->map.rows, is_solid)) {
-        const auto width = static_cast<float>(self->map.tile_size.width);
-        const auto height = static_cast<float>(self->map.tile_size.height);
-        const Vec2 middle = self->to_units(
-            {(static_cast<float>(rect.column) + 0.5f * static_cast<float>(rect.columns)) * width,
-             (static_cast<float>(rect.row) + 0.5f * static_cast<float>(rect.rows)) * height});
-        const std::pair<const char*, float> fields[] = {
-            {"x", middle.x},
-            {"y", middle.y},
-            {"width", static_cast<float>(rect.columns) * self->cell_width()},
-            {"height", static_cast<float>(rect.rows) * self->cell_height()}};
-        lua_createtable(L, 0, 4);
-        for (const auto& [field, value] : fields) {
-            lua_pushnumber(L, static_cast<double>(value));
-            lua_setfield(L, -2, field);
-        }
+        push_solid(L, *self, rect);
         lua_rawseti(L, -2, ++count);
     }
     return {1};
@@ -216,23 +246,20 @@ const char* shape_name(engine::MapShape shape) {
     return "";
 }
 
-void set_number(lua_State* L, const char* field, float value) {
-    lua_pushnumber(L, static_cast<double>(value));
-    lua_setfield(L, -2, field);
-}
-void set_text(lua_State* L, const char* field, std::string_view value) {
-    lua_pushlstring(L, value.data(), value.size());
-    lua_setfield(L, -2, field);
-}
-
 void push_map_object(lua_State* L, const TileMapObject& self, const MapObject& object) {
     // Tiled turns an object about its position; the author gets its middle, which is what bodies and images
     // want.
-    Vec2 middle = object.size * 0.5f;
-    if (object.shape == engine::MapShape::Tile) middle.y = -middle.y;
-    const engine::Affine2 turn =
-        engine::Affine2::translation(object.position) * engine::Affine2::rotation(object.rotation_rad);
-    const Vec2 center = self.to_units(turn.apply(middle));
+    const bool is_isometric = self.map.grid == engine::MapGrid::Isometric;
+    const Vec2 position = self.map.from_object(object.position);
+    const auto place = [&](Vec2 from_position) {
+        const Vec2 way = self.map.from_object(object.position + from_position) - position;
+        return self.to_units(position + engine::Affine2::rotation(object.rotation_rad).apply(way));
+    };
+    Vec2 center = place(object.size * 0.5f);
+    if (object.shape == engine::MapShape::Tile) {  // stands upright
+        const Vec2 middle = {is_isometric ? 0 : 0.5f * object.size.x, -0.5f * object.size.y};
+        center = self.to_units(position + engine::Affine2::rotation(object.rotation_rad).apply(middle));
+    }
     lua_createtable(L, 0, 12);
     lua_pushinteger(L, object.id);
     lua_setfield(L, -2, "id");
@@ -253,18 +280,13 @@ void push_map_object(lua_State* L, const TileMapObject& self, const MapObject& o
     if (!object.text.empty()) set_text(L, "text", object.text);
     push_properties(L, object.properties);
     lua_setfield(L, -2, "properties");
-    if (object.points.empty()) return;
-    lua_createtable(L, static_cast<int>(object.points.size()), 0);
-    for (std::size_t i = 0; i < object.points.size(); ++i) {
-        const Vec2 point = self.to_units(turn.apply(object.points[i]));
-        lua_createtable(L, 2, 0);
-        lua_pushnumber(L, static_cast<double>(point.x));
-        lua_rawseti(L, -2, 1);
-        lua_pushnumber(L, static_cast<double>(point.y));
-        lua_rawseti(L, -2, 2);
-        lua_rawseti(L, -2, static_cast<lua_Integer>(i + 1));
+    std::vector<Vec2> points;
+    for (const Vec2 point : object.points) points.push_back(place(point));
+    if (is_isometric && object.shape == engine::MapShape::Rectangle) {
+        const Vec2 size = object.size;
+        points = {place({0, 0}), place({size.x, 0}), place(size), place({0, size.y})};
     }
-    lua_setfield(L, -2, "points");
+    if (!points.empty()) set_points(L, points);
 }
 
 Pushed objects(lua_State* L, TileMapObject* self, std::optional<std::string_view> name) {
@@ -298,8 +320,10 @@ constexpr std::array<std::string_view, 1> kReturnsNames = {"string[]"};
 constexpr Function kModuleFunctions[] = {
     function_pushing<&load>(
         "load", "path, fields = {}", "map", kReturnsMap,
-        "Loads an orthogonal map of fixed size, .tmx or .tmj, with its tile sets and pictures. Layer "
-        "data may be CSV or base64, plain or packed with zlib or gzip.",
+        "Loads an orthogonal or isometric map of fixed size, .tmx or .tmj, with its tile sets and pictures. "
+        "Layer data may be CSV or base64, plain or packed with zlib or gzip. Places on isometric maps are "
+        "those "
+        "of the picture, in which a cell is a diamond.",
         &kLoadFields),
 };
 constexpr Function kMethods[] = {
@@ -328,12 +352,14 @@ constexpr Function kMethods[] = {
         "solids", "layer, property = nil", "rectangles", kReturnsTable,
         "Covers the layer's tiles, all or those whose property is there and not false, with few rectangles: "
         "a list of "
-        "{ x, y, width, height }, x and y being the middle, as `body:add_box` takes them."),
+        "{ x, y, width, height }, x and y being the middle, as `body:add_box` takes them. On isometric maps "
+        "{ x, y, points }, the points from the middle, as `world:add_polygon` takes them."),
     function_pushing<&objects>("objects", "layer = nil", "objects", kReturnsTable,
                                "A new list of tables: id, name, class, shape (\"rectangle\", \"ellipse\", "
                                "\"point\", \"polygon\", \"polyline\", "
                                "\"tile\" or \"text\"), x, y (the middle), width, height, angle, visible, "
-                               "properties, points, tile, text."),
+                               "properties, points, tile, text. A rectangle on an isometric map is a "
+                               "parallelogram, with its corners as points."),
 };
 
 }  // namespace

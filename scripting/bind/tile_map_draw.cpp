@@ -96,8 +96,7 @@ CellRange visible_cells(const engine::Renderer& renderer, const TileMapObject& m
     for (const Vec2 corner : {Vec2{0, 0}, Vec2{1, 0}, Vec2{0, 1}, Vec2{1, 1}}) {
         Vec2 p = back.apply(
             {corner.x * static_cast<float>(target.width), corner.y * static_cast<float>(target.height)});
-        if (map.is_y_up) p.y = map.height() - p.y;
-        p = p * (1 / map.scale) - offset;
+        p = map.to_pixels(p) - offset;
         low = {std::min(low.x, p.x), std::min(low.y, p.y)};
         high = {std::max(high.x, p.x), std::max(high.y, p.y)};
     }
@@ -105,16 +104,29 @@ CellRange visible_cells(const engine::Renderer& renderer, const TileMapObject& m
     for (const engine::TileSet& set : map.map.sets)
         largest = {std::max(largest.width, set.tile_size.width),
                    std::max(largest.height, set.tile_size.height)};
-    const auto cell = [](float place, int size, int count) {
-        return static_cast<int>(
-            std::clamp(std::floor(place / static_cast<float>(size)), -1.0f, static_cast<float>(count)));
+    // The picture, and what tiles may reach into it from below and from the left, as a part of the grid.
+    low.x -= static_cast<float>(largest.width);
+    high.y += static_cast<float>(largest.height);
+    Vec2 first = {1e30f, 1e30f};
+    Vec2 last = {-1e30f, -1e30f};
+    for (const Vec2 corner : {low, Vec2{high.x, low.y}, high, Vec2{low.x, high.y}}) {
+        const Vec2 cells = map.map.to_cells(corner);
+        first = {std::min(first.x, cells.x), std::min(first.y, cells.y)};
+        last = {std::max(last.x, cells.x), std::max(last.y, cells.y)};
+    }
+    const auto cell = [](float place, int count) {
+        return static_cast<int>(std::clamp(std::floor(place), -1.0f, static_cast<float>(count)));
     };
-    const engine::Size tile = map.map.tile_size;
-    return {std::max(cell(low.x - static_cast<float>(largest.width), tile.width, map.map.columns), 0),
-            std::min(cell(high.x, tile.width, map.map.columns), map.map.columns - 1),
-            std::max(cell(low.y, tile.height, map.map.rows), 0),
-            std::min(cell(high.y + static_cast<float>(largest.height), tile.height, map.map.rows),
-                     map.map.rows - 1)};
+    return {std::max(cell(first.x, map.map.columns), 0),
+            std::min(cell(last.x, map.map.columns), map.map.columns - 1),
+            std::max(cell(first.y, map.map.rows), 0), std::min(cell(last.y, map.map.rows), map.map.rows - 1)};
+}
+
+/// The bottom left of an object that is a tile.
+Vec2 tile_object_corner(const engine::TileMap& map, const MapObject& object) {
+    const Vec2 place = map.from_object(object.position);
+    if (map.grid == engine::MapGrid::Orthogonal) return place;
+    return place - Vec2{0.5f * object.size.x, 0};
 }
 
 }  // namespace
@@ -127,7 +139,7 @@ void draw_layer(const Context& context, const TileMapObject& map, const MapLayer
     if (layer.kind == MapLayer::Kind::Objects) {
         for (const MapObject& object : layer.objects)
             if (object.shape == engine::MapShape::Tile && object.is_visible)
-                mesh.add(object.tile, object.position + layer.offset);
+                mesh.add(object.tile, tile_object_corner(map.map, object) + layer.offset);
         return;
     }
     const CellRange range = visible_cells(renderer, map, layer.offset);
@@ -137,9 +149,7 @@ void draw_layer(const Context& context, const TileMapObject& map, const MapLayer
                 layer.tiles[static_cast<std::size_t>(row) * static_cast<std::size_t>(map.map.columns) +
                             column];
             if (tile.id == 0) continue;
-            mesh.add(tile, Vec2{static_cast<float>(column * map.map.tile_size.width),
-                                static_cast<float>((row + 1) * map.map.tile_size.height)} +
-                               layer.offset);
+            mesh.add(tile, map.map.tile_corner(column, row) + layer.offset);
         }
 }
 

@@ -22,11 +22,15 @@ struct TileMapObject : ObjectHeader {
 
     [[nodiscard]] float cell_width() const { return static_cast<float>(map.tile_size.width) * scale; }
     [[nodiscard]] float cell_height() const { return static_cast<float>(map.tile_size.height) * scale; }
-    [[nodiscard]] float height() const { return static_cast<float>(map.rows) * cell_height(); }
+    [[nodiscard]] float height() const { return map.size().y * scale; }
     /// From pixels of the map to units.
     [[nodiscard]] engine::Vec2 to_units(engine::Vec2 pixels) const {
         const float y = pixels.y * scale;
         return {pixels.x * scale, is_y_up ? height() - y : y};
+    }
+    /// The other way.
+    [[nodiscard]] engine::Vec2 to_pixels(engine::Vec2 units) const {
+        return {units.x / scale, (is_y_up ? height() - units.y : units.y) / scale};
     }
 };
 

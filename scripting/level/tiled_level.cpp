@@ -419,6 +419,9 @@ std::vector<std::vector<CellCorner>> outline_cells(int columns, int rows, const 
 engine::Result<Value> tiled_level(const engine::Files& files, std::string_view path, double scale) {
     const auto map = engine::load_tile_map(files, path);
     if (!map) return map.error();
+    if (map->grid != engine::MapGrid::Orthogonal)
+        return engine::Error{"map '" + std::string(path) +
+                             "': orientation is isometric, but levels are made of orthogonal maps"};
     return MapReader(*map, scale > 0 ? scale : 1.0 / map->tile_size.width).read();
 }
 

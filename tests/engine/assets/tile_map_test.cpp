@@ -187,8 +187,8 @@ TEST_CASE_METHOD(Maps, "a wrong map is an error that names the file, the place a
         std::string text = tmx(kCsv);
         return message(text.replace(text.find(from), from.size(), to));
     };
-    CHECK_THAT(without("orthogonal", "isometric"),
-               Catch::Contains("orientation is \"isometric\", but must be orthogonal"));
+    CHECK_THAT(without("orthogonal", "hexagonal"),
+               Catch::Contains("orientation is \"hexagonal\", but must be orthogonal or isometric"));
     CHECK_THAT(without("infinite=\"0\"", "infinite=\"1\""), Catch::Contains("a fixed size"));
     CHECK_THAT(without("width=\"3\"", "width=\"0\""),
                Catch::Contains("width is 0.0, but must be a whole number from 1"));
@@ -210,6 +210,21 @@ TEST_CASE_METHOD(Maps, "a map cut off anywhere is an error and no crash") {
         tmx(kCsv, "<objectgroup name=\"o\"><object id=\"1\" x=\"1\" y=\"1\"/></objectgroup>");
     for (std::size_t length = 0; length < whole.size(); length += 7)
         CHECK_FALSE(load("c.tmx", whole.substr(0, length)));
+}
+
+TEST_CASE_METHOD(Maps, "the cells of an isometric map are diamonds, and its objects lie along their sides") {
+    const auto map = load("iso.tmj", R"({"orientation": "isometric", "width": 3, "height": 2, "tilewidth": 32,
+        "tileheight": 16})");
+    if (!map) FAIL(map.error().message);
+    CHECK(map->size() == Vec2{80, 40});
+    CHECK(map->from_cells({0, 0}) == Vec2{32, 0});   // the top
+    CHECK(map->from_cells({3, 0}) == Vec2{80, 24});  // the right corner
+    CHECK(map->from_cells({0, 2}) == Vec2{0, 16});   // the left one
+    CHECK(map->from_cells({3, 2}) == Vec2{48, 40});  // the bottom
+    CHECK(map->from_object({48, 0}) == map->from_cells({3, 0}));
+    CHECK(map->tile_corner(0, 0) == Vec2{16, 16});
+    for (const Vec2 cells : {Vec2{0.5f, 0.25f}, Vec2{2, 1.5f}, Vec2{-3, 7}})
+        CHECK(map->to_cells(map->from_cells(cells)) == cells);
 }
 
 TEST_CASE("rectangles cover exactly the solid cells, each once, and runs with one rectangle") {

@@ -106,6 +106,61 @@ TEST_CASE_METHOD(Maps, "what the picture does not show is not drawn") {
     CHECK(machine().renderer->stats().vertices == 4 * 8);
 }
 
+TEST_CASE("isometric maps have their places in the picture, and their solids are polygons") {
+    LuaBench bench(
+        {{"conf.lua", "{ width = 200, height = 100 }"},
+         {"tiles.png", tiles_png()},
+         {"map.tmj",
+          R"({"orientation": "isometric", "width": 2, "height": 2, "tilewidth": 16, "tileheight": 8,
+        "tilesets": [{"firstgid": 1, "name": "t", "tilewidth": 16, "tileheight": 8, "tilecount": 1, "columns": 1,
+            "image": "tiles.png"}],
+        "layers": [{"type": "tilelayer", "name": "ground", "data": [1, 1, 1, 0]},
+            {"type": "objectgroup", "name": "things", "objects": [{"id": 1, "x": 8, "y": 0, "width": 8, "height": 8},
+            {"id": 2, "x": 16, "y": 16, "width": 16, "height": 8, "gid": 1}]}]})"}},
+        MachineKind::HeadlessDrawing);
+    REQUIRE(bench.run("map = cairn.tilemap.load('map.tmj') world = cairn.tilemap.load('map.tmj', { scale = "
+                      "1 / 8, y_up = true })") == "");
+    CHECK(bench.value("table.concat({ map:size() }, ' ')") == "32.0 16.0");
+    CHECK(bench.value("table.concat({ map:cell_center(1, 1) }, ' ')") == "16.0 4.0");
+    CHECK(bench.value("table.concat({ map:cell_center(2, 1) }, ' ')") == "24.0 8.0");
+    CHECK(bench.value("table.concat({ world:cell_center(2, 1) }, ' ')") == "3.0 1.0");
+    CHECK(bench.value("table.concat({ map:cell_at(17, 1) }, ' ')") == "1 1");
+    CHECK(bench.value("table.concat({ map:cell_at(30, 8) }, ' ')") == "2 1");
+    CHECK(bench.value("table.concat({ world:cell_at(1, 1) }, ' ')") == "1 2");
+    CHECK(bench.value("table.concat({ map:cell_at(1, 1) }, ' ')") == "0 2");
+
+    // The first row is two cells long, the second one.
+    REQUIRE(bench.run("w = cairn.physics.new_world{} for _, part in ipairs(world:solids('ground')) do "
+                      "part.type = 'static' w:add_polygon(part) end "
+                      "function solid(x, y) return w:body_at(x, y) ~= nil end") == "");
+    CHECK(bench.value("w:body_count()") == "2");
+    CHECK(bench.value("solid(world:cell_center(1, 1)) and solid(world:cell_center(2, 1)) and "
+                      "solid(world:cell_center(1, 2)) and not solid(world:cell_center(2, 2))") == "true");
+
+    REQUIRE(
+        bench.run("thing, tile = table.unpack(map:objects()) "
+                  "corners = {} for i, p in ipairs(thing.points) do corners[i] = p[1] .. ',' .. p[2] end") ==
+        "");
+    CHECK(bench.value("table.concat(corners, ' ')") == "24.0,4.0 32.0,8.0 24.0,12.0 16.0,8.0");
+    CHECK(bench.value("thing.x .. ' ' .. thing.y .. ' ' .. tile.x .. ' ' .. tile.y") == "24.0 8.0 16.0 12.0");
+
+    // What is farther down covers what is behind it.
+    const engine::Image image = picture_of(bench, "map:draw('ground')");
+    is_color(image, 10, 2, 255, 0, 0);
+    is_color(image, 20, 2, 0, 255, 0);
+    is_color(image, 20, 6, 255, 0, 0);
+    is_color(image, 10, 6, 0, 255, 0);
+    is_color(image, 10, 10, 0, 0, 255);
+    is_color(image, 30, 14, 0, 0, 0);
+    const engine::Image things = picture_of(bench, "map:draw('things')");
+    is_color(things, 10, 10, 255, 0, 0);
+    is_color(things, 20, 14, 0, 0, 255);
+    is_color(things, 20, 6, 0, 0, 0);
+    picture_of(bench, "cairn.graphics.translate(-1000, 0) map:draw()");
+    CHECK(bench.machine().renderer->stats().vertices == 0);
+    CHECK_THAT(bench.run("cairn.level.load('map.tmj')"), Catch::Contains("made of orthogonal maps"));
+}
+
 TEST_CASE_METHOD(Maps, "wrong layers, tiles and files say what is wrong") {
     CHECK(run("screen:tile('grond', 1, 1)")
               .find("layer is \"grond\": no such layer of tiles; did you mean \"ground\"?") !=

@@ -58,7 +58,7 @@ struct MapObject {
     std::string name;
     std::string kind;  ///< the class (or type) that the editor shows
     MapShape shape = MapShape::Rectangle;
-    Vec2 position;  ///< top left; of tiles the bottom left
+    Vec2 position;  ///< top left; of tiles the bottom left, on isometric maps the middle of their bottom
     Vec2 size;
     float rotation_rad = 0;    ///< clockwise in the editor
     std::vector<Vec2> points;  ///< of polygons and polylines, from the position
@@ -81,14 +81,34 @@ struct MapLayer {
     std::vector<MapObject> objects;
 };
 
+/// How the cells of a map lie in its picture.
+enum class MapGrid {
+    Orthogonal,
+    Isometric,  ///< diamonds: columns run down to the right, rows down to the left
+};
+
 struct TileMap {
+    MapGrid grid = MapGrid::Orthogonal;
     int columns = 0;
     int rows = 0;
-    Size tile_size;
+    Size tile_size;                ///< of a cell
     std::vector<TileSet> sets;     ///< by first_id
     std::vector<MapLayer> layers;  ///< the lowest first; those in groups are named "group/layer"
     TileProperties properties;
     std::optional<Color> background;
+
+    /// Of the picture, in pixels.
+    Vec2 size() const;
+    /// Where a place among the cells lies in the picture; (0, 0) is the outer corner of the first cell, (1,
+    /// 1) that of the second in the second row.
+    Vec2 from_cells(Vec2 cells) const;
+    /// The other way.
+    Vec2 to_cells(Vec2 place) const;
+    /// Where a place as objects have it lies in the picture. Tiled counts those of isometric maps along the
+    /// sides of the cells, of which both are as long as a cell is high.
+    Vec2 from_object(Vec2 place) const;
+    /// The bottom left of a cell's tile.
+    Vec2 tile_corner(int column, int row) const;
 
     const TileSet* set_of(std::uint32_t id) const;
     const MapLayer* layer(std::string_view name) const;
@@ -98,8 +118,8 @@ struct TileMap {
     std::uint32_t shown(std::uint32_t id, double time_s) const;
 };
 
-/// Orthogonal maps of fixed size; layer data as CSV or base64, plain or compressed with zlib or gzip. Errors
-/// name the file, the place in it, the value and the rule.
+/// Orthogonal and isometric maps of fixed size; layer data as CSV or base64, plain or compressed with zlib or
+/// gzip. Errors name the file, the place in it, the value and the rule.
 Result<TileMap> load_tile_map(const Files& files, std::string_view path);
 
 /// Covers the cells that `is_solid` says with few rectangles (in cells), so that bodies slide over no joints:
