@@ -258,6 +258,9 @@ void set_fullscreen(lua_State* L, bool on) {
 bool is_fullscreen(lua_State* L) {
     return context_of(L).services.window.is_fullscreen();
 }
+float pixel_scale(lua_State* L) {
+    return context_of(L).services.renderer.pixel_scale();
+}
 bool has_focus(lua_State* L) {
     return context_of(L).input.has_focus();
 }
@@ -268,6 +271,12 @@ constexpr Function kWindowFunctions[] = {
     function<&set_title>("set_title", "title", "", ""),
     function<&set_fullscreen>("set_fullscreen", "on", "", ""),
     function<&is_fullscreen>("is_fullscreen", "", "on", ""),
+    function<&pixel_scale>(
+        "pixel_scale", "", "scale",
+        "How many pixels of the display a logical pixel is wide: more than 1 on dense displays and in large "
+        "windows. A canvas that is to look sharp has as many times its size, and is drawn as many times "
+        "smaller; text, shapes and fonts follow by themselves. It differs between machines, so nothing but "
+        "drawing may depend on it."),
     function<&has_focus>("has_focus", "", "focus", ""),
 };
 
