@@ -1,4 +1,6 @@
 // cairn.particles and the methods of Particles.
+#include <cmath>
+
 #include <cairn/engine/particles.h>
 
 #include "bind/fields.h"
@@ -36,8 +38,9 @@ namespace {
 constexpr double kMostParticles = 100000;
 
 constexpr Field kMaxCount = integer_field("max_count", 1000, "1000", "how many may live, 1 to 100000");
+constexpr double kMostRate_1_s = 1e6;
 constexpr Field kRate =
-    within(number_field("rate", 0, "0", "1/s; born per second while it is started"), 0, 1e6);
+    within(number_field("rate", 0, "0", "1/s; born per second while it is started"), 0, kMostRate_1_s);
 constexpr Field kX = number_field("x", 0, "0", "where they are born");
 constexpr Field kY = number_field("y", 0, "0", "");
 constexpr Field kAreaWidth =
@@ -189,6 +192,14 @@ std::tuple<float, float> position(ParticlesObject* self) {
 void set_position(ParticlesObject* self, float x, float y) {
     self->system.set_position({x, y});
 }
+void set_direction(lua_State* L, ParticlesObject* self, float direction_rad) {
+    if (!std::isfinite(direction_rad)) argument_error(L, 2, "an angle");
+    self->system.set_direction(direction_rad);
+}
+void set_rate(lua_State* L, ParticlesObject* self, double rate) {
+    if (!(rate >= 0 && rate <= kMostRate_1_s)) argument_error(L, 2, "a rate from 0 to 1e6");
+    self->system.set_rate(static_cast<float>(rate));
+}
 void update(lua_State* L, ParticlesObject* self, float dt) {
     if (!(dt > 0 && dt <= 1)) argument_error(L, 2, "a time above 0 and at most 1 s");
     self->system.update(dt);
@@ -223,6 +234,9 @@ constexpr Function kMethods[] = {
     function<&clear>("clear", "", "", "Takes all away."),
     function<&position>("position", "", "x, y", ""),
     function<&set_position>("set_position", "x, y", "", "Where the next ones are born."),
+    function<&set_direction>("set_direction", "direction [rad]", "",
+                             "Where the next ones fly, as the flame of a rocket that turns."),
+    function<&set_rate>("set_rate", "rate [1/s]", "", "How many are born per second from now on."),
     function<&update>("update", "dt [s]", "", "Moves them on; once per update."),
     function<&draw>("draw", "", "",
                     "All with one draw call, tinted by the color that is set; only in `cairn.draw`."),

@@ -22,6 +22,23 @@ TEST_CASE("particles are emitted, live and go") {
     CHECK(bench.value("p:is_active()") == "false");
 }
 
+TEST_CASE("an emitter turns, and its rate changes, for those that are born from then on") {
+    LuaBench bench(kSmall, MachineKind::HeadlessDrawing);
+    REQUIRE(bench.run("p = cairn.particles.new{ rate = 60, lifetime = 9, speed = 30, spread = 0, size = 12, "
+                      "size_end = 12, x = 100, y = 50 } p:set_direction(math.pi) p:emit(1) p:update(1) "
+                      "p:set_direction(0) p:emit(1) p:update(1)") == "");
+    const engine::Image image = picture_of(bench, "p:draw()");
+    is_color(image, 40, 50, 254, 254, 254);   // two seconds to the left
+    is_color(image, 130, 50, 254, 254, 254);  // one to the right
+    is_color(image, 70, 50, 0, 0, 0);
+    REQUIRE(bench.run("p:start() p:set_rate(0) p:update(1)") == "");
+    CHECK(bench.value("p:count()") == "2");
+    REQUIRE(bench.run("p:set_rate(7) p:update(1)") == "");
+    CHECK(bench.value("p:count()") == "9");
+    CHECK_THAT(bench.run("p:set_rate(-1)"), Catch::Contains("rate is -1; expected a rate from 0 to 1e6"));
+    CHECK_THAT(bench.run("p:set_direction(0/0)"), Catch::Contains("expected an angle"));
+}
+
 TEST_CASE("particles take nothing from the gameplay stream") {
     LuaBench bench(kSmall);
     const std::uint64_t hash = bench.game().state_hash();

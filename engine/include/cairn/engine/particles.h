@@ -45,6 +45,9 @@ class ParticleSystem {
     const ParticleDef& def() const { return def_; }
     Vec2 position() const { return position_; }
     void set_position(Vec2 position) { position_ = position; }
+    /// Of those that are born from now on.
+    void set_direction(float direction_rad) { def_.direction_rad = direction_rad; }
+    void set_rate(float rate_1_s) { def_.rate_1_s = rate_1_s; }
     /// Whether `rate_1_s` particles are born per second; begins stopped.
     void set_started(bool started) { is_started_ = started; }
     bool is_started() const { return is_started_; }
