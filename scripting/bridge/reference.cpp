@@ -6,6 +6,7 @@
 #include "bind/fields.h"
 #include "bind/module.h"
 #include "bridge/field_table.h"
+#include "data/nearest.h"
 
 namespace cairn::scripting {
 namespace {
@@ -100,16 +101,42 @@ std::string units(const Function& function) {
     return text;
 }
 
-void write_function(const Function& function, const Module& module, std::string& out) {
+/// "world:step(dt)", with its results.
+std::string signature(const Function& function, const Module& module) {
     const std::string results = result_list(function);
-    out += "\n### `" + call_text(function, module) + parameter_list(function) +
-           (results.empty() ? "" : " -> " + results) + "`\n";
+    return call_text(function, module) + parameter_list(function) + (results.empty() ? "" : " -> " + results);
+}
+
+void write_function(const Function& function, const Module& module, std::string& out) {
+    out += "\n### `" + signature(function, module) + "`\n";
     std::string text = function.doc;
     if (const std::string unit_text = units(function); !unit_text.empty()) {
         text += (text.empty() ? "" : " ") + std::string("Units: ") + unit_text + '.';
     }
     if (!text.empty()) out += '\n' + text + '\n';
     if (function.fields != nullptr) out += field_table(all_fields(*function.fields));
+}
+
+// ---- One name
+
+/// In lower case and without what an author may write or leave out: "World:step()" and "cairn.audio.play"
+/// become "world:step" and "audio.play".
+std::string plain_name(std::string_view name) {
+    std::string plain;
+    for (const char c : name.substr(0, name.find('(')))
+        plain += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    constexpr std::string_view kGlobal = "cairn.";
+    return plain.starts_with(kGlobal) ? plain.substr(kGlobal.size()) : plain;
+}
+
+/// "world:step", for a function.
+std::string plain_name(const Function& function, const Module& module) {
+    return plain_name(call_text(function, module));
+}
+
+void write_summary(const Module& module, std::string& out) {
+    out += std::string("## ") + module.name + "\n\n" + module.doc + "\n\n";
+    for (const Function& function : module.functions) out += "    " + signature(function, module) + '\n';
 }
 
 // ---- Annotations
@@ -172,6 +199,29 @@ std::string reference_markdown() {
         for (const Function& function : module->functions) write_function(function, *module, out);
     }
     return out + kStandardLibrary;
+}
+
+engine::Result<std::string> reference_of(std::string_view name) {
+    const std::string wanted = plain_name(name);
+    std::string found;
+    std::vector<std::string> names;
+    for (const Module* module : all_modules()) {
+        names.push_back(plain_name(module->name));
+        if (names.back() == wanted) write_summary(*module, found);
+    }
+    for (const Module* module : all_modules()) {
+        for (const Function& function : module->functions) {
+            names.push_back(plain_name(function, *module));
+            if (names.back() == wanted || (function.name == wanted && found.find("## ") != 0))
+                write_function(function, *module, found);
+        }
+    }
+    if (!found.empty()) return found.substr(found.find_first_not_of('\n'));
+    for (const Module* module : all_modules())
+        for (const Function& function : module->functions) names.emplace_back(function.name);
+    const std::string_view best = nearest(wanted, names);
+    return engine::Error{"the reference has nothing that is called \"" + std::string(name) + '"' +
+                         (best.empty() ? "" : "; did you mean \"" + std::string(best) + "\"?")};
 }
 
 std::string editor_annotations() {

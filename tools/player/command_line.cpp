@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include <cairn/engine/result.h>
+#include <cairn/scripting/reference.h>
 #include <cairn/scripting/suggest.h>
 
 namespace cairn::player {
@@ -91,7 +92,7 @@ std::vector<std::string> command_names(const CLI::App& app) {
     return names;
 }
 
-/// `cairn help COMMAND`.
+/// `cairn help TOPIC`: a command, or a name of the Lua API.
 void print_topic(const CLI::App& app, const std::string& topic, ParsedLine& parsed) {
     parsed.is_done = true;
     for (const CLI::App* known : app.get_subcommands([](const CLI::App*) { return true; })) {
@@ -100,8 +101,13 @@ void print_topic(const CLI::App& app, const std::string& topic, ParsedLine& pars
             return;
         }
     }
-    std::fprintf(stderr, "cairn: error: unknown command \"%s\"%s\n", topic.c_str(),
-                 scripting::suggestion(topic, command_names(app)).c_str());
+    const auto reference = scripting::reference_of(topic);
+    if (reference) {
+        std::fputs(reference->c_str(), stdout);
+        return;
+    }
+    std::fprintf(stderr, "cairn: error: %s; see cairn --help for the commands\n",
+                 reference.error().message.c_str());
     parsed.status = 1;
 }
 
@@ -127,7 +133,10 @@ ParsedLine parse_command_line(int argc, char** argv, bool can_launch) {
     scripting::PlayOptions& play = line.play;
     PlayTexts texts;
     CLI::App app("Cairn, a 2D game framework with Lua scripting.", "cairn");
-    app.footer("cairn alone shows the bundled games; cairn COMMAND --help says more about a command.");
+    app.footer(
+        "cairn alone shows the bundled games; cairn COMMAND --help says more about a command, cairn help "
+        "NAME "
+        "about a name of the Lua API.");
     app.require_subcommand(0, 1);  // in `cairn help play`, "play" is an argument
     bool wants_version = false;
     app.add_flag("--version", wants_version, "print the version");
@@ -186,7 +195,8 @@ ParsedLine parse_command_line(int argc, char** argv, bool can_launch) {
     bool wants_levels = false;
     bool wants_types = false;
     std::string help_topic;
-    help_command->add_option("COMMAND", help_topic, "the command to say more about");
+    help_command->add_option("TOPIC", help_topic,
+                             "a command, or a name of the Lua API: world:step, audio, Body, play");
     help_command->add_flag("--reference", wants_reference, "print the Lua reference in Markdown");
     help_command->add_flag("--levels", wants_levels, "print the format of levels in Markdown");
     help_command->add_flag("--types", wants_types, "print annotations for the Lua language server");

@@ -34,5 +34,27 @@ TEST_CASE("the committed annotations are those that the bindings give") {
     CHECK(is_same);
 }
 
+TEST_CASE("a name is found as an author would type it") {
+    const auto text = [](const char* name) {
+        auto found = reference_of(name);
+        return found ? *found : found.error().message;
+    };
+    for (const char* name : {"world:step", "World:step", "world:step(dt)"})
+        CHECK_THAT(text(name), Catch::StartsWith("### `world:step(dt)`\n\nMoves the world on"));
+    CHECK(text("cairn.audio.play") == text("audio.play"));
+    CHECK_THAT(text("audio.play"), Catch::Contains("volume"));  // its fields
+    // All that are called so.
+    CHECK_THAT(text("position"),
+               Catch::Contains("`body:position()") && Catch::Contains("`transforms:position("));
+    // Of modules and types what they have, in short.
+    CHECK_THAT(text("audio"), Catch::StartsWith("## cairn.audio\n") &&
+                                  Catch::Contains("    cairn.audio.stop(voice)\n") &&
+                                  !Catch::Contains("###"));
+    CHECK_THAT(text("Body"), Catch::StartsWith("## Body\n") && Catch::Contains("    body:mass() -> mass\n"));
+    CHECK_THAT(text("world:stepp"), Catch::Contains("did you mean \"world:step\"?"));
+    CHECK_THAT(text("aply_force"), Catch::Contains("did you mean \"apply_force\"?"));
+    CHECK_THAT(text("qqqqqqq"), Catch::Equals("the reference has nothing that is called \"qqqqqqq\""));
+}
+
 }  // namespace
 }  // namespace cairn::scripting

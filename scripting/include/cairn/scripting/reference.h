@@ -2,11 +2,19 @@
 #pragma once
 
 #include <string>
+#include <string_view>
+
+#include <cairn/engine/result.h>
 
 namespace cairn::scripting {
 
 /// The Lua reference in Markdown: docs/reference/lua.md.
 std::string reference_markdown();
+
+/// What the reference says about a name as an author would type it: a module or a type ("audio", "World") with
+/// the calls it has, or all functions that are called so ("world:step", "cairn.audio.play", "play"). The error
+/// names the nearest.
+engine::Result<std::string> reference_of(std::string_view name);
 
 /// The format of levels in Markdown: docs/reference/levels.md.
 std::string level_reference_markdown();
