@@ -13,6 +13,8 @@ namespace cairn::scripting {
 struct TransformsObject : ObjectHeader {
     static constexpr ObjectTag kTag = ObjectTag::Transforms;
     std::vector<physics::BodyTransform> places;
+    std::vector<physics::Rotation> rotations{};  ///< of the places, and
+    std::vector<float> angles_rad{};             ///< what they are, found when an angle is first asked for
 };
 
 template <>

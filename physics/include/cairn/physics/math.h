@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cmath>
+#include <span>
 
 namespace cairn::physics {
 
@@ -115,6 +116,10 @@ struct Rotation {
     /// In (-pi, pi], rad.
     [[nodiscard]] float angle_rad() const { return static_cast<float>(deterministic::atan2(s, c)); }
 };
+
+/// The angles of many rotations, bit for bit those of `angle_rad`, in a fraction of the time. `out` has as
+/// many places.
+void angles_rad(std::span<const Rotation> rotations, std::span<float> out);
 
 constexpr Vec2 rotate(Rotation q, Vec2 a) {
     return {q.c * a.x - q.s * a.y, q.s * a.x + q.c * a.y};
