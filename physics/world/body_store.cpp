@@ -47,11 +47,6 @@ void BodyStore::move_row(int body, RowSet set) {
     drop_row(old_set, old_row);
 }
 
-Transform BodyStore::transform(int body) const {
-    const Place& place = places[body];
-    return {place.center + -rotate(place.rotation, slots[body].mass.center_m), place.rotation};
-}
-
 Vec2 BodyStore::center_offset(int a, int b) const {
     return places[b].center - places[a].center;
 }

@@ -94,7 +94,13 @@ class BodyStore {
     void move_row(int body, RowSet set);
 
     /// Of the body's origin.
-    [[nodiscard]] Transform transform(int body) const;
+    [[nodiscard]] Position origin(int body) const {
+        const Place& place = places[static_cast<std::size_t>(body)];
+        return place.center + -rotate(place.rotation, slots[body].mass.center_m);
+    }
+    [[nodiscard]] Transform transform(int body) const {
+        return {origin(body), places[static_cast<std::size_t>(body)].rotation};
+    }
     /// The centre of b minus that of a.
     [[nodiscard]] Vec2 center_offset(int a, int b) const;
 

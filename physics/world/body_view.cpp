@@ -16,10 +16,15 @@ struct Row {
     int body;
 };
 
-Row row_of(WorldState& world, BodyId id) {
+int settled_slot(WorldState& world, BodyId id) {
     const int body = world.stores.bodies.slots.find(id);
     CAIRN_ASSERT(body != kNone, "a Body view was used after its body was destroyed");
     settle_mass(world.stores, body);
+    return body;
+}
+
+Row row_of(WorldState& world, BodyId id) {
+    const int body = settled_slot(world, id);
     BodyRecord& record = world.stores.bodies.slots[body];
     return {record, world.stores.bodies.rows(record.set), world.stores.bodies.places[body], record.row, body};
 }
@@ -45,8 +50,13 @@ BodyType Body::type() const {
     return row_of(*world_, id_).record.type;
 }
 
+Position Body::position() const {
+    const int body = settled_slot(*world_, id_);
+    return world_->stores.bodies.origin(body);
+}
+
 Transform Body::transform() const {
-    return world_->stores.bodies.transform(row_of(*world_, id_).body);
+    return world_->stores.bodies.transform(settled_slot(*world_, id_));
 }
 
 Transform Body::interpolated_transform(float alpha) const {

@@ -92,6 +92,10 @@ Result<const Body> World::body(BodyId id) const {
     return Body(*state_, id);
 }
 
+std::optional<Body> World::living_body(BodyId id) {
+    return contains(id) ? std::optional(Body(*state_, id)) : std::nullopt;
+}
+
 bool World::contains(BodyId id) const {
     return state_->stores.bodies.slots.find(id) != kNone;
 }

@@ -115,18 +115,19 @@ T& new_object(lua_State* L, int user_values, Arguments&&... arguments) {
     return *object;
 }
 
-/// Whether the value at an index is an object of that type.
+/// Whether the value at an index is an object of that type. Null for what is no userdata; light ones, which
+/// it would take for objects, never come into the hands of a script.
 inline bool is_object(lua_State* L, int index, ObjectTag tag) {
-    return lua_type(L, index) == LUA_TUSERDATA &&
-           static_cast<ObjectHeader*>(lua_touserdata(L, index))->tag == tag;
+    const auto* header = static_cast<ObjectHeader*>(lua_touserdata(L, index));
+    return header != nullptr && header->tag == tag;
 }
 
 /// The object at an index, or null when something else stands there.
 template <class T>
 T* object_at(lua_State* L, int index) {
-    if (lua_type(L, index) != LUA_TUSERDATA) return nullptr;
     auto* header = static_cast<ObjectHeader*>(lua_touserdata(L, index));
-    return header->tag == T::kTag ? static_cast<T*>(static_cast<void*>(header)) : nullptr;
+    const bool is_it = header != nullptr && header->tag == T::kTag;
+    return is_it ? static_cast<T*>(static_cast<void*>(header)) : nullptr;
 }
 
 }  // namespace cairn::scripting

@@ -113,7 +113,7 @@ WorldRef Argument<WorldRef>::get(lua_State* L, int index) {
 
 BodyRef Argument<BodyRef>::get(lua_State* L, int index) {
     auto& object = checked_object<BodyObject>(L, index);
-    auto body = living_world(L, *object.world, "body").body(object.id);
+    const auto body = living_world(L, *object.world, "body").living_body(object.id);
     if (!body) stale_error(L, *object.world, "body");
     return {object, *body, index};
 }

@@ -63,7 +63,7 @@ class Body {
     [[nodiscard]] BodyType type() const;
 
     /// Place of the body's origin, m and rad, after the last step.
-    [[nodiscard]] Position position() const { return transform().p; }
+    [[nodiscard]] Position position() const;
     [[nodiscard]] float angle() const { return transform().q.angle_rad(); }
     [[nodiscard]] Transform transform() const;
     /// Between the last two steps: alpha 0 is before the last step, 1 after it. For drawing.

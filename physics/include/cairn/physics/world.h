@@ -107,6 +107,8 @@ class World {
     /// All of them or, when one handle is bad or named twice, none; the error tells which.
     Result<void> destroy_bodies(std::span<const BodyId> ids);
     Result<Body> body(BodyId id);
+    /// The same without words about why not, for callers that ask often.
+    std::optional<Body> living_body(BodyId id);
     Result<const Body> body(BodyId id) const;
     [[nodiscard]] bool contains(BodyId id) const;
     [[nodiscard]] std::vector<BodyId> bodies() const;
