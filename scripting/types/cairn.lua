@@ -2480,6 +2480,14 @@ function Particles:position() end
 ---@param y number
 function Particles:set_position(x, y) end
 
+---Where the next ones fly, as the flame of a rocket that turns.
+---@param direction number [rad]
+function Particles:set_direction(direction) end
+
+---How many are born per second from now on.
+---@param rate number [1/s]
+function Particles:set_rate(rate) end
+
 ---Moves them on; once per update.
 ---@param dt number [s]
 function Particles:update(dt) end
@@ -2494,7 +2502,7 @@ cairn.tilemap = {}
 ---@field y_up? boolean whether y points up, as under a camera
 ---@field filter? string of its pictures: "linear", or "nearest" for pixel art
 
----Loads an orthogonal map of fixed size, .tmx or .tmj, with its tile sets and pictures. Layer data may be CSV or base64, plain or packed with zlib or gzip.
+---Loads an orthogonal or isometric map of fixed size, .tmx or .tmj, with its tile sets and pictures. Layer data may be CSV or base64, plain or packed with zlib or gzip. Places on isometric maps are those of the picture, in which a cell is a diamond.
 ---@param path string
 ---@param fields cairn.tilemap.load.Fields?
 ---@return TileMap map
@@ -2562,13 +2570,13 @@ function TileMap:cell_at(x, y) end
 ---@return number y
 function TileMap:cell_center(column, row) end
 
----Covers the layer's tiles, all or those whose property is there and not false, with few rectangles: a list of { x, y, width, height }, x and y being the middle, as `body:add_box` takes them.
+---Covers the layer's tiles, all or those whose property is there and not false, with few rectangles: a list of { x, y, width, height }, x and y being the middle, as `body:add_box` takes them. On isometric maps { x, y, points }, the points from the middle, as `world:add_polygon` takes them.
 ---@param layer string
 ---@param property string?
 ---@return table rectangles
 function TileMap:solids(layer, property) end
 
----A new list of tables: id, name, class, shape ("rectangle", "ellipse", "point", "polygon", "polyline", "tile" or "text"), x, y (the middle), width, height, angle, visible, properties, points, tile, text.
+---A new list of tables: id, name, class, shape ("rectangle", "ellipse", "point", "polygon", "polyline", "tile" or "text"), x, y (the middle), width, height, angle, visible, properties, points, tile, text. A rectangle on an isometric map is a parallelogram, with its corners as points.
 ---@param layer string?
 ---@return table objects
 function TileMap:objects(layer) end
@@ -2961,6 +2969,10 @@ function cairn.window.set_fullscreen(on) end
 
 ---@return boolean on
 function cairn.window.is_fullscreen() end
+
+---How many pixels of the display a logical pixel is wide: more than 1 on dense displays and in large windows. A canvas that is to look sharp has as many times its size, and is drawn as many times smaller; text, shapes and fonts follow by themselves. It differs between machines, so nothing but drawing may depend on it.
+---@return number scale
+function cairn.window.pixel_scale() end
 
 ---@return boolean focus
 function cairn.window.has_focus() end

@@ -24,8 +24,9 @@ TEST_CASE("particles are emitted, live and go") {
 
 TEST_CASE("an emitter turns, and its rate changes, for those that are born from then on") {
     LuaBench bench(kSmall, MachineKind::HeadlessDrawing);
-    REQUIRE(bench.run("p = cairn.particles.new{ rate = 60, lifetime = 9, speed = 30, spread = 0, size = 12, "
-                      "size_end = 12, x = 100, y = 50 } p:set_direction(math.pi) p:emit(1) p:update(1) "
+    REQUIRE(bench.run("p = cairn.particles.new{ rate = 60, lifetime = 9, speed = 30, spread = 0, size = 30, "
+                      "size_end = 30, colors = { { 1, 1, 1 } }, x = 100, y = 50 } p:set_direction(math.pi) "
+                      "p:emit(1) p:update(1) "
                       "p:set_direction(0) p:emit(1) p:update(1)") == "");
     const engine::Image image = picture_of(bench, "p:draw()");
     is_color(image, 40, 50, 254, 254, 254);   // two seconds to the left

@@ -11,9 +11,9 @@ namespace cairn::scripting {
 /// The Lua reference in Markdown: docs/reference/lua.md.
 std::string reference_markdown();
 
-/// What the reference says about a name as an author would type it: a module or a type ("audio", "World") with
-/// the calls it has, or all functions that are called so ("world:step", "cairn.audio.play", "play"). The error
-/// names the nearest.
+/// What the reference says about a name as an author would type it: a module or a type ("audio", "World")
+/// with the calls it has, or all functions that are called so ("world:step", "cairn.audio.play", "play"). The
+/// error names the nearest.
 engine::Result<std::string> reference_of(std::string_view name);
 
 /// The format of levels in Markdown: docs/reference/levels.md.
