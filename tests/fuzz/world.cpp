@@ -1,27 +1,21 @@
 // Fuzz target: any sequence of calls leaves a world whose numbers are finite and whose lists and events agree
 // with what was done, that knows which handles are good, and that does the same again when it gets the same
 // calls, on one thread or two.
-#include <algorithm>
 #include <vector>
 
+#include "fuzz/branch_counts.h"
 #include "fuzz/world/session.h"
 
 using namespace cairn::physics;
-
-// How often each branch was taken, as the compiler has it counted. libFuzzer keeps what reaches new counts.
-extern "C" {
-extern std::uint8_t __start___sancov_cntrs;  // NOLINT(bugprone-reserved-identifier): the linker's names
-extern std::uint8_t __stop___sancov_cntrs;   // NOLINT(bugprone-reserved-identifier)
-}
 
 namespace {
 
 // What one run on several threads gives. It counts for nothing: which thread takes which piece of the work is
 // up to the machine, and the inputs that come next would be too.
 std::uint64_t hash_on_threads(fuzz::Input in, int threads) {
-    const std::vector<std::uint8_t> counts(&__start___sancov_cntrs, &__stop___sancov_cntrs);
+    const std::vector<std::uint8_t> counts = fuzz::branch_counts();
     const std::uint64_t hash = fuzz::Session(in, threads).run();
-    std::ranges::copy(counts, &__start___sancov_cntrs);
+    fuzz::set_branch_counts(counts);
     return hash;
 }
 
