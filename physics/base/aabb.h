@@ -41,9 +41,16 @@ inline Aabb make_aabb(Position origin, Vec2 lower, Vec2 upper) {
     return {{round_down(low.x), round_down(low.y)}, {round_up(high.x), round_up(high.y)}};
 }
 
+/// By coordinate.
+inline Vec2 smallest(Vec2 a, Vec2 b) {
+    return {std::min(a.x, b.x), std::min(a.y, b.y)};
+}
+inline Vec2 largest(Vec2 a, Vec2 b) {
+    return {std::max(a.x, b.x), std::max(a.y, b.y)};
+}
+
 inline Aabb merged(const Aabb& a, const Aabb& b) {
-    return {{std::min(a.lower.x, b.lower.x), std::min(a.lower.y, b.lower.y)},
-            {std::max(a.upper.x, b.upper.x), std::max(a.upper.y, b.upper.y)}};
+    return {smallest(a.lower, b.lower), largest(a.upper, b.upper)};
 }
 
 inline bool overlap(const Aabb& a, const Aabb& b) {

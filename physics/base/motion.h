@@ -11,6 +11,8 @@
 
 #include <cairn/physics/math.h>
 
+#include "base/ample.h"
+
 namespace cairn::physics {
 
 struct alignas(16) VelocityRow {
@@ -85,6 +87,10 @@ struct Motions {
     // Velocity of this substep without what contacts added to it. Where joints act too, it is kept less the
     // velocity itself from before their passes until after them (integrator/integrate.h).
     std::vector<VelocityRow> without_contacts;
+    // What forces do to the velocity in a substep, and the share of it that damping leaves: empty while
+    // nothing is damped (integrator/integrate.h).
+    std::vector<VelocityRow> kick;
+    std::vector<VelocityRow> kept;
     std::vector<Rotation> turned;  // angle of the pose, kept for turning bodies
     std::vector<float> inverse_inertia;
     std::vector<Mover> mover;
@@ -94,10 +100,12 @@ struct Motions {
     [[nodiscard]] float spin(int i) const { return velocity[i].w * pose[i].k; }   // rad/s
     [[nodiscard]] float angle(int i) const { return pose[i].theta * pose[i].k; }  // rad
 
-    void clear();
+    /// So many rows, of which those that are new are yet to be set.
+    void resize(int size);
+    /// In flight, and not locked.
+    void set_row(int i, Vec2 v, float w, float inverse_mass, float inverse_inertia);
     void add(Vec2 v, float w, float inverse_mass, float inverse_inertia);
-    /// Of the row added last.
-    void lock(std::uint8_t axes);
+    void lock(int i, std::uint8_t axes);
     [[nodiscard]] std::uint8_t locked_axes(int i) const {
         return static_cast<std::size_t>(i) < locked.size() ? locked[i] : std::uint8_t{0};
     }
@@ -114,31 +122,37 @@ struct Motions {
     }
 };
 
-inline void Motions::clear() {
-    velocity.clear();
-    pose.clear();
-    without_contacts.clear();
-    turned.clear();
-    inverse_inertia.clear();
-    mover.clear();
-    locked.clear();
+inline void Motions::resize(int size) {
+    const auto count = static_cast<std::size_t>(size);
+    resize_amply(velocity, count);
+    resize_amply(pose, count);
+    resize_amply(without_contacts, count);
+    resize_amply(turned, count);
+    resize_amply(inverse_inertia, count);
+    resize_amply(mover, count);
+    if (locked.size() > count) locked.resize(count);
+}
+
+inline void Motions::set_row(int i, Vec2 v, float w, float inverse_mass, float inverse_inertia_of_body) {
+    float k = inverse_mass > 0 ? 0 : 1;
+    if (inverse_inertia_of_body > 0) k = std::sqrt(inverse_inertia_of_body);
+    velocity[i] = {v, k > 0 ? w / k : 0, inverse_mass};
+    pose[i] = {{}, 0, k};
+    turned[i] = {};
+    inverse_inertia[i] = inverse_inertia_of_body;
+    mover[i] = Mover::Flight;
 }
 
 inline void Motions::add(Vec2 v, float w, float inverse_mass, float inverse_inertia_of_body) {
-    float k = inverse_mass > 0 ? 0 : 1;
-    if (inverse_inertia_of_body > 0) k = std::sqrt(inverse_inertia_of_body);
-    velocity.push_back({v, k > 0 ? w / k : 0, inverse_mass});
-    pose.push_back({{}, 0, k});
-    without_contacts.push_back({});
-    turned.push_back({});
-    inverse_inertia.push_back(inverse_inertia_of_body);
-    mover.push_back(Mover::Flight);
+    const int i = size();
+    resize(i + 1);
+    set_row(i, v, w, inverse_mass, inverse_inertia_of_body);
 }
 
-inline void Motions::lock(std::uint8_t axes) {
+inline void Motions::lock(int i, std::uint8_t axes) {
     if (axes == 0) return;
     locked.resize(velocity.size(), 0);
-    locked.back() = axes;
+    locked[i] = axes;
 }
 
 /// What acts on a body besides constraints, constant over a step.

@@ -156,22 +156,27 @@ Convex make_chain_segment(std::optional<Vec2> before, Vec2 a, Vec2 b, std::optio
     return shape;
 }
 
-Aabb bounds(const Convex& shape, const Transform& xf) {
+Extents extents(const Convex& shape, Rotation q) {
     if (shape.is_box) {
-        const Vec2 center = rotate(xf.q, shape.centroid);
-        const Vec2 half{std::fabs(xf.q.c) * shape.half_size.x + std::fabs(xf.q.s) * shape.half_size.y,
-                        std::fabs(xf.q.s) * shape.half_size.x + std::fabs(xf.q.c) * shape.half_size.y};
-        return make_aabb(xf.p, center - half, center + half);
+        const Vec2 center = rotate(q, shape.centroid);
+        const Vec2 half{std::fabs(q.c) * shape.half_size.x + std::fabs(q.s) * shape.half_size.y,
+                        std::fabs(q.s) * shape.half_size.x + std::fabs(q.c) * shape.half_size.y};
+        return {center - half, center + half};
     }
-    Vec2 lower = rotate(xf.q, shape.point(0));
+    Vec2 lower = rotate(q, shape.point(0));
     Vec2 upper = lower;
     for (int i = 1; i < shape.count(); ++i) {
-        const Vec2 p = rotate(xf.q, shape.point(i));
-        lower = {std::min(lower.x, p.x), std::min(lower.y, p.y)};
-        upper = {std::max(upper.x, p.x), std::max(upper.y, p.y)};
+        const Vec2 p = rotate(q, shape.point(i));
+        lower = smallest(lower, p);
+        upper = largest(upper, p);
     }
     const Vec2 r{shape.radius(), shape.radius()};
-    return make_aabb(xf.p, lower - r, upper + r);
+    return {lower - r, upper + r};
+}
+
+Aabb bounds(const Convex& shape, const Transform& xf) {
+    const Extents e = extents(shape, xf.q);
+    return make_aabb(xf.p, e.lower, e.upper);
 }
 
 float farthest_distance(const Convex& shape, Vec2 from) {

@@ -41,6 +41,13 @@ Result<Convex> make_convex(const Geometry& geometry);
 /// of its neighbours; a missing one makes a free end, as if the chain turned squarely behind itself there.
 Convex make_chain_segment(std::optional<Vec2> before, Vec2 a, Vec2 b, std::optional<Vec2> after);
 
+/// Bounds of the shape, turned, about the origin of its body.
+struct Extents {
+    Vec2 lower;
+    Vec2 upper;
+};
+Extents extents(const Convex& shape, Rotation q);
+
 /// Bounds in the world.
 Aabb bounds(const Convex& shape, const Transform& xf);
 

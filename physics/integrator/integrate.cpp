@@ -9,6 +9,19 @@ float decay(float damping_1_s, float time_s) {
     return static_cast<float>(deterministic::exp(static_cast<double>(-damping_1_s * time_s)));
 }
 
+// Of all columns, the inverse mass too: m - m + m is m to the bit.
+VelocityRow sum(const VelocityRow& a, const VelocityRow& b) {
+    return {{a.v.x + b.v.x, a.v.y + b.v.y}, a.w + b.w, a.inverse_mass + b.inverse_mass};
+}
+
+VelocityRow difference(const VelocityRow& a, const VelocityRow& b) {
+    return {{a.v.x - b.v.x, a.v.y - b.v.y}, a.w - b.w, a.inverse_mass - b.inverse_mass};
+}
+
+VelocityRow product(const VelocityRow& a, const VelocityRow& b) {
+    return {{a.v.x * b.v.x, a.v.y * b.v.y}, a.w * b.w, a.inverse_mass * b.inverse_mass};
+}
+
 }  // namespace
 
 VelocityRow accelerated(const VelocityRow& row, const Drive& drive, float k, float time_s, float kick_s) {
@@ -19,54 +32,48 @@ VelocityRow accelerated(const VelocityRow& row, const Drive& drive, float k, flo
     return next;
 }
 
-// The impulses that contacts gave in the last substep are what its constraints added to the velocity, less
-// what joints did; contacts keep their normals and arms within a step, so their sum per body can be applied
-// without visiting them.
-void integrate_velocities(Motions& motions, std::span<const Drive> drives, float h_s, bool afresh, int first,
-                          int last) {
+void prepare_kicks(Motions& motions, std::span<const Drive> drives, float h_s, int first, int last) {
     for (int i = first; i < last; ++i) {
+        VelocityRow& kick = motions.kick[i];
+        kick = {};
+        if (!motions.kept.empty()) motions.kept[i] = {{1, 1}, 1, 1};
         if (motions.mover[i] == Mover::Flight) continue;
-        VelocityRow& row = motions.velocity[i];
-        VelocityRow& without = motions.without_contacts[i];
-        VelocityRow guess{};
-        if (!afresh) {
-            guess.v = row.v - without.v;
-            guess.w = row.w - without.w;
-        }
+        const Drive& drive = drives[i];
         // Structures of joints take the other half when they have moved.
         const float kick_s = motions.mover[i] == Mover::Direct ? 0.5f * h_s : h_s;
-        row = accelerated(row, drives[i], motions.pose[i].k, h_s, kick_s);
-        without = row;
-        row.v += guess.v;
-        row.w += guess.w;
+        const float k = motions.pose[i].k;
+        kick.v = kick_s * drive.acceleration;
+        kick.w = k > 0 ? kick_s * drive.angular_acceleration / k : 0;
+        if (motions.kept.empty()) continue;
+        const float moves = decay(drive.linear_damping, h_s);
+        motions.kept[i] = {{moves, moves}, decay(drive.angular_damping, h_s), 1};
     }
 }
 
-void integrate_velocities(Motions& motions, std::span<const Drive> drives, float h_s, bool afresh) {
-    integrate_velocities(motions, drives, h_s, afresh, 0, motions.size());
+// The impulses that contacts gave in the last substep are what its constraints added to the velocity, less
+// what joints did; contacts keep their normals and arms within a step, so their sum per body can be applied
+// without visiting them. All four columns, so that each row is one SIMD operation.
+void integrate_velocities(Motions& motions, bool afresh, int first, int last) {
+    const bool damped = !motions.kept.empty();
+    for (int i = first; i < last; ++i) {
+        const VelocityRow row = motions.velocity[i];
+        const VelocityRow without = motions.without_contacts[i];
+        VelocityRow next = sum(row, motions.kick[i]);
+        if (damped) next = product(motions.kept[i], next);
+        motions.without_contacts[i] = next;
+        motions.velocity[i] = afresh ? next : sum(next, difference(row, without));
+    }
 }
-
-// All four columns, so that each row is one SIMD operation: m - m + m is m to the bit.
 
 void begin_joints(Motions& motions, int first, int last) {
     for (int i = first; i < last; ++i) {
-        const VelocityRow& row = motions.velocity[i];
-        VelocityRow& without = motions.without_contacts[i];
-        without.v.x -= row.v.x;
-        without.v.y -= row.v.y;
-        without.w -= row.w;
-        without.inverse_mass -= row.inverse_mass;
+        motions.without_contacts[i] = difference(motions.without_contacts[i], motions.velocity[i]);
     }
 }
 
 void end_joints(Motions& motions, int first, int last) {
     for (int i = first; i < last; ++i) {
-        const VelocityRow& row = motions.velocity[i];
-        VelocityRow& without = motions.without_contacts[i];
-        without.v.x += row.v.x;
-        without.v.y += row.v.y;
-        without.w += row.w;
-        without.inverse_mass += row.inverse_mass;
+        motions.without_contacts[i] = sum(motions.without_contacts[i], motions.velocity[i]);
     }
 }
 

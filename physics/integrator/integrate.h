@@ -12,13 +12,13 @@ namespace cairn::physics {
 /// k as in PoseRow.
 VelocityRow accelerated(const VelocityRow& row, const Drive& drive, float k, float time_s, float kick_s);
 
-/// v += h a, then damped by e^(-c h); then, unless afresh, the impulses that contacts gave in the
-/// last substep are applied again, as the first guess. Bodies moved by constraints
-/// only.
-void integrate_velocities(Motions& motions, std::span<const Drive> drives, float h_s, bool afresh);
-/// The same for rows from first up to, and without, last.
-void integrate_velocities(Motions& motions, std::span<const Drive> drives, float h_s, bool afresh, int first,
-                          int last);
+/// What forces and damping do in a substep to each row from first up to, and without, last, which is the same
+/// in all substeps. Bodies moved by constraints only; structures that are solved directly take half of it.
+void prepare_kicks(Motions& motions, std::span<const Drive> drives, float h_s, int first, int last);
+
+/// v += h a, then damped by e^(-c h), as prepared; then, unless afresh, the impulses that contacts gave in
+/// the last substep are applied again, as the first guess.
+void integrate_velocities(Motions& motions, bool afresh, int first, int last);
 
 // What acts between the two is not taken for an impulse of contacts. Only where there are both.
 void begin_joints(Motions& motions, int first, int last);

@@ -196,7 +196,7 @@ class Update {
     bool meets(ContactRecord& c) {
         c.has_points = true;
         wake_touched(stores_, c);
-        extend_motions(stores_.bodies, world_.def.gravity_m_s2, time_.dt_s, scratch_);
+        extend_motions(stores_.bodies, world_.def.gravity_m_s2, time_.dt_s, scratch_, world_.tasks);
         extend_advances(stores_, world_.def.gravity_m_s2, time_.dt_s, scratch_);
         return stores_.bodies.is_awake(c.body_b) ||
                (stores_.bodies.is_awake(c.body_a) && is_dynamic(c.body_a));

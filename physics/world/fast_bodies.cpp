@@ -15,6 +15,10 @@ namespace {
 // m. Sweeps end with this gap: near enough to be a contact, wide enough for the distance to have a direction.
 constexpr float kImpactGap_m = 0.25f * tuning::kLinearSlop_m;
 
+// Of what is added up, the share that float may lose; and what stands for that of a way beyond all measure.
+constexpr float kRounding = 1e-6f;
+constexpr float kMostRounding_m = 1e3f;
+
 // What a thread takes at once.
 constexpr int kRowsPerChunk = 512;
 
@@ -45,13 +49,18 @@ void cover_way(Stores& stores, int body, Vec2 way, float turn, std::vector<int>&
     const Transform now = stores.bodies.transform(body);
     const Vec2 center = record.mass.center_m;
     const Rotation q = turn == 0 ? now.q : Rotation::from_small_angle(turn) * now.q;
-    const Transform then{now.p + (way + rotate(now.q, center) - rotate(q, center)), q};
+    const Vec2 shift = way + rotate(now.q, center) - rotate(q, center);
+    // A point that turns is at most this far from the straight way between its ends.
+    const float aside = turn == 0 ? 0 : std::min(0.125f * turn * turn, 2.0f) * record.turn_arm_m;
+    const float rounding = std::min(kMostRounding_m, kRounding * (length(way) + record.extent_m));
     float slack = std::numeric_limits<float>::infinity();
     for (int s = record.first_shape; s != kNone; s = stores.shapes[s].next_of_body) {
         const ShapeRecord& shape = stores.shapes[s];
-        Aabb all = merged(bounds(shape.convex, now), bounds(shape.convex, then));
-        // A point that turns is at most this far from the straight way between its ends.
-        if (turn != 0) all = grown(all, std::min(0.125f * turn * turn, 2.0f) * record.turn_arm_m);
+        const Extents start = extents(shape.convex, now.q);
+        const Extents end = turn == 0 ? start : extents(shape.convex, q);
+        const Vec2 lower = smallest(start.lower, end.lower + shift);
+        const Vec2 upper = largest(start.upper, end.upper + shift);
+        const Aabb all = grown(make_aabb(now.p, lower, upper), aside + rounding);
         const Aabb reach = grown(all, tuning::kAabbReach_m);
         if (!contains(stores.fat_boxes[s], reach)) {
             stores.fat_boxes[s] = grown(all, shape.margin_m);
@@ -60,8 +69,7 @@ void cover_way(Stores& stores, int body, Vec2 way, float turn, std::vector<int>&
         slack = std::min(slack, clearance(stores.fat_boxes[s], reach));
     }
     // Long ways are rounded when they are added up.
-    constexpr float kRounding = 1e-6f;
-    stores.bodies.rows_of(body).box_slack[record.row] = slack - kRounding * length(way);
+    stores.bodies.rows_of(body).box_slack[record.row] = slack - rounding;
 }
 
 Sweep make_sweep(const Stores& stores, int shape, Position origin, Vec2 gravity, float dt_s) {

@@ -6,6 +6,7 @@
 
 #include <cairn/physics/tuning.h>
 
+#include "base/ample.h"
 #include "world/contact_events.h"
 #include "world/special_contacts.h"
 
@@ -15,9 +16,49 @@ namespace {
 // rad. Lanes take separations as linear in the angle, which is wrong by half its square times the arm.
 constexpr float kMaxTurn_rad = 0.25f;
 
+// What a thread takes at once.
+constexpr int kRowsPerChunk = 512;
+
 // Substeps that gravity alone asks for, so that no setting makes a step endless: enough for 9,200 m/s2 at
 // 1/60 s.
 constexpr int kMostForGravity = 32;
+
+Drive drive_of(const BodyRecord& record, Vec2 gravity_m_s2, Vec2 force_n, float torque_nm) {
+    Drive drive;
+    if (record.inverse_mass == 0) return drive;  // a body without mass keeps its velocity
+    drive.acceleration = without_locked(record.gravity_scale * gravity_m_s2 + record.inverse_mass * force_n,
+                                        locked_axes(record));
+    drive.angular_acceleration = record.inverse_inertia * torque_nm;
+    drive.linear_damping = record.linear_damping_1_s;
+    drive.angular_damping = record.angular_damping_1_s;
+    drive.gravity_scale = record.gravity_scale;
+    return drive;
+}
+
+// Those of awake rows from the first on.
+void set_motions(BodyStore& bodies, Vec2 gravity_m_s2, float dt_s, int first, StepScratch& scratch,
+                 TaskPool& tasks) {
+    Motions& motions = scratch.motions;
+    const BodyRows& awake = bodies.rows(RowSet::Awake);
+    motions.resize(awake.size() + 1);
+    resize_amply(scratch.drives, static_cast<std::size_t>(motions.size()));
+    scratch.locked_rows.start(awake.size() - first, kRowsPerChunk, tasks);
+    tasks.parallel_for(awake.size() - first, kRowsPerChunk, [&](const Chunk& chunk) {
+        ChunkedList<int>::Appender locked(scratch.locked_rows, chunk);
+        for (int row = first + chunk.begin; row < first + chunk.end; ++row) {
+            const BodyRecord& record = bodies.slots[awake.body[row]];
+            motions.set_row(row + 1, awake.velocity[row], awake.spin[row], record.inverse_mass,
+                            record.inverse_inertia);
+            scratch.drives[row + 1] = drive_of(record, gravity_m_s2, awake.force[row], awake.torque[row]);
+            if (locked_axes(record) != 0) locked.items().push_back(row);
+            std::uint32_t& flags = bodies.places[awake.body[row]].flags;
+            flags &= ~place_flag::kTurnsFar;
+            if (std::fabs(awake.spin[row]) * dt_s > kMaxTurn_rad) flags |= place_flag::kTurnsFar;
+        }
+    });
+    scratch.locked_rows.for_each(
+        [&](int row) { motions.lock(row + 1, locked_axes(bodies.slots[awake.body[row]])); });
+}
 
 void mark_mover(Motions& motions, int row, Mover mover) {
     if (motions.mover[row] < mover) motions.mover[row] = mover;
@@ -39,34 +80,18 @@ StepTime make_step_time(float dt_s, int substeps, float previous_h_s) {
     return {dt_s, h_s, substeps, ratio, std::min(ratio, 1.0f)};
 }
 
-void prepare_motions(BodyStore& bodies, Vec2 gravity_m_s2, float dt_s, StepScratch& scratch) {
-    scratch.motions.clear();
-    scratch.motions.add({}, 0, 0, 0);  // the world
-    scratch.drives.assign(1, Drive{});
-    extend_motions(bodies, gravity_m_s2, dt_s, scratch);
+void prepare_motions(BodyStore& bodies, Vec2 gravity_m_s2, float dt_s, StepScratch& scratch,
+                     TaskPool& tasks) {
+    scratch.motions.locked.clear();
+    set_motions(bodies, gravity_m_s2, dt_s, 0, scratch, tasks);
+    scratch.motions.set_row(kWorldRow, {}, 0, 0, 0);
+    scratch.drives[kWorldRow] = {};
 }
 
-void extend_motions(BodyStore& bodies, Vec2 gravity_m_s2, float dt_s, StepScratch& scratch) {
-    const BodyRows& awake = bodies.rows(RowSet::Awake);
-    for (int row = scratch.motions.size() - 1; row < awake.size(); ++row) {
-        const BodyRecord& record = bodies.slots[awake.body[row]];
-        scratch.motions.add(awake.velocity[row], awake.spin[row], record.inverse_mass,
-                            record.inverse_inertia);
-        scratch.motions.lock(locked_axes(record));
-        Drive drive;
-        if (record.inverse_mass > 0) {  // a body without mass keeps its velocity
-            drive.acceleration =
-                without_locked(record.gravity_scale * gravity_m_s2 + record.inverse_mass * awake.force[row],
-                               locked_axes(record));
-            drive.angular_acceleration = record.inverse_inertia * awake.torque[row];
-            drive.linear_damping = record.linear_damping_1_s;
-            drive.angular_damping = record.angular_damping_1_s;
-            drive.gravity_scale = record.gravity_scale;
-        }
-        scratch.drives.push_back(drive);
-        std::uint32_t& flags = bodies.places[awake.body[row]].flags;
-        flags &= ~place_flag::kTurnsFar;
-        if (std::fabs(awake.spin[row]) * dt_s > kMaxTurn_rad) flags |= place_flag::kTurnsFar;
+void extend_motions(BodyStore& bodies, Vec2 gravity_m_s2, float dt_s, StepScratch& scratch, TaskPool& tasks) {
+    const int known = scratch.motions.size() - 1;
+    if (known < bodies.rows(RowSet::Awake).size()) {
+        set_motions(bodies, gravity_m_s2, dt_s, known, scratch, tasks);
     }
 }
 

@@ -22,9 +22,9 @@ int substeps_under(float gravity_m_s2, float dt_s, int least);
 StepTime make_step_time(float dt_s, int substeps, float previous_h_s);
 
 /// Stage: the motion of each awake body, and what acts on it in this step.
-void prepare_motions(BodyStore& bodies, Vec2 gravity_m_s2, float dt_s, StepScratch& scratch);
+void prepare_motions(BodyStore& bodies, Vec2 gravity_m_s2, float dt_s, StepScratch& scratch, TaskPool& tasks);
 /// The same for bodies that woke since.
-void extend_motions(BodyStore& bodies, Vec2 gravity_m_s2, float dt_s, StepScratch& scratch);
+void extend_motions(BodyStore& bodies, Vec2 gravity_m_s2, float dt_s, StepScratch& scratch, TaskPool& tasks);
 /// Stage: who moves each body, now that all contacts are known.
 void choose_movers(const Stores& stores, StepScratch& scratch);
 

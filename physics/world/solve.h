@@ -1,6 +1,9 @@
 // The solver's passes over all constraints of a step.
 #pragma once
 
+#include <algorithm>
+
+#include "base/ample.h"
 #include "integrator/integrate.h"
 #include "resolve/joints/joint_solver.h"
 #include "resolve/joints/laws.h"
@@ -22,11 +25,21 @@ inline Acting what_acts(const Stores& stores, const StepScratch& scratch) {
             !scratch.scalar_contacts.empty() || !stores.contacts.lanes.blocks().empty()};
 }
 
-inline void integrate_velocities(StepScratch& scratch, float h_s, Acting acting, bool first_substep,
-                                 TaskPool& tasks) {
+inline void prepare_kicks(StepScratch& scratch, float h_s, TaskPool& tasks) {
+    Motions& motions = scratch.motions;
+    const auto is_damped = [](const Drive& d) { return d.linear_damping != 0 || d.angular_damping != 0; };
+    const auto size = static_cast<std::size_t>(motions.size());
+    resize_amply(motions.kick, size);
+    resize_amply(motions.kept, std::ranges::any_of(scratch.drives, is_damped) ? size : 0);
+    tasks.parallel_for(motions.size(), kRowsPerChunk, [&](const Chunk& rows) {
+        prepare_kicks(motions, scratch.drives, h_s, rows.begin, rows.end);
+    });
+}
+
+inline void integrate_velocities(StepScratch& scratch, Acting acting, bool first_substep, TaskPool& tasks) {
     const bool afresh = first_substep || !acting.contacts;
     tasks.parallel_for(scratch.motions.size(), kRowsPerChunk, [&](const Chunk& rows) {
-        integrate_velocities(scratch.motions, scratch.drives, h_s, afresh, rows.begin, rows.end);
+        integrate_velocities(scratch.motions, afresh, rows.begin, rows.end);
     });
 }
 

@@ -44,7 +44,7 @@ void step_world(WorldState& world, float dt_s) {
     cover_fast_ways(stores, def.gravity_m_s2, dt_s, scratch, tasks);
     find_new_pairs(stores, scratch, tasks);
     choose_direct_groups(stores, def.joint_solver, world.direct);
-    prepare_motions(stores.bodies, def.gravity_m_s2, dt_s, scratch);
+    prepare_motions(stores.bodies, def.gravity_m_s2, dt_s, scratch, tasks);
     clock.enter(Stage::Contacts);
     update_contacts(world, time, rules);
 
@@ -57,9 +57,10 @@ void step_world(WorldState& world, float dt_s) {
 
     clock.enter(Stage::Solve);
     const Acting acting = what_acts(stores, scratch);
+    prepare_kicks(scratch, time.h_s, tasks);
     for (int substep = 0; substep < time.substeps; ++substep) {
         note_spring_speeds(stores.joints.lanes, scratch, tasks);
-        integrate_velocities(scratch, time.h_s, acting, substep == 0, tasks);
+        integrate_velocities(scratch, acting, substep == 0, tasks);
         solve_direct(world.direct, scratch, rules, time.h_s, tasks);
         if (substep == 0) warm_start_contacts(stores.contacts.lanes, scratch, time, tasks);
         solve(stores, scratch, rules, time.h_s, acting, Pass::Biased, tasks);
