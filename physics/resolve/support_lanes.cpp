@@ -46,6 +46,7 @@ HWY_INLINE void find_part(const ContactBlock& block, BlockKind kind, Vec2 up, in
         const V x_b = hn::Sub(hn::Mul(along, load(block.points[i].arm_b, lane)), shift_b);
         store(hn::IfThenElse(b_stands, x_b, x_a), out.x[i], lane);
         store(hn::IfThenElse(b_stands, x_a, x_b), out.x_below[i], lane);
+        store(zero, out.impulse[i], lane);
     }
 }
 

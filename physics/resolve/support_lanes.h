@@ -1,5 +1,5 @@
 // Which body of a contact stands on which, and at what places: what the statics estimate needs of a block, in
-// a third of its memory.
+// a third of its memory, and what it says.
 #pragma once
 
 #include <cstdint>
@@ -23,6 +23,7 @@ struct alignas(32) SupportLanes {
     Lanes<float> steepness;         // cosine between the normal and the upward direction
     std::array<Lanes<float>, 2> x;  // of the points, seen from the body borne
     std::array<Lanes<float>, 2> x_below;  // from the other
+    std::array<Lanes<float>, 2> impulse;  // N s, the estimate: 0 at first
 };
 
 /// `up` has length 1.

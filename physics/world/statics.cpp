@@ -55,11 +55,7 @@ class Estimate {
   public:
     Estimate(ContactLanes& lanes, StepScratch& scratch, Vec2 up)
         : lanes_(lanes), step_(scratch), motions_(scratch.motions), scratch_(scratch.statics), up_(up) {
-        const auto rows = static_cast<std::size_t>(motions_.size());
-        assign_amply(scratch_.first, rows, kNone);
-        assign_amply(scratch_.above, rows, 0);
-        assign_amply(scratch_.load, rows, 0.0f);
-        assign_amply(scratch_.moment, rows, 0.0f);
+        assign_amply(scratch_.stands, static_cast<std::size_t>(motions_.size()), {});
         scratch_.ready.clear();
     }
 
@@ -79,6 +75,7 @@ class Estimate {
         for (std::size_t i = 0; i < kLanes * plain_blocks; ++i) {
             SupportLanes& to = scratch_.supports[blocks.size() + i / kLanes];
             to.upper[i % kLanes] = kWorldRow;
+            for (Lanes<float>& impulse : to.impulse) impulse[i % kLanes] = 0;
             if (i < step_.scalar_contacts.size())
                 find_support(step_.contacts[step_.scalar_contacts[i]], to, static_cast<int>(i % kLanes));
         }
@@ -88,14 +85,31 @@ class Estimate {
     void run(float weight) {
         link();
         for (int row = 1; row < motions_.size(); ++row) {
-            if (scratch_.above[row] == 0) scratch_.ready.push_back(row);
+            if (scratch_.stands[row].above == 0) scratch_.ready.push_back(row);
         }
         // The last one first: what stands together is visited together.
         while (!scratch_.ready.empty()) {
             const int row = scratch_.ready.back();
             scratch_.ready.pop_back();
-            if (scratch_.first[row] == kNone) continue;
+            if (scratch_.stands[row].first == kNone) continue;
             bear(row, step_.drives[row].gravity_scale * weight / motions_.velocity[row].inverse_mass);
+        }
+    }
+
+    /// Gives the contacts what was found.
+    void tell(TaskPool& tasks) {
+        const std::span<const int> blocks = lanes_.blocks();
+        tasks.parallel_for(static_cast<int>(blocks.size()), kBlocksPerChunk, [&](const Chunk& chunk) {
+            for (int i = chunk.begin; i < chunk.end; ++i) {
+                ContactBlock& block = lanes_.block(blocks[i]);
+                for (std::size_t k = 0; k < 2; ++k)
+                    block.points[k].static_impulse = scratch_.supports[i].impulse[k];
+            }
+        });
+        for (std::size_t i = 0; i < step_.scalar_contacts.size(); ++i) {
+            const SupportLanes& from = scratch_.supports[blocks.size() + i / kLanes];
+            ContactConstraint& to = step_.contacts[step_.scalar_contacts[i]];
+            for (std::size_t k = 0; k < 2; ++k) to.points[k].static_impulse = from.impulse[k][i % kLanes];
         }
     }
 
@@ -136,44 +150,44 @@ class Estimate {
             for (int lane = 0; lane < kLanes; ++lane, ++support) {
                 const int upper = lanes.upper[lane];
                 if (upper == kWorldRow) continue;
-                scratch_.next[support] = scratch_.first[upper];
-                scratch_.first[upper] = support;
-                ++scratch_.above[lanes.lower[lane]];
+                StaticsScratch::Stand& stand = scratch_.stands[upper];
+                scratch_.next[support] = stand.first;
+                stand.first = support;
+                ++scratch_.stands[lanes.lower[lane]].above;
             }
         }
-    }
-
-    [[nodiscard]] float& static_impulse(int support, int point) {
-        const std::span<const int> blocks = lanes_.blocks();
-        const auto block = static_cast<std::size_t>(support / kLanes);
-        if (block < blocks.size())
-            return lanes_.block(blocks[block]).points[point].static_impulse[support % kLanes];
-        const std::size_t plain = static_cast<std::size_t>(support) - kLanes * blocks.size();
-        return step_.contacts[step_.scalar_contacts[plain]].points[point].static_impulse;
     }
 
     // Shares what stands on a body, and its own weight, among its supports.
     void bear(int row, float weight) {
-        const float load = scratch_.load[row] + weight;
-        scratch_.x.clear();
-        for (int i = scratch_.first[row]; i != kNone; i = scratch_.next[i]) {
+        const StaticsScratch::Stand& stand = scratch_.stands[row];
+        const float load = stand.load + weight;
+        std::size_t points = 0;
+        for (int i = stand.first; i != kNone; i = scratch_.next[i]) {
             const SupportLanes& s = scratch_.supports[i / kLanes];
-            for (int k = 0; k < s.points[i % kLanes]; ++k) scratch_.x.push_back(s.x[k][i % kLanes]);
+            if (points + 2 > scratch_.x.size()) resize_amply(scratch_.x, points + 2);
+            scratch_.x[points++] = s.x[0][i % kLanes];
+            if (s.points[i % kLanes] == 2) scratch_.x[points++] = s.x[1][i % kLanes];
         }
-        scratch_.shares.assign(scratch_.x.size(), 0);
-        if (load > 0) share(scratch_.x, load, scratch_.moment[row], scratch_.shares);
+        if (scratch_.shares.size() < points) resize_amply(scratch_.shares, points);
+        const std::span shares(scratch_.shares.data(), points);
+        if (load > 0) {
+            share({scratch_.x.data(), points}, load, stand.moment, shares);
+        } else {
+            std::ranges::fill(shares, 0.0f);
+        }
         std::size_t point = 0;
-        for (int i = scratch_.first[row]; i != kNone; i = scratch_.next[i]) {
-            const SupportLanes& s = scratch_.supports[i / kLanes];
+        for (int i = stand.first; i != kNone; i = scratch_.next[i]) {
+            SupportLanes& s = scratch_.supports[i / kLanes];
             const int lane = i % kLanes;
             const int lower = s.lower[lane];
+            StaticsScratch::Stand& below = scratch_.stands[lower];
             for (int k = 0; k < s.points[lane]; ++k, ++point) {
-                const float part = scratch_.shares[point];
-                static_impulse(i, k) = s.steepness[lane] * part;
-                scratch_.load[lower] += part;
-                scratch_.moment[lower] += s.x_below[k][lane] * part;
+                s.impulse[k][lane] = s.steepness[lane] * shares[point];
+                below.load += shares[point];
+                below.moment += s.x_below[k][lane] * shares[point];
             }
-            if (lower != kWorldRow && --scratch_.above[lower] == 0) scratch_.ready.push_back(lower);
+            if (lower != kWorldRow && --below.above == 0) scratch_.ready.push_back(lower);
         }
     }
 
@@ -193,6 +207,7 @@ void estimate_statics(ContactLanes& lanes, Vec2 gravity_m_s2, const StepTime& ti
     Estimate estimate(lanes, scratch, (-1 / gravity) * gravity_m_s2);
     estimate.find_supports(tasks);
     estimate.run(gravity * time.h_s);
+    estimate.tell(tasks);
 }
 
 }  // namespace cairn::physics

@@ -118,13 +118,16 @@ inline void start_events(Events& events) {
 
 /// A support is a lane of the supports: of block i / kLanes, lane i % kLanes.
 struct StaticsScratch {
+    /// What stands on a body, while it is found out.
+    struct Stand {
+        int first = kNone;  // support of the body
+        int above = 0;      // bearing contacts from above that are not visited yet
+        float load = 0;     // N s
+        float moment = 0;   // of the load, in scaled arms
+    };
     std::vector<SupportLanes> supports;
-    std::vector<int> next;  // support of the same body, by support
-    // By row of the motions.
-    std::vector<int> first;     // support
-    std::vector<int> above;     // bearing contacts from above that are not visited yet
-    std::vector<float> load;    // N s
-    std::vector<float> moment;  // of the load, in scaled arms
+    std::vector<int> next;      // support of the same body, by support
+    std::vector<Stand> stands;  // by row of the motions
     std::vector<int> ready;     // rows of which all above has been visited
     std::vector<float> x;       // of the supporting points of one body
     std::vector<float> shares;
