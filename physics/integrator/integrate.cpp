@@ -1,6 +1,8 @@
 // Time integration of bodies.
 #include "integrator/integrate.h"
 
+#include "base/dithered_rounding.h"
+
 namespace cairn::physics {
 namespace {
 
@@ -22,13 +24,23 @@ VelocityRow product(const VelocityRow& a, const VelocityRow& b) {
     return {{a.v.x * b.v.x, a.v.y * b.v.y}, a.w * b.w, a.inverse_mass * b.inverse_mass};
 }
 
+// In double, and rounded once.
+float flown(float v, float acceleration, double kept, float time_s, double threshold) {
+    const double gained = static_cast<double>(time_s) * static_cast<double>(acceleration);
+    return rounded_at(kept * (static_cast<double>(v) + gained), threshold);
+}
+
+float turned(const VelocityRow& row, const Drive& drive, float k, float time_s, float kick_s) {
+    const float faster = k > 0 ? kick_s * drive.angular_acceleration / k : 0;
+    return decay(drive.angular_damping, time_s) * (row.w + faster);
+}
+
 }  // namespace
 
 VelocityRow accelerated(const VelocityRow& row, const Drive& drive, float k, float time_s, float kick_s) {
     VelocityRow next = row;
     next.v = decay(drive.linear_damping, time_s) * (row.v + kick_s * drive.acceleration);
-    const float faster = k > 0 ? kick_s * drive.angular_acceleration / k : 0;
-    next.w = decay(drive.angular_damping, time_s) * (row.w + faster);
+    next.w = turned(row, drive, k, time_s, kick_s);
     return next;
 }
 
@@ -91,13 +103,19 @@ void integrate_positions(Motions& motions, float h_s, int first, int last) {
     }
 }
 
-void fly_freely(Motions& motions, std::span<const Drive> drives, float dt_s) {
+void fly_freely(Motions& motions, std::span<const Drive> drives, float dt_s, std::uint64_t step) {
+    const double threshold = rounding_threshold(step);
     for (int i = 0; i < motions.size(); ++i) {
         if (motions.mover[i] != Mover::Flight) continue;
         const VelocityRow before = motions.velocity[i];
-        motions.velocity[i] = accelerated(before, drives[i], motions.pose[i].k, dt_s, dt_s);
-        motions.pose[i].d = 0.5f * dt_s * (before.v + motions.velocity[i].v);
-        motions.pose[i].theta = 0.5f * dt_s * (before.w + motions.velocity[i].w);
+        const Drive& drive = drives[i];
+        const double kept = decay(drive.linear_damping, dt_s);
+        VelocityRow& after = motions.velocity[i];
+        after.v.x = flown(before.v.x, drive.acceleration.x, kept, dt_s, threshold);
+        after.v.y = flown(before.v.y, drive.acceleration.y, kept, dt_s, threshold);
+        after.w = turned(before, drive, motions.pose[i].k, dt_s, dt_s);
+        motions.pose[i].d = 0.5f * dt_s * (before.v + after.v);
+        motions.pose[i].theta = 0.5f * dt_s * (before.w + after.w);
     }
 }
 

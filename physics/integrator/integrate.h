@@ -2,6 +2,7 @@
 // Source: semi-implicit Euler for the substeps; constant acceleration for the stride.
 #pragma once
 
+#include <cstdint>
 #include <span>
 
 #include "base/motion.h"
@@ -28,7 +29,8 @@ void end_joints(Motions& motions, int first, int last);
 void integrate_positions(Motions& motions, float h_s);
 void integrate_positions(Motions& motions, float h_s, int first, int last);
 
-/// The whole step at once for the others: x += dt (v + v')/2, exact under constant acceleration.
-void fly_freely(Motions& motions, std::span<const Drive> drives, float dt_s);
+/// The whole step at once for the others: x += dt (v + v')/2, exact under constant acceleration. `step` is
+/// the number of the step: roundings of the velocity even out over many (base/dithered_rounding.h).
+void fly_freely(Motions& motions, std::span<const Drive> drives, float dt_s, std::uint64_t step);
 
 }  // namespace cairn::physics
