@@ -107,11 +107,13 @@ void load_places(const Place* places, const Lanes<std::int32_t>& body_a, const L
         out.turn_far |= flagged(flags, place_flag::kTurnsFar) << lane;
         out.boxes_moved |= flagged(flags, place_flag::kBoxesMoved) << lane;
         out.direct |= flagged(flags, place_flag::kDirect) << lane;
+        out.rouses |= flagged(flags, place_flag::kRouses) << lane;
     }
     out.fast &= lanes;
     out.turn_far &= lanes;
     out.boxes_moved &= lanes;
     out.direct &= lanes;
+    out.rouses &= lanes;
 }
 
 // Discs that hold the shapes, along the line between their centres.
@@ -133,7 +135,8 @@ void look_near(const Place* places, const Lanes<std::int32_t>& body_a, const Lan
         const Columns advance_b = load_rows(&advances->velocity_m_s.x, b);
         const Vec velocity = sub({advance_b.x, advance_b.y}, {advance_a.x, advance_a.y});
         const VI flags = hn::Or(hn::BitCast(DI(), turn_a.u), hn::BitCast(DI(), turn_b.u));
-        const VI fast = hn::And(flags, set_int(static_cast<std::int32_t>(place_flag::kFast)));
+        constexpr auto kLooksAhead = static_cast<std::int32_t>(place_flag::kFast | place_flag::kRouses);
+        const VI fast = hn::And(flags, set_int(kLooksAhead));
         const V distance = hn::Sqrt(dot(d, d));
         const V opening = hn::Div(hn::Mul(set(dt_s), dot(velocity, d)), distance);
         const M is_fast = hn::RebindMask(D(), hn::Ne(fast, hn::Zero(DI())));

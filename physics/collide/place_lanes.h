@@ -20,6 +20,7 @@ struct BlockPlaces {
     unsigned turn_far = 0;
     unsigned boxes_moved = 0;
     unsigned direct = 0;
+    unsigned rouses = 0;
 };
 
 /// `lanes` has a bit for each lane that is wanted; the others need not name a body.

@@ -9,7 +9,8 @@ namespace cairn::physics {
 namespace {
 
 // Flags that mean nothing between steps: groups that are solved directly are chosen anew in each.
-constexpr std::uint32_t kKeptFlags = place_flag::kFast | place_flag::kTurnsFar | place_flag::kBoxesMoved;
+constexpr std::uint32_t kKeptFlags =
+    place_flag::kFast | place_flag::kTurnsFar | place_flag::kBoxesMoved | place_flag::kRouses;
 
 constexpr std::size_t kBodyBytes =
     packed_size<BodyRecord>() + packed_size<Place>() + packed_size<MassLedger::Entry>();

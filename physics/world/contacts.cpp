@@ -158,7 +158,8 @@ class Update {
     void settle_near(PairGeometry geometry, int block, unsigned lanes, const NearFindings& found) {
         // Waking may move the blocks.
         const auto pairs = [&]() -> PairBlock& { return stores_.contacts.lanes.near_pairs(geometry)[block]; };
-        unsigned rest = (found.will_meet | pairs().remembers | found.gone | found.meets) & lanes;
+        unsigned rest =
+            (found.will_meet | pairs().remembers | found.gone | found.meets | found.rouses) & lanes;
         for (; rest != 0; rest &= rest - 1) {
             const int lane = std::countr_zero(rest);
             const int contact = pairs().contact[lane];
@@ -170,6 +171,7 @@ class Update {
                 pairs().remembers |= static_cast<std::uint8_t>(1u << lane);
             } else {
                 forget(pairs(), lane);
+                if ((found.rouses >> lane & 1) != 0) rouse(stores_.contacts.slots[contact]);
             }
         }
     }
@@ -195,11 +197,16 @@ class Update {
     // where nothing happens.
     bool meets(ContactRecord& c) {
         c.has_points = true;
+        rouse(c);
+        return stores_.bodies.is_awake(c.body_b) ||
+               (stores_.bodies.is_awake(c.body_a) && is_dynamic(c.body_a));
+    }
+
+    // What sleeps wakes, and takes part in this step.
+    void rouse(const ContactRecord& c) {
         wake_touched(stores_, c);
         extend_motions(stores_.bodies, world_.def.gravity_m_s2, time_.dt_s, scratch_, world_.tasks);
         extend_advances(stores_, world_.def.gravity_m_s2, time_.dt_s, scratch_);
-        return stores_.bodies.is_awake(c.body_b) ||
-               (stores_.bodies.is_awake(c.body_a) && is_dynamic(c.body_a));
     }
 
     // A pair that is apart but meets within the step is solved in plain form, wherever it is listed. `ahead`
@@ -312,6 +319,8 @@ class Update {
 
     // The contact has no points any more. It leaves its list after this pass.
     void part(int contact, const ContactInput* ahead) {
+        // What it bore was in its lane, and went with the points.
+        stores_.contacts.slots[contact].memory = {};
         if (predict(contact, ahead)) {
             scratch_.parted.push_back(contact);
         } else {
@@ -354,7 +363,9 @@ class Update {
         if (manifold_.points[0].id[0] == kNoFeature) {
             ContactInput ahead;
             const bool will_meet = meets_again(places_, manifold_, 0, contact, ahead);
-            if (!predict(contact, will_meet ? &ahead : nullptr) && c.has_points) lose_points(contact);
+            if (predict(contact, will_meet ? &ahead : nullptr)) return;
+            if (c.has_points) lose_points(contact);
+            if (may_reach(scratch_.advances, places_, manifold_, 0, time_.dt_s)) rouse(c);
             return;
         }
         const bool was_loose = is_loose(c);

@@ -19,6 +19,12 @@ constexpr float kImpactGap_m = 0.25f * tuning::kLinearSlop_m;
 constexpr float kRounding = 1e-6f;
 constexpr float kMostRounding_m = 1e3f;
 
+// m. Ways up to this end where the solver sees the other shape before they begin, and wakes it.
+constexpr float kSeenAhead_m = tuning::kSpeculativeDistance_m;
+
+// Flags of bodies of which boxes cover the way.
+constexpr std::uint32_t kCovered = place_flag::kFast | place_flag::kRouses;
+
 // What a thread takes at once.
 constexpr int kRowsPerChunk = 512;
 
@@ -37,9 +43,9 @@ Advance advance_of(const BodyStore& bodies, int body, Vec2 gravity, float dt_s) 
             kFastShare * record.inner_radius_m};
 }
 
-// A body is fast when a step takes a point of it further than half of what is solid about its thinnest shape.
-bool is_fast(const Advance& advance, float dt_s) {
-    return dt_s * (length(advance.velocity_m_s) + advance.turning_m_s) > advance.thin_m;
+// How far a step takes any point of a body at most.
+float farthest_way(const Advance& advance, float dt_s) {
+    return dt_s * (length(advance.velocity_m_s) + advance.turning_m_s);
 }
 
 // The boxes of the body enclose where it is and where it is expected, which is `turn` further round, and all
@@ -97,6 +103,7 @@ void cover_fast_ways(Stores& stores, Vec2 gravity_m_s2, float dt_s, StepScratch&
     const BodyRows& awake = stores.bodies.rows(RowSet::Awake);
     resize_amply(scratch.advances, static_cast<std::size_t>(awake.size()) + 1);
     scratch.advances[kWorldRow] = {};
+    const bool some_sleep = stores.bodies.rows(RowSet::Asleep).size() > 0;
     scratch.fast_found.start(awake.size(), kRowsPerChunk, tasks);
     scratch.untold_boxes.start(awake.size(), kRowsPerChunk, tasks);
     const auto cover = [&](int row, std::vector<int>& fast, std::vector<int>& untold) {
@@ -104,15 +111,18 @@ void cover_fast_ways(Stores& stores, Vec2 gravity_m_s2, float dt_s, StepScratch&
         Advance& advance = scratch.advances[row + 1];
         advance = advance_of(stores.bodies, body, gravity_m_s2, dt_s);
         std::uint32_t& flags = stores.bodies.places[body].flags;
-        const bool was_fast = (flags & place_flag::kFast) != 0;
-        flags &= ~place_flag::kFast;
-        if (is_fast(advance, dt_s)) {
-            flags |= place_flag::kFast;
-            fast.push_back(body);
-            cover_way(stores, body, dt_s * advance.velocity_m_s, dt_s * awake.spin[row], untold);
-        } else if (was_fast) {
-            renew_boxes(stores, body, untold);  // what covered its way would be too large for long
-        }
+        const std::uint32_t before = flags & kCovered;
+        flags &= ~kCovered;
+        // A body is fast when a step takes it further than half of what is solid about its thinnest shape.
+        const float way = farthest_way(advance, dt_s);
+        const bool is_fast = way > advance.thin_m;
+        const bool rouses = some_sleep && !is_fast && way > kSeenAhead_m;
+        const std::uint32_t now = is_fast ? place_flag::kFast : rouses ? place_flag::kRouses : 0;
+        flags |= now;
+        if (is_fast) fast.push_back(body);
+        // What covered a longer way would be too large for long.
+        if (before != 0 && before != now && !is_fast) renew_boxes(stores, body, untold);
+        if (now != 0) cover_way(stores, body, dt_s * advance.velocity_m_s, dt_s * awake.spin[row], untold);
     };
     tasks.parallel_for(awake.size(), kRowsPerChunk, [&](const Chunk& chunk) {
         ChunkedList<int>::Appender fast(scratch.fast_found, chunk);
@@ -126,7 +136,7 @@ void cover_fast_ways(Stores& stores, Vec2 gravity_m_s2, float dt_s, StepScratch&
 void extend_advances(Stores& stores, Vec2 gravity_m_s2, float dt_s, StepScratch& scratch) {
     const BodyRows& awake = stores.bodies.rows(RowSet::Awake);
     for (int row = static_cast<int>(scratch.advances.size()) - 1; row < awake.size(); ++row) {
-        stores.bodies.places[awake.body[row]].flags &= ~place_flag::kFast;
+        stores.bodies.places[awake.body[row]].flags &= ~kCovered;
         scratch.advances.push_back(advance_of(stores.bodies, awake.body[row], gravity_m_s2, dt_s));
     }
 }

@@ -2,6 +2,8 @@
 // step: boxes cover it, and a pair that will meet gets its contact from the place where it meets. The solver
 // then stops them there, in the substep in which it happens, against static, kinematic and dynamic bodies
 // alike. What passes all the same is put back by fast_guard.h.
+// Slower bodies that could reach something that sleeps before the solver sees it have their way covered too,
+// so that the sleeper wakes in the step in which it is reached.
 #pragma once
 
 #include "continuous/sweep.h"
@@ -12,8 +14,8 @@ namespace cairn::physics {
 /// Of what is solid about the thinnest shape: moving further than this in a step is fast.
 inline constexpr float kFastShare = 0.5f;
 
-/// Stage: the boxes of fast bodies cover the way of the coming step. The bodies are noted in `fast`, and what
-/// all awake ones are expected to do in `advances`.
+/// Stage: the boxes of fast bodies, and of those that rouse sleepers, cover the way of the coming step. The
+/// fast bodies are noted in `fast`, and what all awake ones are expected to do in `advances`.
 void cover_fast_ways(Stores& stores, Vec2 gravity_m_s2, float dt_s, StepScratch& scratch, TaskPool& tasks);
 
 /// The same for rows that came since, of bodies that woke.

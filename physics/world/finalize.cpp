@@ -12,11 +12,17 @@ namespace {
 // What a thread takes at once.
 constexpr int kRowsPerChunk = 512;
 
-float next_rest_time(const BodyRecord& record, Vec2 v, float w, float rest_time, float dt_s) {
+// What is pushed out of an overlap moves, though that speed is taken from it again at once: it would sleep
+// where it is, and keep the overlap.
+float next_rest_time(const BodyRecord& record, Vec2 v, float w, Vec2 moved, float turned, float rest_time,
+                     float dt_s) {
     if (!record.allow_sleep) return 0;
     if (record.type == BodyType::Kinematic) return v == Vec2{} && w == 0 ? rest_time + dt_s : 0;
     const float fastest_point = std::max(length(v), std::fabs(w) * record.extent_m);
-    return fastest_point < record.sleep_speed_m_s ? rest_time + dt_s : 0;
+    const float farthest_point = std::max(length(moved), std::fabs(turned) * record.extent_m);
+    const bool rests =
+        fastest_point < record.sleep_speed_m_s && farthest_point < dt_s * record.sleep_speed_m_s;
+    return rests ? rest_time + dt_s : 0;
 }
 
 bool is_finite(const Motions& motions, int row) {
@@ -80,7 +86,7 @@ void take_place(BodyStore& bodies, const StepScratch& scratch, int row, float dt
     awake.force[row] = {};
     awake.torque[row] = 0;
     awake.rest_time[row] =
-        sleep_enabled ? next_rest_time(record, velocity, spin, awake.rest_time[row], dt_s) : 0;
+        sleep_enabled ? next_rest_time(record, velocity, spin, moved, turned, awake.rest_time[row], dt_s) : 0;
 }
 
 }  // namespace

@@ -67,6 +67,7 @@ class NearLook {
                 found.meets |= bit;
                 continue;
             }
+            if (may_reach(scratch_.advances, places_, manifold_, lane, dt_s_)) found.rouses |= bit;
             ContactInput input;
             if (!meets_ahead(stores_, scratch_.advances, places_, manifold_, lane, pairs.contact[lane],
                              gravity_m_s2_, dt_s_, input))
@@ -100,6 +101,18 @@ bool meets_ahead(const Stores& stores, const std::vector<Advance>& advances, con
     const AxisGap seen{{manifold.normal_x[lane], manifold.normal_y[lane]}, manifold.gap[lane]};
     return could_meet(advances[places.row_a[lane]], advances[places.row_b[lane]], seen, dt_s) &&
            predict_contact(stores, stores.contacts.slots[contact], seen, gravity_m_s2, dt_s, input);
+}
+
+bool may_reach(const std::vector<Advance>& advances, const BlockPlaces& places, const ManifoldLanes& manifold,
+               int lane, float dt_s) {
+    const int row_a = places.row_a[lane];
+    const int row_b = places.row_b[lane];
+    if ((places.rouses >> lane & 1) == 0 || (row_a != kWorldRow && row_b != kWorldRow)) return false;
+    const Advance& a = advances[row_a];
+    const Advance& b = advances[row_b];
+    const Vec2 axis{manifold.normal_x[lane], manifold.normal_y[lane]};
+    const float closing = a.turning_m_s + b.turning_m_s - dot(b.velocity_m_s - a.velocity_m_s, axis);
+    return manifold.gap[lane] > 0 && manifold.gap[lane] <= dt_s * closing;
 }
 
 void find_near(const Stores& stores, PairGeometry geometry, int first, int count, Vec2 gravity_m_s2,

@@ -22,6 +22,10 @@ bool meets_ahead(const Stores& stores, const std::vector<Advance>& advances, con
                  const ManifoldLanes& manifold, int lane, int contact, Vec2 gravity_m_s2, float dt_s,
                  ContactInput& input);
 
+/// Whether one body of such a pair may reach the other, which stands still or sleeps, by the end of the step.
+bool may_reach(const std::vector<Advance>& advances, const BlockPlaces& places, const ManifoldLanes& manifold,
+               int lane, float dt_s);
+
 /// Looks at the near pairs of a geometry from lane `first` up to `count`, on several threads. Findings are by
 /// block, from that of `first` on, in `near_findings`; `near_ahead` has what will meet, in the order of
 /// the lanes.

@@ -155,6 +155,7 @@ struct NearFindings {
     std::uint8_t gone = 0;       // the boxes have parted
     std::uint8_t meets = 0;      // points
     std::uint8_t will_meet = 0;  // within the step
+    std::uint8_t rouses = 0;     // reaches what sleeps within the step, and is solved from the next one on
 };
 
 /// A near pair that will meet within the step.

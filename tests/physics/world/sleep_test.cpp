@@ -45,6 +45,54 @@ TEST_CASE("a body at rest falls asleep after half a second, not before") {
     CHECK_FALSE(world.body(ball)->is_awake());
 }
 
+TEST_CASE("what falls on a sleeper wakes it in the step in which it reaches it, however fast") {
+    // From drops that are seen by the margins of boxes, by boxes that cover a way, and as fast bodies.
+    for (const double drop_m : {0.02, 0.3, 1.0, 3.0, 9.0, 30.0}) {
+        World world;
+        add_ground(world);
+        const BodyId sleeper = add(world, {.position_m = {0, 0.5}}, Box{0.5f, 0.5f});
+        run_for(world, 2);
+        REQUIRE_FALSE(world.body(sleeper)->is_awake());
+        const BodyId falling = add(world, {.position_m = {0, 1.5 + drop_m}}, Box{0.5f, 0.5f});
+        INFO("dropped " << drop_m << " m");
+        int touched_asleep = 0;
+        bool touched = false;
+        for (int i = 0; i < 300 && !touched; ++i) {
+            step_times(world, 1);
+            touched = world.body(falling)->position().y - world.body(sleeper)->position().y <= 1;
+            if (touched && !world.body(sleeper)->is_awake()) ++touched_asleep;
+            touched = touched || world.body(sleeper)->is_awake();
+        }
+        CHECK(touched);
+        CHECK(touched_asleep == 0);
+    }
+}
+
+TEST_CASE("what passes a sleeper without reaching it leaves it asleep") {
+    World world({.gravity_m_s2 = {}});
+    const BodyId sleeper = add(world, {}, Box{0.5f, 0.5f});
+    run_for(world, 1);
+    REQUIRE_FALSE(world.body(sleeper)->is_awake());
+    // 5 cm beside it, at 6 m/s and at 60 m/s.
+    for (const float speed_m_s : {6.0f, 60.0f}) {
+        add(world, {.position_m = {-5, 1.05}, .linear_velocity_m_s = {speed_m_s, 0}}, Box{0.5f, 0.5f});
+        run_for(world, 2);
+        CHECK_FALSE(world.body(sleeper)->is_awake());
+    }
+}
+
+TEST_CASE("a body stays awake while it is pushed out of an overlap, though it has no speed") {
+    World world({.gravity_m_s2 = {}, .max_push_out_speed_m_s = 0.1f});
+    add(world, {.type = BodyType::Static}, Box{0.5f, 0.5f});
+    const BodyId pushed = add(world, {.position_m = {0.9, 0}}, Box{0.5f, 0.5f});
+    run_for(world, 0.8);
+    CHECK(world.body(pushed)->position().x < 0.99);  // on its way still
+    CHECK(world.body(pushed)->is_awake());
+    run_for(world, 2);
+    CHECK(world.body(pushed)->position().x > 0.99);
+    CHECK_FALSE(world.body(pushed)->is_awake());
+}
+
 TEST_CASE("a body that moves or turns faster than the sleep speed stays awake") {
     World world({.gravity_m_s2 = {}});
     const BodyId slow = add(world, {.position_m = {0, 0}, .linear_velocity_m_s = {0.04f, 0}}, Circle{});
