@@ -2,6 +2,7 @@
 #include "world/body_mass.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include <cairn/physics/tuning.h>
@@ -12,6 +13,12 @@
 
 namespace cairn::physics {
 namespace {
+
+// Of what is so little that float has no inverse of it, as of nothing: nothing pushes it.
+float inverse(float mass) {
+    const float inverse = mass > 0 ? 1 / mass : 0;
+    return std::isfinite(inverse) ? inverse : 0;
+}
 
 template <class Visit>
 void for_each_shape(const Stores& stores, int body, Visit&& visit) {
@@ -36,9 +43,9 @@ void apply(Stores& stores, int body, const MassSum& sum) {
     const Transform xf = stores.bodies.transform(body);
     const Vec2 old_center = record.mass.center_m;
     record.mass = to_mass_data(sum);
-    record.inverse_mass = record.mass.mass_kg > 0 ? 1 / record.mass.mass_kg : 0;
+    record.inverse_mass = inverse(record.mass.mass_kg);
     const bool turns = record.mass.inertia_kg_m2 > 0 && !turning_is_locked(record);
-    record.inverse_inertia = turns ? 1 / record.mass.inertia_kg_m2 : 0;
+    record.inverse_inertia = turns ? inverse(record.mass.inertia_kg_m2) : 0;
     BodyRows& rows = stores.bodies.rows_of(body);
     stores.bodies.places[body].center = transform_point(xf, record.mass.center_m);
     rows.box_slack[record.row] = 0;

@@ -28,8 +28,10 @@ float next_rest_time(const BodyRecord& record, Vec2 v, float w, Vec2 moved, floa
 bool is_finite(const Motions& motions, int row) {
     const PoseRow& pose = motions.pose[row];
     const VelocityRow& velocity = motions.velocity[row];
-    // A sum is finite only if its terms are (or are too large to be anything but a fault).
-    return std::isfinite(pose.d.x + pose.d.y + pose.theta + velocity.v.x + velocity.v.y + velocity.w);
+    // A sum is finite only if its terms are (or are too large to be anything but a fault). The angle and the
+    // spin themselves: what is finite as rows have it may not be so in rad.
+    return std::isfinite(pose.d.x + pose.d.y + motions.angle(row) + velocity.v.x + velocity.v.y +
+                         motions.spin(row));
 }
 
 // A body whose motion is no number any more is put back to where the step found it, and stopped. Its box

@@ -114,4 +114,28 @@ TEST_CASE("what is pushed to infinity stands where it was, and the rest goes on 
     }
 }
 
+TEST_CASE("what is spun beyond all measure stands") {
+    // Of so little inertia that its spin is infinite in rad/s before it is so in the solver's units.
+    World world({.gravity_m_s2 = {}});
+    const BodyId top = add(world, {}, Circle{.radius_m = 1e-6f});
+    for (const float torque_nm : {1e-10f, 1.0f, 1e10f, 1e20f, 1e30f, 3e38f}) {
+        CAPTURE(torque_nm);
+        world.body(top)->apply_torque(torque_nm).value();
+        world.step(kStep_s).value();
+        const Body body = *world.body(top);
+        CHECK(std::isfinite(body.angular_velocity()));
+        CHECK(world.quarantined().empty() == (body.angular_velocity() != 0));
+    }
+}
+
+TEST_CASE("what has less mass than float can divide by is pushed by nothing") {
+    World world;
+    const BodyId mote = add(world, {.linear_velocity_m_s = {1, 0}}, Circle{}, {.density_kg_m2 = 1e-40f});
+    world.body(mote)->apply_torque(1).value();
+    step_times(world, 60);
+    CHECK(world.quarantined().empty());
+    CHECK(world.body(mote)->linear_velocity() == Vec2{1, 0});
+    CHECK(world.body(mote)->angular_velocity() == 0);
+}
+
 }  // namespace cairn::physics
