@@ -16,8 +16,8 @@ namespace {
 
 // Of what is so little that float has no inverse of it, as of nothing: nothing pushes it.
 float inverse(float mass) {
-    const float inverse = mass > 0 ? 1 / mass : 0;
-    return std::isfinite(inverse) ? inverse : 0;
+    const float result = mass > 0 ? 1 / mass : 0;
+    return std::isfinite(result) ? result : 0;
 }
 
 template <class Visit>
@@ -44,7 +44,7 @@ void apply(Stores& stores, int body, const MassSum& sum) {
     const Vec2 old_center = record.mass.center_m;
     record.mass = to_mass_data(sum);
     record.inverse_mass = inverse(record.mass.mass_kg);
-    const bool turns = record.mass.inertia_kg_m2 > 0 && !turning_is_locked(record);
+    const bool turns = record.inverse_mass > 0 && !turning_is_locked(record);
     record.inverse_inertia = turns ? inverse(record.mass.inertia_kg_m2) : 0;
     BodyRows& rows = stores.bodies.rows_of(body);
     stores.bodies.places[body].center = transform_point(xf, record.mass.center_m);

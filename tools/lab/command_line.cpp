@@ -59,8 +59,7 @@ Result<CommandLine> parse_command_line(const std::vector<std::string>& arguments
     CommandLine line;
     CLI::App app(
         "Examines Cairn's physics: what it withstands, how accurate it is, whether runs are the same, and "
-        "what "
-        "is paid for what is not used.",
+        "whether what is not used costs nothing.",
         "cairn-lab");
     CLI::App* list = app.add_subcommand("list", "name the cases, problems and scenes");
     CLI::App* torture = app.add_subcommand("torture", "run the cases that are hard on an engine");
