@@ -1,8 +1,8 @@
 // Rounding to float that does not err to one side. The same small number added many times to a larger one, as
 // gravity is to the speed of a fall, is rounded by the same amount each time: over 10^5 bounces a ball gained
-// 1.9 % of its energy, three quarters of it so. Rounding up in just that share of the steps in which the exact sum lies above
-// the lower neighbour keeps the sum of the errors bounded, and needs no memory per body. Invariants: what a
-// float can hold is not changed; mirrored numbers have mirrored results.
+// 1.9 % of its energy, three quarters of it so. Rounding up in just that share of the steps in which the
+// exact sum lies above the lower neighbour keeps the sum of the errors bounded, and needs no memory per body.
+// Invariants: what a float can hold is not changed; mirrored numbers have mirrored results.
 // Source: the golden ratio's multiples are spread most evenly over the unit interval (Weyl 1916; Knuth, "The
 // Art of Computer Programming", vol. 3, 6.4).
 #pragma once
