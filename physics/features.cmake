@@ -48,7 +48,8 @@ cairn_feature(DIRECT_SOLVER "the direct solver of joint structures and uneven co
   resolve/direct/direct_structure.cpp
   resolve/direct/direct_system.cpp
   world/direct_groups.cpp
-  world/direct_solve.cpp)
+  world/direct_solve.cpp
+  world/direct_structures.cpp)
 cairn_feature(SENSORS "shapes that note what overlaps them"
   world/sensors.cpp)
 cairn_feature(CHAINS "runs of one-sided segments"

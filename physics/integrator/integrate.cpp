@@ -11,6 +11,24 @@ float decay(float damping_1_s, float time_s) {
     return static_cast<float>(deterministic::exp(static_cast<double>(-damping_1_s * time_s)));
 }
 
+// The same, where one damping follows another that is mostly alike.
+class Decays {
+  public:
+    explicit Decays(float time_s) : time_s_(time_s) {}
+    float of(float damping_1_s) {
+        if (damping_1_s != damping_1_s_) {
+            damping_1_s_ = damping_1_s;
+            kept_ = decay(damping_1_s, time_s_);
+        }
+        return kept_;
+    }
+
+  private:
+    float time_s_;
+    float damping_1_s_ = 0;
+    float kept_ = 1;
+};
+
 // Of all columns, the inverse mass too: m - m + m is m to the bit.
 VelocityRow sum(const VelocityRow& a, const VelocityRow& b) {
     return {{a.v.x + b.v.x, a.v.y + b.v.y}, a.w + b.w, a.inverse_mass + b.inverse_mass};
@@ -45,6 +63,8 @@ VelocityRow accelerated(const VelocityRow& row, const Drive& drive, float k, flo
 }
 
 void prepare_kicks(Motions& motions, std::span<const Drive> drives, float h_s, int first, int last) {
+    Decays moves(h_s);
+    Decays turns(h_s);
     for (int i = first; i < last; ++i) {
         VelocityRow& kick = motions.kick[i];
         kick = {};
@@ -57,8 +77,8 @@ void prepare_kicks(Motions& motions, std::span<const Drive> drives, float h_s, i
         kick.v = kick_s * drive.acceleration;
         kick.w = k > 0 ? kick_s * drive.angular_acceleration / k : 0;
         if (motions.kept.empty()) continue;
-        const float moves = decay(drive.linear_damping, h_s);
-        motions.kept[i] = {{moves, moves}, decay(drive.angular_damping, h_s), 1};
+        const float kept = moves.of(drive.linear_damping);
+        motions.kept[i] = {{kept, kept}, turns.of(drive.angular_damping), 1};
     }
 }
 

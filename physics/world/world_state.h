@@ -23,6 +23,7 @@
 #include "world/breakable_store.h"
 #include "world/chain_store.h"
 #include "world/contact_store.h"
+#include "world/direct_structures.h"
 #include "world/joint_store.h"
 #include "world/material_mixing.h"
 #include "world/sensors.h"
@@ -201,12 +202,6 @@ struct StepScratch {
     std::vector<ItemPair> pairs;
 };
 
-/// Joints, and the bodies that move of them and of what they touch.
-struct DirectStructure {
-    std::vector<int> joints;
-    std::vector<int> bodies;
-};
-
 /// What is solved directly (world/direct_groups.h).
 struct DirectGroups {
     /// A version that no joints have: what was found is of others.
@@ -220,6 +215,7 @@ struct DirectGroups {
     std::vector<DirectComponent> components;
     std::vector<std::vector<int>> contacts;  // places in the plain form
     std::vector<int> of_body;                // group, by body
+    StructureSearch search;
     // While groups are chosen and assembled:
     std::vector<int> reached;   // bodies from one seed
     std::vector<int> found;     // structures from one seed

@@ -1,0 +1,217 @@
+// Union-find over joints, sums of each set, and then lists of those few that may qualify.
+#include "world/direct_structures.h"
+
+#include <algorithm>
+
+#include "world/world_state.h"
+
+namespace cairn::physics {
+namespace {
+
+// Of a structure: a sweep needs some 2.3 rounds per decimal digit, times mass ratio, times depth.
+constexpr int kFewestJoints = 3;
+constexpr float kMassRatio = 8;
+constexpr int kDepth = 8;  // from what holds the structure; one that is not held bears no load
+// Loops fill the factors: with more than this many joints per body, plus a few, nobody looks further.
+constexpr float kJointsPerBody = 1.25f;
+constexpr int kSpareJoints = 8;
+// A chain takes 4 products of blocks per joint; three sweeps cost about as much as 16.
+constexpr double kMaxProducts = 16;
+
+std::size_t at(int i) {
+    return static_cast<std::size_t>(i);
+}
+
+// Calls visit(body) for the bodies of a joint; those of a gear are the bodies of its joints.
+template <class Visit>
+void for_each_body(const Stores& stores, int joint, Visit&& visit) {
+    const JointRecord& record = stores.joints.slots[joint];
+    visit(record.body_a);
+    visit(record.body_b);
+    if (const auto* gear = std::get_if<GearJointDef>(&record.def)) {
+        for (const JointId id : {gear->joint_1, gear->joint_2}) {
+            const JointRecord& geared = stores.joints.slots[stores.joints.slots.find(id)];
+            visit(geared.body_a);
+            visit(geared.body_b);
+        }
+    }
+}
+
+bool is_uneven(float least_inverse_mass, float most_inverse_mass) {
+    return least_inverse_mass > 0 && most_inverse_mass / least_inverse_mass > kMassRatio;
+}
+
+}  // namespace
+
+void StructureSearch::find(const Stores& stores, JointSolver solver,
+                           std::vector<DirectStructure>& structures) {
+    structures.clear();
+    if (solver == JointSolver::Sweeping || stores.joints.active.size() == 0) return;
+    note_movers(stores);
+    join(stores);
+    sum_up(stores);
+    list(stores, solver, structures);
+}
+
+void StructureSearch::note_movers(const Stores& stores) {
+    moves_.assign(at(stores.bodies.slots.end_index()), 0);
+    for (const int body : stores.bodies.rows(RowSet::Awake).body) {
+        const BodyRecord& record = stores.bodies.slots[body];
+        moves_[at(body)] = record.inverse_mass > 0 || record.inverse_inertia > 0 ? 1 : 0;
+    }
+}
+
+void StructureSearch::join(const Stores& stores) {
+    sets_.reset(static_cast<int>(moves_.size()));
+    first_.clear();
+    for (const int joint : stores.joints.active) {
+        int first = kNone;
+        for_each_body(stores, joint, [&](int body) {
+            if (!moves(body)) return;
+            if (first == kNone) {
+                first = body;
+            } else {
+                sets_.unite(first, body);
+            }
+        });
+        first_.push_back(first);
+    }
+}
+
+// In the order of their first joints.
+void StructureSearch::sum_up(const Stores& stores) {
+    summaries_.clear();
+    of_root_.assign(moves_.size(), kNone);
+    seen_.assign(moves_.size(), 0);
+    for (int i = 0; i < stores.joints.active.size(); ++i) {
+        if (first_[at(i)] == kNone) continue;
+        int& of_root = of_root_[at(sets_.find(first_[at(i)]))];
+        if (of_root == kNone) {
+            of_root = static_cast<int>(summaries_.size());
+            summaries_.push_back({});
+        }
+        Summary& s = summaries_[at(of_root)];
+        ++s.joints;
+        for_each_body(stores, stores.joints.active[i], [&](int body) {
+            if (!moves(body)) s.is_held = true;
+            if (!moves(body) || seen_[at(body)]) return;
+            seen_[at(body)] = 1;
+            ++s.bodies;
+            const float inverse_mass = stores.bodies.slots[body].inverse_mass;
+            if (inverse_mass <= 0) return;
+            if (s.least_inverse_mass == 0 || inverse_mass < s.least_inverse_mass)
+                s.least_inverse_mass = inverse_mass;
+            s.most_inverse_mass = std::max(s.most_inverse_mass, inverse_mass);
+        });
+    }
+}
+
+bool StructureSearch::may_be_hard(const Summary& s) {
+    if (s.joints < kFewestJoints) return false;
+    if (static_cast<float>(s.joints) > kJointsPerBody * static_cast<float>(s.bodies) + kSpareJoints)
+        return false;
+    const bool may_be_deep = s.is_held && s.joints > kDepth;
+    return may_be_deep || is_uneven(s.least_inverse_mass, s.most_inverse_mass);
+}
+
+void StructureSearch::list(const Stores& stores, JointSolver solver,
+                           std::vector<DirectStructure>& structures) {
+    const bool all = solver == JointSolver::Direct;
+    summary_of_.clear();
+    for (std::size_t i = 0; i < summaries_.size(); ++i) {
+        Summary& s = summaries_[i];
+        if (!all && !may_be_hard(s)) continue;
+        s.listed = static_cast<int>(structures.size());
+        structures.emplace_back();
+        summary_of_.push_back(static_cast<int>(i));
+    }
+    if (structures.empty()) return;
+    seen_.assign(moves_.size(), 0);
+    for (int i = 0; i < stores.joints.active.size(); ++i) {
+        if (first_[at(i)] == kNone) continue;
+        const int listed = summaries_[at(of_root_[at(sets_.find(first_[at(i)]))])].listed;
+        if (listed < 0) continue;
+        DirectStructure& s = structures[at(listed)];
+        s.joints.push_back(stores.joints.active[i]);
+        for_each_body(stores, stores.joints.active[i], [&](int body) {
+            if (!moves(body) || seen_[at(body)]) return;
+            seen_[at(body)] = 1;
+            s.bodies.push_back(body);
+        });
+    }
+    if (all) return;
+    local_.resize(moves_.size());
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < structures.size(); ++i) {
+        if (!is_hard_to_sweep(structures[i], summaries_[at(summary_of_[i])], stores)) continue;
+        if (kept != i) structures[kept] = std::move(structures[i]);
+        ++kept;
+    }
+    structures.resize(kept);
+}
+
+bool StructureSearch::is_hard_to_sweep(const DirectStructure& s, const Summary& summary,
+                                       const Stores& stores) {
+    for (std::size_t i = 0; i < s.bodies.size(); ++i) local_[at(s.bodies[i])] = static_cast<int>(i);
+    const bool uneven = is_uneven(summary.least_inverse_mass, summary.most_inverse_mass);
+    if (!uneven && depth_of(s, stores) <= kDepth) return false;
+    return products_per_joint(s, stores) <= kMaxProducts;
+}
+
+// Joints between the farthest body and what holds the structure; 0 if nothing does.
+int StructureSearch::depth_of(const DirectStructure& s, const Stores& stores) {
+    // Joints by body, from first_joint_[body] to that of the next one.
+    first_joint_.assign(s.bodies.size() + 2, 0);
+    for (const int joint : s.joints) {
+        for_each_body(stores, joint, [&](int body) {
+            if (moves(body)) ++first_joint_[at(local_[at(body)]) + 2];
+        });
+    }
+    for (std::size_t i = 1; i < first_joint_.size(); ++i) first_joint_[i] += first_joint_[i - 1];
+    joints_of_.resize(at(first_joint_.back()));
+    level_.assign(s.bodies.size(), 0);
+    reached_.clear();
+    const auto reach = [&](int joint, int level) {
+        for_each_body(stores, joint, [&](int body) {
+            if (!moves(body) || level_[at(local_[at(body)])] > 0) return;
+            level_[at(local_[at(body)])] = level;
+            reached_.push_back(local_[at(body)]);
+        });
+    };
+    for (const int joint : s.joints) {
+        bool held = false;
+        for_each_body(stores, joint, [&](int body) {
+            held = held || !moves(body);
+            if (moves(body)) joints_of_[at(first_joint_[at(local_[at(body)]) + 1]++)] = joint;
+        });
+        if (held) reach(joint, 1);
+    }
+    for (std::size_t next = 0; next < reached_.size(); ++next) {
+        const std::size_t body = at(reached_[next]);
+        for (int i = first_joint_[body]; i < first_joint_[body + 1]; ++i)
+            reach(joints_of_[at(i)], level_[body] + 1);
+    }
+    return reached_.empty() ? 0 : level_[at(reached_.back())];
+}
+
+// Products of blocks that one factorization of the structure takes.
+double StructureSearch::products_per_joint(const DirectStructure& s, const Stores& stores) {
+    nodes_.assign(s.bodies.size(), {3, false});
+    edges_.clear();
+    for (const int joint : s.joints) {
+        const int node = static_cast<int>(nodes_.size());
+        nodes_.push_back({2, true});
+        const std::size_t first = edges_.size();
+        for_each_body(stores, joint, [&](int body) {
+            if (!moves(body)) return;
+            const BlockLdl::Edge edge{local_[at(body)], node};
+            if (std::find(edges_.begin() + static_cast<std::ptrdiff_t>(first), edges_.end(), edge) ==
+                edges_.end())
+                edges_.push_back(edge);
+        });
+    }
+    factors_.analyze(nodes_, edges_);
+    return static_cast<double>(factors_.products()) / static_cast<double>(s.joints.size());
+}
+
+}  // namespace cairn::physics

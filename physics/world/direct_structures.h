@@ -1,0 +1,69 @@
+// Finding structures of joints that sweeping would not hold: what hangs together over joints, is deep or of
+// uneven masses, and takes few enough products to factor. Found again whenever joints come, go, wake or fall
+// asleep, so most structures are refused by what is summed up of them, and only of the rest lists are made.
+// Invariant: the order of structures, and what is in them, follow from the list of active joints alone.
+#pragma once
+
+#include <vector>
+
+#include <cairn/physics/joint.h>
+
+#include "base/union_find.h"
+#include "resolve/direct/block_ldl.h"
+
+namespace cairn::physics {
+
+struct Stores;
+
+/// Joints, and the bodies that move of them and of what they touch.
+struct DirectStructure {
+    std::vector<int> joints;
+    std::vector<int> bodies;
+};
+
+class StructureSearch {
+  public:
+    /// Structures that are to be solved directly, as the choice of the world says.
+    void find(const Stores& stores, JointSolver solver, std::vector<DirectStructure>& structures);
+
+  private:
+    // What is known of a structure before it has lists.
+    struct Summary {
+        int joints = 0;
+        int bodies = 0;
+        float least_inverse_mass = 0;  // of bodies that have mass; 0: none has
+        float most_inverse_mass = 0;
+        bool is_held = false;  // by what does not move
+        int listed = -1;       // place among the structures
+    };
+
+    void note_movers(const Stores& stores);
+    [[nodiscard]] bool moves(int body) const { return moves_[static_cast<std::size_t>(body)] != 0; }
+    void join(const Stores& stores);
+    void sum_up(const Stores& stores);
+    [[nodiscard]] static bool may_be_hard(const Summary& s);
+    void list(const Stores& stores, JointSolver solver, std::vector<DirectStructure>& structures);
+    [[nodiscard]] bool is_hard_to_sweep(const DirectStructure& s, const Summary& summary,
+                                        const Stores& stores);
+    [[nodiscard]] int depth_of(const DirectStructure& s, const Stores& stores);
+    [[nodiscard]] double products_per_joint(const DirectStructure& s, const Stores& stores);
+
+    std::vector<char> moves_;  // by body
+    UnionFind sets_;           // of bodies
+    std::vector<int> first_;   // by place among the active joints: a body that moves, or kNone
+    std::vector<int> of_root_;
+    std::vector<char> seen_;
+    std::vector<Summary> summaries_;
+    std::vector<int> summary_of_;  // by place among the structures
+    // Of one structure.
+    std::vector<int> local_;  // by body
+    std::vector<int> level_;  // by local body, 0: not reached
+    std::vector<int> first_joint_;
+    std::vector<int> joints_of_;
+    std::vector<int> reached_;
+    std::vector<BlockLdl::Node> nodes_;
+    std::vector<BlockLdl::Edge> edges_;
+    BlockLdl factors_;
+};
+
+}  // namespace cairn::physics
