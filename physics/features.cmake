@@ -44,6 +44,7 @@ cairn_feature(DIRECT_SOLVER "the direct solver of joint structures and uneven co
   resolve/direct/block_ldl.cpp
   resolve/direct/direct_component.cpp
   resolve/direct/direct_descent.cpp
+  resolve/direct/direct_energy.cpp
   resolve/direct/direct_equations.cpp
   resolve/direct/direct_structure.cpp
   resolve/direct/direct_system.cpp

@@ -3,15 +3,18 @@
 // over contacts.
 #include "world/direct_groups.h"
 
+#include <algorithm>
+
 #include "world/joint_lists.h"
 #include "world/special_contacts.h"
 
 namespace cairn::physics {
 namespace {
 
-// Bodies that a group takes up over contacts at most; where there are more, as in heaps, all of them are
-// swept.
+// Bodies that a group takes up over contacts at most: so many, and for each structure as many as it has, up
+// to a bound. Where there are more, as in heaps, all of them are swept.
 constexpr int kMaxTakenUp = 16;
+constexpr int kMaxTakenUpByStructure = 64;
 
 bool moves(const Stores& stores, int body) {
     const BodyRecord& record = stores.bodies.slots[body];
@@ -88,6 +91,7 @@ class Growth {
             return visit(body);
         }
         groups_.found.push_back(found);
+        spare_ += std::min(static_cast<int>(structure(found).bodies.size()), kMaxTakenUpByStructure);
         for (const int other : structure(found).bodies) visit(other);
     }
 

@@ -116,10 +116,7 @@ void move_direct(DirectGroups& groups, StepScratch& scratch, const ContactRules&
                  TaskPool& tasks) {
     if (groups.count == 0) return;
     const DirectScene scene = scene_of(scratch, rules, h_s);
-    for_each_component(groups, scratch.motions, tasks, [&](DirectComponent& c) {
-        c.move(scene);
-        c.close(scene);
-    });
+    for_each_component(groups, scratch.motions, tasks, [&](DirectComponent& c) { c.move(scene); });
 }
 
 void store_direct(const DirectGroups& groups, Stores& stores) {

@@ -1,0 +1,130 @@
+// What structures of joints keep of their energy where that is hard: whips, taut bridges, and loops in
+// flight.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <vector>
+
+#include "physics/support/making.h"
+
+namespace cairn::physics {
+namespace {
+
+using namespace test;
+
+double d(float x) {
+    return static_cast<double>(x);
+}
+
+double energy(const World& world, double gravity_m_s2) {
+    double sum = 0;
+    for (const BodyId id : world.bodies()) {
+        const Body body = *world.body(id);
+        sum += kinetic_energy(body) + gravity_m_s2 * d(body.mass()) * body.world_center().y;
+    }
+    return sum;
+}
+
+// A row of bars from `from_x` to the right, pinned to each other; returns them.
+std::vector<BodyId> add_bars(World& world, int count, double from_x, double length_m, const ShapeDef& shape) {
+    std::vector<BodyId> bars;
+    const auto half = static_cast<float>(length_m / 2);
+    for (int i = 0; i < count; ++i) {
+        bars.push_back(
+            add(world, {.position_m = {from_x + length_m * (i + 0.5), 0}}, Box{half, 0.05f}, shape));
+        if (i == 0) continue;
+        world
+            .create_joint(RevoluteJointDef{.body_a = bars[bars.size() - 2],
+                                           .body_b = bars.back(),
+                                           .local_anchor_a_m = {half, 0},
+                                           .local_anchor_b_m = {-half, 0}})
+            .value();
+    }
+    return bars;
+}
+
+void pin(World& world, BodyId a, BodyId b, Vec2 on_a, Vec2 on_b) {
+    world
+        .create_joint(
+            RevoluteJointDef{.body_a = a, .body_b = b, .local_anchor_a_m = on_a, .local_anchor_b_m = on_b})
+        .value();
+}
+
+}  // namespace
+
+TEST_CASE("a whip with a ball at its end keeps its energy while it cracks") {
+    World world({.enable_sleep = false});
+    const BodyId hook = world.create_body({.type = BodyType::Static}).value();
+    const std::vector<BodyId> links =
+        add_bars(world, 20, 0, 0.5, {.density_kg_m2 = 20, .filter = {.group = -1}});
+    pin(world, hook, links.front(), {}, {-0.25f, 0});
+    const BodyId ball = add(world, {.position_m = {10, 0}}, Circle{{}, 0.5f},
+                            {.density_kg_m2 = 12.7324f, .filter = {.group = -1}});
+    pin(world, links.back(), ball, {0.25f, 0}, {});
+    // Above that of hanging straight down.
+    double there = 0;
+    for (int i = 0; i < 20; ++i) there += 10 * d(world.body(links[0])->mass()) * (0.5 * i + 0.25);
+    there += 10 * d(world.body(ball)->mass()) * 10;
+    const double start = energy(world, 10) + there;
+    double most = 0;
+    double fastest = 0;
+    for (int i = 0; i < 600; ++i) {
+        world.step(kStep_s).value();
+        most = std::max(most, energy(world, 10) + there);
+        for (const BodyId link : links)
+            fastest = std::max(fastest, std::fabs(d(world.body(link)->angular_velocity())));
+    }
+    CHECK(fastest > 30);
+    CHECK(most < 1.01 * start);
+    CHECK(energy(world, 10) + there > 0.95 * start);
+}
+
+TEST_CASE("a taut bridge under falling boxes throws none of them up, and all sleeps") {
+    World world;
+    const BodyId banks = world.create_body({.type = BodyType::Static}).value();
+    constexpr int kPlanks = 30;
+    const std::vector<BodyId> planks =
+        add_bars(world, kPlanks, 0, 1, {.density_kg_m2 = 10, .material = {.friction = 0.8f}});
+    pin(world, banks, planks.front(), {}, {-0.5f, 0});
+    pin(world, planks.back(), banks, {0.5f, 0}, {kPlanks, 0});
+    std::vector<BodyId> boxes;
+    for (int i = 0; i < 20; ++i)
+        boxes.push_back(add(world, {.position_m = {2 + 2.7 * (i % 10), 2 + 1.5 * (i / 10)}}, Box{0.4f, 0.4f},
+                            {.density_kg_m2 = 2}));
+    const double start = energy(world, 10);
+    for (int i = 0; i < 600; ++i) {
+        world.step(kStep_s).value();
+        REQUIRE(energy(world, 10) < start + 1);
+        for (const BodyId box : boxes) REQUIRE(world.body(box)->position().y < 4);
+    }
+    CHECK(world.awake_body_count() == 0);
+    for (const BodyId box : boxes) CHECK(world.body(box)->position().y > 0);
+}
+
+TEST_CASE("a ring of bars in flight gains no energy, and keeps its momentum") {
+    World world({.gravity_m_s2 = {}, .joint_solver = JointSolver::Direct, .enable_sleep = false});
+    // Two rows on each other, pinned at both ends: taut to begin with.
+    const ShapeDef shape{.density_kg_m2 = 10, .filter = {.group = -1}};
+    const std::vector<BodyId> upper = add_bars(world, 6, 0, 0.5, shape);
+    const std::vector<BodyId> lower = add_bars(world, 6, 0, 0.5, shape);
+    pin(world, upper.front(), lower.front(), {-0.25f, 0}, {-0.25f, 0});
+    pin(world, upper.back(), lower.back(), {0.25f, 0}, {0.25f, 0});
+    world.body(upper[2])->set_linear_velocity({1, 8}).value();
+    world.body(lower[3])->set_linear_velocity({2, -5}).value();
+    const auto momentum = [&] {
+        Vec2 sum{};
+        for (const BodyId id : world.bodies())
+            sum += world.body(id)->mass() * world.body(id)->linear_velocity();
+        return sum;
+    };
+    const double start = energy(world, 0);
+    const Vec2 before = momentum();
+    for (int i = 0; i < 600; ++i) {
+        world.step(kStep_s).value();
+        REQUIRE(energy(world, 0) < 1.001 * start);
+    }
+    CHECK(d(momentum().x) == Approx(d(before.x)).epsilon(1e-3));
+    CHECK(d(momentum().y) == Approx(d(before.y)).epsilon(1e-3));
+}
+
+}  // namespace cairn::physics
