@@ -8,8 +8,8 @@
 //   move      x += h v, then two projections of x on C = 0 of the joints with the same factors
 //   close     v += h/2 of gravity and forces; the system anew where the bodies are now, with J v = 0; energy
 //             that nothing brought in is taken back
-// The half kicks before and after make a pendulum keep its energy to 1e-8 a minute. Where bodies turn fast, as
-// in whips, move and close are done in up to 32 parts, with the half kick in the last.
+// The half kicks before and after make a pendulum keep its energy to 1e-8 a minute. Where bodies turn fast,
+// as in whips, move and close are done in up to 32 parts, with the half kick in the last.
 //
 // Geometric stiffness: a taut joint turns a body back with k = sum |r| |F|, and explicit steps explode where
 // h^2 k > 4 I. So the system sees the inertia I~ = I + max(0, h^2 k - 2 I), with F of the last solution, and

@@ -97,6 +97,7 @@ double DirectComponent::work_done(const DirectScene& scene) const {
 // After a solution.
 double DirectComponent::surplus(const DirectScene& scene, double energy_before, int parts) const {
     const double gained = kinetic_energy(system_.velocity) - energy_before;
+    if (gained <= kTolerance * energy_before / parts) return 0;
     if (gained <= (kTolerance * energy_before + indifferent_energy(scene)) / parts) return 0;
     return std::max(0.0, gained - work_done(scene));
 }
