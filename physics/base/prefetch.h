@@ -15,6 +15,6 @@ inline void prefetch(const void* from, std::size_t size) {
 }
 
 /// How many blocks ahead: far enough for memory to answer, near enough for the cache to hold all of them.
-inline constexpr std::size_t kBlocksAhead = 2;
+inline constexpr std::size_t kBlocksAhead = 6;
 
 }  // namespace cairn::physics

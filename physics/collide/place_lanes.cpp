@@ -82,7 +82,7 @@ HWY_INLINE Vec between(const Place* places, const std::int32_t* a, const std::in
 
 void load_places(const Place* places, const Lanes<std::int32_t>& body_a, const Lanes<std::int32_t>& body_b,
                  unsigned lanes, BlockPlaces& out) {
-    out.fast = out.turn_far = out.boxes_moved = out.direct = 0;
+    out.fast = out.turn_far = out.boxes_moved = out.direct = out.rouses = 0;
     for (int lane = 0; lane < kLanes; lane += kStep) {
         const M wanted = wanted_lanes(lanes, lane);
         alignas(32) std::int32_t a[kLanes];

@@ -176,6 +176,7 @@ int ContactLanes::open_block(int bucket) {
         for (int lane = 0; lane < kLanes; ++lane) clear_lane(blocks_.back(), lane);
         free_.reserve(pairs_.capacity());
         order_.reserve(pairs_.capacity());
+        in_memory_.reserve(pairs_.capacity());
     } else {
         block = free_.back();
         free_.pop_back();
@@ -210,6 +211,10 @@ void ContactLanes::arrange() {
         }
     }
     ranges_[kBuckets] = order_.size();
+    in_memory_.clear();
+    for (int block = 0; block < pool_size(); ++block) {
+        if (links_[block].used > 0) in_memory_.push_back(block);
+    }
 }
 
 ContactMemory ContactLanes::memory(int lane) const {

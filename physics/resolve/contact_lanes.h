@@ -133,12 +133,18 @@ class ContactLanes {
     [[nodiscard]] int first_block(int bucket) const { return chains_[bucket].first; }
     /// Lists the blocks of all buckets in colours, for the stages of a step. Adding and removing ends that.
     void arrange();
+    /// Blocks are numbered below this, those without contacts too.
+    [[nodiscard]] int pool_size() const { return static_cast<int>(pairs_.size()); }
     /// As of the last `arrange`: the buckets that hold contacts, and the blocks, bucket by bucket.
     [[nodiscard]] std::span<const int> buckets() const { return {used_.data(), used_count_}; }
     [[nodiscard]] std::span<const int> blocks() const { return order_; }
     [[nodiscard]] std::span<const int> blocks(int bucket) const {
         return std::span(order_).subspan(ranges_[bucket], ranges_[bucket + 1] - ranges_[bucket]);
     }
+    /// The same blocks as they stand in memory, for stages that look at each by itself: that is twice as fast
+    /// where they are more than the cache holds. A snapshot does not keep this order, so nothing may depend
+    /// on it.
+    [[nodiscard]] std::span<const int> blocks_in_memory() const { return in_memory_; }
     [[nodiscard]] const BlockLink& link(int block) const { return links_[block]; }
 
     /// Of lanes in colours.
@@ -181,7 +187,8 @@ class ContactLanes {
     std::vector<int> free_;
     std::array<Chain, kBuckets> chains_;
     bool is_arranged_ = true;
-    std::vector<int> order_;
+    std::vector<int> order_;      // of blocks, bucket by bucket
+    std::vector<int> in_memory_;  // the same, ascending
     std::array<std::size_t, kBuckets + 1> ranges_{};
     std::array<int, kBuckets> used_{};  // buckets
     std::size_t used_count_ = 0;

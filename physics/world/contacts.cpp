@@ -233,11 +233,12 @@ class Update {
                            world_.def.gravity_m_s2, time_.dt_s, input);
     }
 
-    // All blocks, on several threads; then what they found that touches more than the block itself.
+    // All blocks, on several threads and as they stand in memory; then what they found that touches more than
+    // the block itself, in the order of the colours.
     void update_blocks() {
-        const std::span<const int> blocks = stores_.contacts.lanes.blocks();
+        const std::span<const int> blocks = stores_.contacts.lanes.blocks_in_memory();
         const int count = static_cast<int>(blocks.size());
-        resize_amply(scratch_.gone_lanes, blocks.size());
+        resize_amply(scratch_.block_findings, static_cast<std::size_t>(stores_.contacts.lanes.pool_size()));
         scratch_.notes.start(count, kBlocksPerChunk, world_.tasks);
         world_.tasks.parallel_for(count, kBlocksPerChunk, [&](const Chunk& chunk) {
             BlockPlaces places;
@@ -245,16 +246,26 @@ class Update {
             ChunkedList<LaneNote>::Appender notes(scratch_.notes, chunk);
             for (int i = chunk.begin; i < chunk.end; ++i) {
                 fetch_ahead(blocks, i);
-                scratch_.gone_lanes[i] =
-                    static_cast<std::uint8_t>(update_block(blocks[i], places, manifold, notes.items()));
+                BlockFindings& found = scratch_.block_findings[blocks[i]];
+                const std::size_t noted = notes.items().size();
+                const unsigned gone = update_block(blocks[i], places, manifold, notes.items());
+                found.gone = static_cast<std::uint8_t>(gone);
+                found.notes = static_cast<std::uint8_t>(notes.items().size() - noted);
             }
         });
-        for (int i = 0; i < count; ++i) {
-            for (unsigned gone = scratch_.gone_lanes[i]; gone != 0; gone &= gone - 1)
-                scratch_.gone.push_back(
-                    stores_.contacts.lanes.pairs(blocks[i]).contact[std::countr_zero(gone)]);
+        int all_notes = 0;
+        for (const int block : stores_.contacts.lanes.blocks()) {
+            BlockFindings& found = scratch_.block_findings[block];
+            for (unsigned gone = found.gone; gone != 0; gone &= gone - 1)
+                scratch_.gone.push_back(stores_.contacts.lanes.pairs(block).contact[std::countr_zero(gone)]);
+            found.next_note = all_notes;
+            all_notes += found.notes;
         }
-        scratch_.notes.for_each([&](const LaneNote& note) { settle(note); });
+        resize_amply(scratch_.notes_in_order, static_cast<std::size_t>(all_notes));
+        scratch_.notes.for_each([&](const LaneNote& note) {
+            scratch_.notes_in_order[scratch_.block_findings[note.block].next_note++] = &note;
+        });
+        for (const LaneNote* note : scratch_.notes_in_order) settle(*note);
     }
 
     void fetch_ahead(std::span<const int> blocks, int at) const {

@@ -147,13 +147,13 @@ class AllBlocks {
         }
     }
 
-    [[nodiscard]] int size() const { return first_.back() + static_cast<int>(lanes_.blocks().size()); }
+    [[nodiscard]] int size() const { return first_.back() + static_cast<int>(lanes_.blocks_in_memory().size()); }
 
     /// Calls visit(pairs, how many lanes are used).
     template <class Visit>
     void with(int i, Visit&& visit) const {
         if (i >= first_.back()) {
-            const int block = lanes_.blocks()[i - first_.back()];
+            const int block = lanes_.blocks_in_memory()[i - first_.back()];
             return visit(lanes_.pairs(block), lanes_.link(block).used);
         }
         int g = 0;

@@ -49,31 +49,37 @@ void share(std::span<const float> x, float load, float moment, std::span<float> 
     if (pulls) share_by_lever(x, load, moment / load, shares);
 }
 
-// The estimate of one step, from contacts in lanes and in plain form alike. Supports are numbered: lanes of
-// blocks in the order of the step, then those of contacts in plain form.
+// The estimate of one step, from contacts in lanes and in plain form alike. Supports are numbered as the
+// lanes of the pool of blocks, of which those without contacts are left out, then those of contacts in plain
+// form. A body has them in the order of the blocks' colours, which snapshots keep.
 class Estimate {
   public:
     Estimate(ContactLanes& lanes, StepScratch& scratch, Vec2 up)
-        : lanes_(lanes), step_(scratch), motions_(scratch.motions), scratch_(scratch.statics), up_(up) {
+        : lanes_(lanes),
+          step_(scratch),
+          motions_(scratch.motions),
+          scratch_(scratch.statics),
+          up_(up),
+          first_plain_(static_cast<std::size_t>(lanes.pool_size())) {
         assign_amply(scratch_.stands, static_cast<std::size_t>(motions_.size()), {});
         scratch_.ready.clear();
     }
 
     void find_supports(TaskPool& tasks) {
-        const std::span<const int> blocks = lanes_.blocks();
+        const std::span<const int> blocks = lanes_.blocks_in_memory();
         const std::size_t plain_blocks = (step_.scalar_contacts.size() + kLanes - 1) / kLanes;
-        resize_amply(scratch_.supports, blocks.size() + plain_blocks);
+        resize_amply(scratch_.supports, first_plain_ + plain_blocks);
         resize_amply(scratch_.next, kLanes * scratch_.supports.size());
         tasks.parallel_for(static_cast<int>(blocks.size()), kBlocksPerChunk, [&](const Chunk& chunk) {
             for (int i = chunk.begin; i < chunk.end; ++i) {
                 const std::size_t ahead = static_cast<std::size_t>(i) + kBlocksAhead;
                 if (ahead < blocks.size()) prefetch(&lanes_.block(blocks[ahead]), sizeof(ContactBlock));
                 const BlockKind kind = kind_of(lanes_.link(blocks[i]).bucket);
-                physics::find_supports(lanes_.block(blocks[i]), kind, up_, scratch_.supports[i]);
+                physics::find_supports(lanes_.block(blocks[i]), kind, up_, scratch_.supports[blocks[i]]);
             }
         });
         for (std::size_t i = 0; i < kLanes * plain_blocks; ++i) {
-            SupportLanes& to = scratch_.supports[blocks.size() + i / kLanes];
+            SupportLanes& to = scratch_.supports[first_plain_ + i / kLanes];
             to.upper[i % kLanes] = kWorldRow;
             for (Lanes<float>& impulse : to.impulse) impulse[i % kLanes] = 0;
             if (i < step_.scalar_contacts.size())
@@ -98,16 +104,16 @@ class Estimate {
 
     /// Gives the contacts what was found.
     void tell(TaskPool& tasks) {
-        const std::span<const int> blocks = lanes_.blocks();
+        const std::span<const int> blocks = lanes_.blocks_in_memory();
         tasks.parallel_for(static_cast<int>(blocks.size()), kBlocksPerChunk, [&](const Chunk& chunk) {
             for (int i = chunk.begin; i < chunk.end; ++i) {
                 ContactBlock& block = lanes_.block(blocks[i]);
                 for (std::size_t k = 0; k < 2; ++k)
-                    block.points[k].static_impulse = scratch_.supports[i].impulse[k];
+                    block.points[k].static_impulse = scratch_.supports[blocks[i]].impulse[k];
             }
         });
         for (std::size_t i = 0; i < step_.scalar_contacts.size(); ++i) {
-            const SupportLanes& from = scratch_.supports[blocks.size() + i / kLanes];
+            const SupportLanes& from = scratch_.supports[first_plain_ + i / kLanes];
             ContactConstraint& to = step_.contacts[step_.scalar_contacts[i]];
             for (std::size_t k = 0; k < 2; ++k) to.points[k].static_impulse = from.impulse[k][i % kLanes];
         }
@@ -145,16 +151,25 @@ class Estimate {
 
     // Each body to its supports.
     void link() {
-        int support = 0;
-        for (const SupportLanes& lanes : scratch_.supports) {
-            for (int lane = 0; lane < kLanes; ++lane, ++support) {
-                const int upper = lanes.upper[lane];
-                if (upper == kWorldRow) continue;
-                StaticsScratch::Stand& stand = scratch_.stands[upper];
-                scratch_.next[support] = stand.first;
-                stand.first = support;
-                ++scratch_.stands[lanes.lower[lane]].above;
-            }
+        const std::span<const int> blocks = lanes_.blocks();
+        for (std::size_t i = 0; i < blocks.size(); ++i) {
+            const std::size_t ahead = i + kBlocksAhead;
+            if (ahead < blocks.size()) prefetch(&scratch_.supports[blocks[ahead]], 2 * kCacheLine_B);
+            link(static_cast<std::size_t>(blocks[i]));
+        }
+        for (std::size_t i = first_plain_; i < scratch_.supports.size(); ++i) link(i);
+    }
+
+    void link(std::size_t block) {
+        const SupportLanes& lanes = scratch_.supports[block];
+        for (int lane = 0; lane < kLanes; ++lane) {
+            const int upper = lanes.upper[lane];
+            if (upper == kWorldRow) continue;
+            const int support = static_cast<int>(block) * kLanes + lane;
+            StaticsScratch::Stand& stand = scratch_.stands[upper];
+            scratch_.next[support] = stand.first;
+            stand.first = support;
+            ++scratch_.stands[lanes.lower[lane]].above;
         }
     }
 
@@ -196,6 +211,7 @@ class Estimate {
     const Motions& motions_;
     StaticsScratch& scratch_;
     Vec2 up_;
+    std::size_t first_plain_;  // of the supports' blocks
 };
 
 }  // namespace

@@ -151,6 +151,13 @@ struct LaneNote {
     ContactInput input;
 };
 
+/// What was found in a block in a colour that touches more than the block.
+struct BlockFindings {
+    int next_note = 0;  // of all blocks, in the order of the colours
+    std::uint8_t notes = 0;
+    std::uint8_t gone = 0;  // bits: lanes of which the boxes have parted
+};
+
 /// What was found in a block of pairs that had no points, as bits by lane.
 struct NearFindings {
     std::uint8_t gone = 0;       // the boxes have parted
@@ -193,8 +200,9 @@ struct StepScratch {
     ChunkedList<int> fast_found;
     ChunkedList<int> untold_boxes;  // of shapes: written, but not known to the broad phase yet
     WayScratch ways;
-    std::vector<std::uint8_t> gone_lanes;  // of blocks in colours, in their order, as bits
+    std::vector<BlockFindings> block_findings;  // of blocks in colours, by their number
     ChunkedList<LaneNote> notes;
+    std::vector<const LaneNote*> notes_in_order;  // of the colours
     std::vector<NearFindings> near_findings;
     ChunkedList<NearAhead> ahead_found;
     std::vector<NearAhead> near_ahead;  // in the order of their lanes
