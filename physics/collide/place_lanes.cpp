@@ -116,10 +116,27 @@ void load_places(const Place* places, const Lanes<std::int32_t>& body_a, const L
     out.rouses &= lanes;
 }
 
-// Discs that hold the shapes, along the line between their centres.
+// What rounding may make of a gap, as a share of what the bodies measure.
+constexpr float kRounding = 1e-5f;
+
+// How far apart the shapes are at least, by when they were looked at. Seen from a, no point of b has gone
+// further since than its centre and its own turn took it.
+HWY_INLINE V gap_left(const NearSight* sights, V reach, Vec q_a, Vec q_b, Vec between) {
+    static_assert(sizeof(NearSight) == 32 && offsetof(NearSight, turn) == 12);
+    const float* from[kStep];
+    for (int i = 0; i < kStep; ++i) from[i] = &sights[i].gap_m;
+    const Columns head = load_rows(from, 0);  // gap, centre, cosine
+    const Columns tail = load_rows(from, 4);  // sine
+    const Vec moved = sub(inverse_rotate(q_a, between), {head.y, head.z});
+    const Vec chord = sub(inverse_rotate(q_a, q_b), {head.u, tail.x});
+    const V arm = hn::Mul(reach, hn::Add(hn::Sqrt(dot(chord, chord)), set(kRounding)));
+    return hn::Sub(head.x, hn::Add(hn::Sqrt(dot(moved, moved)), arm));
+}
+
+// Discs that hold the shapes, along the line between their centres; and what earlier looks said.
 void look_near(const Place* places, const Lanes<std::int32_t>& body_a, const Lanes<std::int32_t>& body_b,
-               const Lanes<float>& reach_m, const Advance* advances, float dt_s, unsigned lanes,
-               NearLanes& out) {
+               const Lanes<float>& reach_m, const NearSight* sights, unsigned seen, const Advance* advances,
+               float dt_s, unsigned lanes, NearLanes& out) {
     for (int lane = 0; lane < kLanes; lane += kStep) {
         const M wanted = wanted_lanes(lanes, lane);
         alignas(32) std::int32_t a[kLanes];
@@ -141,11 +158,19 @@ void look_near(const Place* places, const Lanes<std::int32_t>& body_a, const Lan
         const V opening = hn::Div(hn::Mul(set(dt_s), dot(velocity, d)), distance);
         const M is_fast = hn::RebindMask(D(), hn::Ne(fast, hn::Zero(DI())));
         const V least = hn::IfThenElseZero(is_fast, hn::Min(opening, hn::Zero(D())));
-        const V gap = hn::Add(hn::Sub(distance, load(reach_m, lane)), least);
+        const V reach = load(reach_m, lane);
+        const V gap = hn::Add(hn::Sub(distance, reach), least);
         // So that a distance of 0, which has no direction, counts as close.
-        const M apart = hn::Gt(gap, set(tuning::kSpeculativeDistance_m));
-        out.close |= bits_of(hn::Not(apart)) << lane;
+        const V near = set(tuning::kSpeculativeDistance_m);
         out.boxes_moved |= flagged(flags, place_flag::kBoxesMoved) << lane;
+        const M close = hn::And(wanted, hn::Not(hn::Gt(gap, near)));
+        out.close |= bits_of(close) << lane;
+        if ((out.close & seen) >> lane == 0) continue;
+        const V turning = hn::Add(advance_a.z, advance_b.z);
+        const V way = hn::Mul(set(dt_s), hn::Add(hn::Sqrt(dot(velocity, velocity)), turning));
+        const V left = gap_left(sights + lane, reach, {turn_a.x, turn_a.y}, {turn_b.x, turn_b.y}, d);
+        const M apart = hn::Gt(hn::Sub(left, hn::IfThenElseZero(is_fast, way)), near);
+        out.close &= ~((bits_of(apart) << lane) & seen);
     }
     out.close &= lanes;
     out.boxes_moved &= lanes;
@@ -218,15 +243,23 @@ HWY_EXPORT(load_places);
 HWY_EXPORT(look_near);
 HWY_EXPORT(find_passed);
 
+NearSight make_sight(const PoseLanes& poses, int lane, float gap_m) {
+    const Rotation q_a{poses.cos_a[lane], poses.sin_a[lane]};
+    const Vec2 turn = inverse_rotate(q_a, {poses.cos_b[lane], poses.sin_b[lane]});
+    return {gap_m, inverse_rotate(q_a, {poses.dx[lane], poses.dy[lane]}), {turn.x, turn.y}};
+}
+
 void load_places(const Place* places, const Lanes<std::int32_t>& body_a, const Lanes<std::int32_t>& body_b,
                  unsigned lanes, BlockPlaces& out) {
     HWY_DYNAMIC_DISPATCH(load_places)(places, body_a, body_b, lanes, out);
 }
 
 NearLanes look_near(const Place* places, const Lanes<std::int32_t>& body_a, const Lanes<std::int32_t>& body_b,
-                    const Lanes<float>& reach_m, const Advance* advances, float dt_s, unsigned lanes) {
+                    const Lanes<float>& reach_m, const NearSight* sights, unsigned seen,
+                    const Advance* advances, float dt_s, unsigned lanes) {
     NearLanes out;
-    HWY_DYNAMIC_DISPATCH(look_near)(places, body_a, body_b, reach_m, advances, dt_s, lanes, out);
+    HWY_DYNAMIC_DISPATCH(look_near)
+    (places, body_a, body_b, reach_m, sights, seen, advances, dt_s, lanes, out);
     return out;
 }
 

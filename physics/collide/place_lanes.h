@@ -39,10 +39,22 @@ struct NearLanes {
     unsigned boxes_moved = 0;
 };
 
+/// What was seen of a pair without points. How one body lies as seen from the other tells how much of the gap
+/// can be gone by now: what moves along with its neighbour need not be looked at again.
+struct alignas(32) NearSight {
+    float gap_m = 0;  // the shapes were at least this far apart
+    Vec2 center;      // m, of b, in the frame of a
+    Rotation turn;    // of b as seen from a
+};
+
+/// `poses` of a pair of which the shapes are so far apart.
+NearSight make_sight(const PoseLanes& poses, int lane, float gap_m);
+
 /// Of some lanes. `reach_m`: sum of the radii of the discs about the centres of mass that hold the shapes;
-/// `advances` are by row.
+/// `sights` are those of the lanes that have a bit in `seen`, `advances` are by row.
 NearLanes look_near(const Place* places, const Lanes<std::int32_t>& body_a, const Lanes<std::int32_t>& body_b,
-                    const Lanes<float>& reach_m, const Advance* advances, float dt_s, unsigned lanes);
+                    const Lanes<float>& reach_m, const NearSight* sights, unsigned seen,
+                    const Advance* advances, float dt_s, unsigned lanes);
 
 /// What a body did in a step.
 struct alignas(32) Displacement {

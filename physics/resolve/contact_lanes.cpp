@@ -18,6 +18,7 @@ void copy_pair(PairBlock& to, int to_lane, const PairBlock& from, int from_lane)
     copy_bit(to.reports, from.reports);
     copy_bit(to.impacts, from.impacts);
     copy_bit(to.remembers, from.remembers);
+    copy_bit(to.seen, from.seen);
 }
 
 void write_pair(PairBlock& to, int lane, const PairLane& from) {
@@ -41,6 +42,7 @@ void write_pair(PairBlock& to, int lane, const PairLane& from) {
     put_bit(to.reports, from.reports);
     put_bit(to.impacts, from.impacts);
     put_bit(to.remembers, from.remembers);
+    put_bit(to.seen, false);
 }
 
 void copy_lane(ContactBlock& to, int to_lane, const ContactBlock& from, int from_lane) {
@@ -144,6 +146,7 @@ int ContactLanes::add_near(PairGeometry geometry, const PairLane& pair) {
         blocks.emplace_back();
         clear_pairs(blocks.back());
         near_reaches_[index(geometry)].emplace_back();
+        near_sights_[index(geometry)].resize(blocks.size() * kLanes);
     }
     write_pair(blocks[block], lane % kLanes, pair);
     near_reaches_[index(geometry)][block].m[lane % kLanes] = pair.reach_m;
@@ -155,6 +158,8 @@ int ContactLanes::remove_near(PairGeometry geometry, int lane) {
     const int last = --near_count_[index(geometry)];
     PairBlock& to = blocks[lane / kLanes];
     PairBlock& from = blocks[last / kLanes];
+    if ((from.seen >> last % kLanes & 1) != 0)
+        near_sights_[index(geometry)][lane] = near_sights_[index(geometry)][last];
     copy_pair(to, lane % kLanes, from, last % kLanes);
     write_pair(from, last % kLanes, PairLane{});
     std::vector<NearReaches>& reaches = near_reaches_[index(geometry)];

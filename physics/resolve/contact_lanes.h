@@ -14,6 +14,7 @@
 #include "base/slot_map.h"
 #include "base/task_pool.h"
 #include "collide/box_lanes.h"
+#include "collide/place_lanes.h"
 #include "resolve/contact_block.h"
 #include "resolve/contact_constraint.h"
 #include "resolve/prepare_kernel.h"
@@ -40,6 +41,7 @@ struct alignas(64) PairBlock {
     std::uint8_t reports = 0;    // bits: touching is told, which takes the plain form of the contact too
     std::uint8_t impacts = 0;    // bits: impacts bounce or are told; they take that form as well
     std::uint8_t remembers = 0;  // bits: it had points in the last step, though it is not in a colour
+    std::uint8_t seen = 0;       // bits: a near pair that has its NearSight
 };
 
 /// Where a block in a colour stands.
@@ -122,6 +124,10 @@ class ContactLanes {
     [[nodiscard]] const std::vector<NearReaches>& near_reaches(PairGeometry geometry) const {
         return near_reaches_[index(geometry)];
     }
+    /// What was seen of near pairs, by lane, as their blocks say. Only speed depends on it.
+    [[nodiscard]] std::vector<NearSight>& near_sights(PairGeometry geometry) {
+        return near_sights_[index(geometry)];
+    }
     [[nodiscard]] int near_count(PairGeometry geometry) const { return near_count_[index(geometry)]; }
 
     [[nodiscard]] PairBlock& pairs(int block) { return pairs_[block]; }
@@ -180,6 +186,7 @@ class ContactLanes {
 
     std::array<std::vector<PairBlock>, kPairGeometries> near_;
     std::array<std::vector<NearReaches>, kPairGeometries> near_reaches_;  // beside the pairs
+    std::array<std::vector<NearSight>, kPairGeometries> near_sights_;     // by lane
     std::array<int, kPairGeometries> near_count_{};
     std::vector<PairBlock> pairs_;
     std::vector<BlockLink> links_;      // beside the pairs

@@ -53,8 +53,8 @@ std::byte* put_lanes(std::byte* at, const Lanes<T>& lanes, int used, T unused) {
 
 // What near blocks and those in colours have in common.
 std::byte* put_pairs(std::byte* at, const PairBlock& pairs, int used) {
-    const auto& [contact, body_a, body_b, shape_a, shape_b, boxes, features, reports, impacts, remembers] =
-        pairs;
+    const auto& [contact, body_a, body_b, shape_a, shape_b, boxes, features, reports, impacts, remembers,
+                 seen] = pairs;
     for (const IntLanes* lanes : {&contact, &shape_a, &shape_b}) at = put_lanes(at, *lanes, used, kNone);
     const auto& [half_ax, half_ay, half_bx, half_by, offset_ax, offset_ay, offset_bx, offset_by] = boxes;
     for (const FloatLanes* lanes :
@@ -66,7 +66,8 @@ std::byte* put_pairs(std::byte* at, const PairBlock& pairs, int used) {
 }
 
 const std::byte* get_pairs(const std::byte* at, PairBlock& pairs, Reading& reading) {
-    auto& [contact, body_a, body_b, shape_a, shape_b, boxes, features, reports, impacts, remembers] = pairs;
+    auto& [contact, body_a, body_b, shape_a, shape_b, boxes, features, reports, impacts, remembers, seen] =
+        pairs;
     for (IntLanes* lanes : {&contact, &shape_a, &shape_b}) at = get(at, *lanes, reading);
     auto& [half_ax, half_ay, half_bx, half_by, offset_ax, offset_ay, offset_bx, offset_by] = boxes;
     for (FloatLanes* lanes :
@@ -76,11 +77,12 @@ const std::byte* get_pairs(const std::byte* at, PairBlock& pairs, Reading& readi
     body_b.fill(kNone);
     for (auto& lanes : features) lanes.fill(kNoFeature);
     for (std::uint8_t* bits : {&reports, &impacts, &remembers}) at = get(at, *bits, reading);
+    seen = 0;  // they are looked at again
     return at;
 }
 
 void save_near(const ContactLanes& lanes, Writer& out) {
-    StateAccess::near(lanes, [&](const auto& near, const auto& reaches, const auto& counts) {
+    StateAccess::near(lanes, [&](const auto& near, const auto& reaches, const auto&, const auto& counts) {
         for (std::size_t g = 0; g < near.size(); ++g) {
             const int count = counts[g];
             out.count(static_cast<std::size_t>(count));
@@ -245,7 +247,7 @@ class Placing {
     }
 
     void load_near() {
-        StateAccess::near(stores_.contacts.lanes, [&](auto& near, auto& reaches, auto& counts) {
+        StateAccess::near(stores_.contacts.lanes, [&](auto& near, auto& reaches, auto& sights, auto& counts) {
             for (std::size_t g = 0; g < near.size(); ++g) {
                 const std::size_t count = in_.count(kNearBytes / kLanes);
                 const std::size_t blocks = (count + kLanes - 1) / kLanes;
@@ -254,6 +256,7 @@ class Placing {
                 if (at == nullptr) return;
                 near[g].resize(blocks);
                 reaches[g].resize(blocks);
+                sights[g].resize(blocks * kLanes);
                 counts[g] = static_cast<int>(count);
                 const int bucket = near_bucket(static_cast<PairGeometry>(g));
                 for (std::size_t block = 0; block < blocks; ++block) {

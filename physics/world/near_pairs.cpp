@@ -15,10 +15,11 @@ constexpr int kBlocksPerChunk = 32;
 // Looks at some blocks of near pairs, one after the other.
 class NearLook {
   public:
-    NearLook(const Stores& stores, PairGeometry geometry, int first_block, Vec2 gravity_m_s2, float dt_s,
+    NearLook(Stores& stores, PairGeometry geometry, int first_block, Vec2 gravity_m_s2, float dt_s,
              StepScratch& scratch, std::vector<NearAhead>& ahead)
         : stores_(stores),
           lanes_(stores.contacts.lanes),
+          sights_(stores.contacts.lanes.near_sights(geometry)),
           geometry_(geometry),
           first_block_(first_block),
           gravity_m_s2_(gravity_m_s2),
@@ -28,9 +29,9 @@ class NearLook {
 
     void look_at(int block, unsigned lanes) {
         const PairBlock& pairs = lanes_.near_pairs(geometry_)[block];
-        const NearLanes near =
-            look_near(stores_.bodies.places.data(), pairs.body_a, pairs.body_b,
-                      lanes_.near_reaches(geometry_)[block].m, scratch_.advances.data(), dt_s_, lanes);
+        const NearLanes near = look_near(stores_.bodies.places.data(), pairs.body_a, pairs.body_b,
+                                         lanes_.near_reaches(geometry_)[block].m, &sights_[block * kLanes],
+                                         pairs.seen, scratch_.advances.data(), dt_s_, lanes);
         NearFindings& found = scratch_.near_findings[block - first_block_];
         found = {};
         found.gone = static_cast<std::uint8_t>(gone_lanes(stores_.fat_boxes, pairs, near.boxes_moved));
@@ -67,6 +68,8 @@ class NearLook {
                 found.meets |= bit;
                 continue;
             }
+            sights_[from_[lane]] = make_sight(places_.poses, lane, manifold_.gap[lane]);
+            lanes_.near_pairs(geometry_)[from_[lane] / kLanes].seen |= bit;
             if (may_reach(scratch_.advances, places_, manifold_, lane, dt_s_)) found.rouses |= bit;
             ContactInput input;
             if (!meets_ahead(stores_, scratch_.advances, places_, manifold_, lane, pairs.contact[lane],
@@ -78,7 +81,8 @@ class NearLook {
     }
 
     const Stores& stores_;
-    const ContactLanes& lanes_;
+    ContactLanes& lanes_;
+    std::vector<NearSight>& sights_;
     const PairGeometry geometry_;
     const int first_block_;
     const Vec2 gravity_m_s2_;
@@ -115,8 +119,8 @@ bool may_reach(const std::vector<Advance>& advances, const BlockPlaces& places, 
     return manifold.gap[lane] > 0 && manifold.gap[lane] <= dt_s * closing;
 }
 
-void find_near(const Stores& stores, PairGeometry geometry, int first, int count, Vec2 gravity_m_s2,
-               float dt_s, StepScratch& scratch, TaskPool& tasks) {
+void find_near(Stores& stores, PairGeometry geometry, int first, int count, Vec2 gravity_m_s2, float dt_s,
+               StepScratch& scratch, TaskPool& tasks) {
     const int first_block = first / kLanes;
     const int blocks = (count + kLanes - 1) / kLanes - first_block;
     resize_amply(scratch.near_findings, static_cast<std::size_t>(blocks));

@@ -1,6 +1,6 @@
 // Pairs without points: which of them meet, which will meet within the step, and which have parted. Most are
-// told by two discs, eight pairs at once; what is left is packed, so that lanes of the manifold's routines
-// are full.
+// told by two discs, or by how far apart they were when they were looked at, eight pairs at once; what is
+// left is packed, so that lanes of the manifold's routines are full.
 #pragma once
 
 #include <algorithm>
@@ -29,7 +29,7 @@ bool may_reach(const std::vector<Advance>& advances, const BlockPlaces& places, 
 /// Looks at the near pairs of a geometry from lane `first` up to `count`, on several threads. Findings are by
 /// block, from that of `first` on, in `near_findings`; `near_ahead` has what will meet, in the order of
 /// the lanes.
-void find_near(const Stores& stores, PairGeometry geometry, int first, int count, Vec2 gravity_m_s2,
-               float dt_s, StepScratch& scratch, TaskPool& tasks);
+void find_near(Stores& stores, PairGeometry geometry, int first, int count, Vec2 gravity_m_s2, float dt_s,
+               StepScratch& scratch, TaskPool& tasks);
 
 }  // namespace cairn::physics

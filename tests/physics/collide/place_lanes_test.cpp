@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include <cairn/physics/simd.h>
@@ -115,8 +116,9 @@ TEST_CASE("pairs are called apart when their discs are, for the whole step if on
                 advances[row].velocity_m_s = crowd.random.vector(-100, 100);
             alignas(32) Lanes<float> reach_m{};
             for (float& reach : reach_m) reach = crowd.random.real_f(0, 3);
+            const std::array<NearSight, kLanes> unseen{};
             const NearLanes found = look_near(crowd.places.data(), crowd.body_a, crowd.body_b, reach_m,
-                                              advances.data(), kDt_s, crowd.lanes);
+                                              unseen.data(), 0, advances.data(), kDt_s, crowd.lanes);
             REQUIRE((found.close & ~crowd.lanes) == 0);
             for (int lane = 0; lane < kLanes; ++lane) {
                 if ((crowd.lanes >> lane & 1) == 0) continue;
@@ -143,6 +145,110 @@ TEST_CASE("pairs are called apart when their discs are, for the whole step if on
     });
 }
 
+TEST_CASE("a pair that was seen apart is called close before its points are, wherever its bodies went") {
+    at_every_level([] {
+        int close = 0;
+        int apart = 0;
+        for (std::uint64_t seed = 1; seed <= 1500; ++seed) {
+            Crowd crowd(seed);
+            Random& random = crowd.random;
+            BlockPlaces before;
+            load_places(crowd.places.data(), crowd.body_a, crowd.body_b, crowd.lanes, before);
+            // A shape is one point of its body, which may be far from the centre.
+            std::vector<Vec2> arms;
+            for (int body = 0; body < kBodies; ++body) arms.push_back(random.vector(-2, 2));
+            const auto point = [&](int body) {
+                const Place& place = crowd.places[body];
+                return place.center + rotate(place.rotation, arms[body]);
+            };
+            alignas(32) Lanes<float> reach_m{};
+            std::array<NearSight, kLanes> sights;
+            for (int lane = 0; lane < kLanes; ++lane) {
+                if ((crowd.lanes >> lane & 1) == 0) continue;
+                const int a = crowd.body_a[lane];
+                const int b = crowd.body_b[lane];
+                reach_m[lane] = length(arms[a]) + length(arms[b]);
+                sights[lane] = make_sight(before.poses, lane, length(point(b) - point(a)));
+            }
+            // All go a long way together, and some of it each by themselves.
+            const float own = random.real_f(0, 0.5f);
+            const Position about = crowd.places[0].center;
+            const Rotation turn = Rotation::from_angle(random.real(-3, 3));
+            std::vector<Advance> advances(kBodies + 1);
+            for (Place& place : crowd.places) {
+                place.center = about + rotate(turn, place.center - about) + random.vector(-own, own);
+                place.rotation = turn * Rotation::from_angle(random.real(-own, own)) * place.rotation;
+            }
+            std::vector<float> spins(kBodies + 1);
+            for (int body = 0; body < kBodies; ++body) {
+                const int row = crowd.places[body].row;
+                if (row == 0) continue;
+                spins[row] = 20 * random.real_f(-own, own);
+                advances[row] = {random.vector(-40 * own, 40 * own),
+                                 std::fabs(spins[row]) * length(arms[body])};
+            }
+            const NearLanes found =
+                look_near(crowd.places.data(), crowd.body_a, crowd.body_b, reach_m, sights.data(),
+                          crowd.lanes, advances.data(), kDt_s, crowd.lanes);
+            for (int lane = 0; lane < kLanes; ++lane) {
+                if ((crowd.lanes >> lane & 1) == 0) continue;
+                const Place& a = crowd.places[crowd.body_a[lane]];
+                const Place& b = crowd.places[crowd.body_b[lane]];
+                const bool fast = ((a.flags | b.flags) & place_flag::kFast) != 0;
+                const auto way = [&](int body, float share) {
+                    const Place& place = crowd.places[body];
+                    const Displacement moved{.moved = kDt_s * advances[place.row].velocity_m_s};
+                    return moved_point(moved, rotate(place.rotation, arms[body]), kDt_s * spins[place.row],
+                                       share);
+                };
+                float least = std::numeric_limits<float>::infinity();
+                for (int i = 0; i <= (fast ? 64 : 0); ++i) {
+                    const float share = static_cast<float>(i) / 64;
+                    least = std::min(least, length((b.center - a.center) + way(crowd.body_b[lane], share) -
+                                                   way(crowd.body_a[lane], share)));
+                }
+                const bool is_close = (found.close >> lane & 1) != 0;
+                if (least < tuning::kSpeculativeDistance_m) REQUIRE(is_close);
+                (is_close ? close : apart) += 1;
+            }
+        }
+        CHECK(close > 300);
+        CHECK(apart > 300);
+    });
+}
+
+TEST_CASE("what moves along with its neighbour is not looked at again") {
+    at_every_level([] {
+        std::vector<Place> places(2, Place{.flags = place_flag::kFast});
+        places[1].center = {1, 0};
+        alignas(32) const Lanes<std::int32_t> body_a{};
+        alignas(32) const Lanes<std::int32_t> body_b{1, 1, 1, 1, 1, 1, 1, 1};
+        alignas(32) Lanes<float> reach_m;
+        reach_m.fill(3);  // their discs overlap
+        const std::vector<Advance> advances(1);
+        const auto close = [&](const std::array<NearSight, kLanes>& sights, unsigned seen) {
+            return look_near(places.data(), body_a, body_b, reach_m, sights.data(), seen, advances.data(),
+                             kDt_s, 255)
+                .close;
+        };
+        BlockPlaces found;
+        load_places(places.data(), body_a, body_b, 255, found);
+        std::array<NearSight, kLanes> sights;
+        for (int lane = 0; lane < kLanes; ++lane)
+            sights[lane] = make_sight(found.poses, lane, 2 * tuning::kSpeculativeDistance_m);
+        CHECK(close(sights, 0) == 255);
+        CHECK(close(sights, 5) == 250);
+        const Rotation turn = Rotation::from_angle(2);
+        for (Place& place : places) {
+            place.center = Position{300, -700} + rotate(turn, place.center - Position{});
+            place.rotation = turn;
+        }
+        CHECK(close(sights, 255) == 0);
+        places[1].center = places[1].center + Vec2{1.1f * tuning::kSpeculativeDistance_m, 0};
+        CHECK(close(sights, 255) == 255);
+    });
+}
+
 TEST_CASE("two bodies in the same place are close") {
     at_every_level([] {
         const std::vector<Place> places(2, Place{.flags = place_flag::kFast});
@@ -150,7 +256,9 @@ TEST_CASE("two bodies in the same place are close") {
         alignas(32) const Lanes<std::int32_t> body_a{};
         alignas(32) const Lanes<std::int32_t> body_b{1, 1, 1, 1, 1, 1, 1, 1};
         alignas(32) const Lanes<float> reach_m{};
-        CHECK(look_near(places.data(), body_a, body_b, reach_m, advances.data(), kDt_s, 255).close == 255);
+        const std::array<NearSight, kLanes> unseen{};
+        CHECK(look_near(places.data(), body_a, body_b, reach_m, unseen.data(), 0, advances.data(), kDt_s, 255)
+                  .close == 255);
     });
 }
 
