@@ -147,7 +147,9 @@ class AllBlocks {
         }
     }
 
-    [[nodiscard]] int size() const { return first_.back() + static_cast<int>(lanes_.blocks_in_memory().size()); }
+    [[nodiscard]] int size() const {
+        return first_.back() + static_cast<int>(lanes_.blocks_in_memory().size());
+    }
 
     /// Calls visit(pairs, how many lanes are used).
     template <class Visit>
