@@ -62,9 +62,10 @@ class SlotMap {
 
     /// The slot that the handle names, or kNone for a null, stale or foreign one.
     [[nodiscard]] int find(Id id) const {
-        if (id.index1 == 0 || id.world != world_tag_ || id.index1 > slots_.size()) return kNone;
-        const int index = static_cast<int>(id.index1) - 1;
-        return slots_[index].alive && slots_[index].generation == id.generation ? index : kNone;
+        const std::size_t index = id.index1 - std::size_t{1};  // of the null handle beyond all slots
+        if (id.world != world_tag_ || index >= slots_.size()) return kNone;
+        const Slot& slot = slots_[index];
+        return slot.alive && slot.generation == id.generation ? static_cast<int>(index) : kNone;
     }
 
     T& operator[](int index) { return slots_[index].value; }

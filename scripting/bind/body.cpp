@@ -24,9 +24,8 @@ std::string_view type(BodyRef self) {
     return name_of(self.body.type());
 }
 
-Pair position(BodyRef self) {
-    const Position p = self.body.position();
-    return {p.x, p.y};
+Pair position(OriginOf self) {
+    return {self.position.x, self.position.y};
 }
 Change set_position(BodyRef self, double x, double y) {
     return self.body.set_transform({x, y}, static_cast<double>(self.body.angle()));

@@ -13,6 +13,10 @@
 namespace cairn::scripting {
 namespace {
 
+/// Which stand in that small table too, so that they are found in the first place looked at. With `data` they
+/// are four, which is what a table with two to the power of something has room for.
+constexpr const char* kMethodsAskedMost[] = {"position", "transform", "linear_velocity"};
+
 void push_world_table(lua_State* L, int world_index, WorldTable table) {
     lua_getiuservalue(L, world_index, static_cast<int>(table));
 }
@@ -176,12 +180,18 @@ void push_new_body(lua_State* L, int world_index, WorldObject& world, physics::B
     lua_pushvalue(L, world_index);
     lua_setiuservalue(L, -2, 1);
 
-    lua_createtable(L, 0, 3);  // the body's own metatable
-    lua_createtable(L, 0, 1);  // { data = ... }
+    lua_createtable(L, 0, 3);                                                   // the body's own metatable
+    lua_createtable(L, 0, 1 + static_cast<int>(std::size(kMethodsAskedMost)));  // { data = ... }
+    push_metatable(L, ObjectTag::Body);
+    lua_getfield(L, -1, "__index");
+    for (const char* method : kMethodsAskedMost) {  // before `data`: the first is found at the first look
+        lua_getfield(L, -1, method);
+        lua_setfield(L, -4, method);
+    }
+    lua_pop(L, 1);
+    lua_setmetatable(L, -2);
     lua_pushvalue(L, data);
     lua_setfield(L, -2, "data");
-    push_metatable(L, ObjectTag::Body);
-    lua_setmetatable(L, -2);
     lua_setfield(L, -2, "__index");
     lua_pushcfunction(L, set_body_field);
     lua_setfield(L, -2, "__newindex");

@@ -74,6 +74,10 @@ struct BodyRef {
     physics::Body body;
     int index;
 };
+/// Where a living body is: what scripts ask most, found without a view.
+struct OriginOf {
+    physics::Position position;
+};
 struct ShapeRef {
     ShapeObject& object;
     physics::Shape shape;
@@ -94,6 +98,16 @@ template <>
 struct Argument<BodyRef> {
     static constexpr std::string_view kType = "Body";
     static BodyRef get(lua_State* L, int index);
+};
+template <>
+struct Argument<OriginOf> {
+    static constexpr std::string_view kType = "Body";
+    static OriginOf get(lua_State* L, int index) {
+        if (const auto* object = object_at<BodyObject>(L, index); object != nullptr && object->world->world) {
+            if (const auto position = object->world->world->position_of(object->id)) return {*position};
+        }
+        return {Argument<BodyRef>::get(L, index).body.position()};  // in a pair filter; or raises why not
+    }
 };
 template <>
 struct Argument<ShapeRef> {

@@ -213,6 +213,41 @@ TEST_CASE("the mass of a body is that of its shapes, as they come and go") {
     CHECK(world.body(fixed)->mass() == 0);
 }
 
+TEST_CASE("the place of a body is told without a view, if there is such a body") {
+    World world;
+    World other;
+    const BodyId body = world.create_body({.position_m = {3, 4}, .angle_rad = 2}).value();
+    world.create_shape(body, Box{0.5f, 0.5f, {-2, 0}}).value();
+    const ShapeId lost = world.create_shape(body, Box{0.5f, 0.5f, {2, 1}}, {.density_kg_m2 = 3}).value();
+    CHECK(world.position_of(body) == world.body(body)->position());
+    world.destroy_shape(lost).value();
+    CHECK(world.position_of(body) == world.body(body)->position());
+    CHECK(world.position_of({}) == std::nullopt);
+    CHECK(other.position_of(body) == std::nullopt);
+    world.destroy_body(body).value();
+    CHECK(world.position_of(body) == std::nullopt);
+}
+
+TEST_CASE("all places are told in the order of the bodies, with the handles that the world gave out") {
+    World world;
+    const auto add_one = [&](int i) {
+        return add(world, {.position_m = {1.5 * i, 9}, .angle_rad = 0.1 * i}, Box{0.5f, 0.25f, {0.1f, 0}});
+    };
+    std::vector<BodyId> made;
+    for (int i = 0; i < 20; ++i) made.push_back(add_one(i));
+    for (std::size_t i = 0; i < made.size(); i += 3) world.destroy_body(made[i]).value();
+    for (int i = 20; i < 23; ++i) add_one(i);  // in slots that were used before
+    std::vector<BodyTransform> places(7);
+    world.read_transforms(places);
+    const std::vector<BodyId> bodies = world.bodies();
+    REQUIRE(places.size() == bodies.size());
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        CHECK(places[i].body == bodies[i]);
+        CHECK(places[i].transform.p == world.body(bodies[i])->position());
+        CHECK(places[i].transform.q.s == world.body(bodies[i])->transform().q.s);
+    }
+}
+
 TEST_CASE("a shape can be read back as it was made") {
     World world;
     const BodyId body = world.create_body({}).value();

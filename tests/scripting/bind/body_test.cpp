@@ -40,6 +40,16 @@ TEST_CASE("data is a table from the start, may be replaced, and nothing else can
     CHECK(bench.value("b:position()") == "1.0");
 }
 
+TEST_CASE("bodies have the same methods, and none can be replaced") {
+    LuaBench bench;
+    REQUIRE(bench.run(std::string(kScene) + " other = w:new_body{}") == "");
+    for (const std::string method : {"position", "transform", "linear_velocity", "angle", "destroy"}) {
+        CHECK(bench.value("b." + method + " == other." + method) == "true");
+        CHECK(bench.run("b." + method + " = print") == "test.lua:1: a Body has no field \"" + method +
+                                                           "\" to set; keep values of your own in body.data");
+    }
+}
+
 TEST_CASE("a destroyed body raises a clear error, except for is_valid and data") {
     LuaBench bench;
     REQUIRE(bench.run(std::string(kScene) + " b.data.name = 'old' s = b:shapes()[1] b:destroy()") == "");

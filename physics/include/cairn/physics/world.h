@@ -109,6 +109,9 @@ class World {
     Result<Body> body(BodyId id);
     /// The same without words about why not, for callers that ask often.
     std::optional<Body> living_body(BodyId id);
+    /// What `body(id)->position()` gives, or nothing when there is no such body: for callers that ask very
+    /// often.
+    std::optional<Position> position_of(BodyId id);
     Result<const Body> body(BodyId id) const;
     [[nodiscard]] bool contains(BodyId id) const;
     [[nodiscard]] std::vector<BodyId> bodies() const;
