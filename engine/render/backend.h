@@ -77,6 +77,8 @@ class RenderBackend {
     /// The output's.
     virtual Result<Image> read_pixels() = 0;
     virtual void present() = 0;
+    /// Whether `present` waits for the display; if not, the caller has to.
+    virtual bool waits_for_display() const { return false; }
 };
 
 }  // namespace cairn::engine

@@ -221,6 +221,10 @@ void Renderer::end_frame() {
     s.backend->present();
 }
 
+bool Renderer::waits_for_display() const {
+    return state_->backend->waits_for_display();
+}
+
 Result<Image> Renderer::capture() {
     state_->end_all_canvases();
     state_->batch.flush();

@@ -234,7 +234,11 @@ class Session {
             const bool ends = is_over();
             error = draw(frame.alpha, captures_now() || (ends && captures_at_end()));
             if (ends && !error) return true;
-            if (!platform.window().is_visible()) platform.sleep_s(engine::FixedStep::kDefaultStep_s);
+            constexpr double kPicture_s = engine::FixedStep::kDefaultStep_s;
+            if (!platform.window().is_visible())
+                platform.sleep_s(kPicture_s);
+            else if (!machine_.renderer->waits_for_display())
+                platform.sleep_s(kPicture_s - (platform.now_s() - now));
         }
     }
 

@@ -3,6 +3,7 @@
 
 #include <SDL.h>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -57,11 +58,27 @@ SDL_BlendMode to_sdl(BlendMode mode) {
     return SDL_BLENDMODE_NONE;
 }
 
+/// Whether the OpenGL context at hand is drawn by the processor. What these programs make of a picture takes
+/// several times as long as our rasterizer does.
+bool is_imitated_by_processor() {
+    using GetString = const unsigned char* (*)(unsigned int name);
+    constexpr unsigned int kGlRenderer = 0x1F01;
+    if (SDL_GL_GetCurrentContext() == nullptr) return false;
+    const auto get_string = reinterpret_cast<GetString>(SDL_GL_GetProcAddress("glGetString"));
+    const unsigned char* name = get_string != nullptr ? get_string(kGlRenderer) : nullptr;
+    if (name == nullptr) return false;
+    const std::string_view renderer(reinterpret_cast<const char*>(name));
+    for (const std::string_view imitation : {"llvmpipe", "softpipe", "swrast", "SwiftShader"}) {
+        if (renderer.find(imitation) != std::string_view::npos) return true;
+    }
+    return false;
+}
+
 /// SDL's renderer on a graphics driver draws the triangles.
 class AcceleratedBackend final : public RenderBackend {
   public:
-    AcceleratedBackend(SDL_Window* window, const WindowDef& def, RendererPtr renderer)
-        : window_(window), def_(def), renderer_(std::move(renderer)) {}
+    AcceleratedBackend(SDL_Window* window, const WindowDef& def, RendererPtr renderer, bool has_vsync)
+        : window_(window), def_(def), renderer_(std::move(renderer)), has_vsync_(has_vsync) {}
 
     Viewport viewport() const override {
         return window_viewport(window_, def_, output_size(renderer_.get()));
@@ -139,6 +156,7 @@ class AcceleratedBackend final : public RenderBackend {
     }
 
     void present() override { SDL_RenderPresent(renderer_.get()); }
+    bool waits_for_display() const override { return has_vsync_; }
 
   private:
     BackendTexture keep(TexturePtr texture, TextureFilter filter) {
@@ -157,6 +175,7 @@ class AcceleratedBackend final : public RenderBackend {
     WindowDef def_;
     RendererPtr renderer_;
     std::vector<TexturePtr> textures_;  ///< texture id - 1; empty: free
+    bool has_vsync_;
     bool has_warned_ = false;
 };
 
@@ -230,15 +249,24 @@ Viewport window_viewport(SDL_Window* window, const WindowDef& def, Size output) 
 }
 
 Result<std::unique_ptr<RenderBackend>> make_window_backend(SDL_Window* window, const WindowDef& def) {
+    // Else the software renderer would hand its picture to the imitated driver that it stands in for.
+    SDL_SetHint(SDL_HINT_FRAMEBUFFER_ACCELERATION, "0");
     RendererPtr renderer(SDL_CreateRenderer(window, -1, def.has_vsync ? SDL_RENDERER_PRESENTVSYNC : 0));
     if (!renderer) return sdl_error("cannot draw into the window");
     SDL_RendererInfo info;
     if (SDL_GetRendererInfo(renderer.get(), &info) != 0) return sdl_error("cannot draw into the window");
+    const bool is_chosen = SDL_GetHint(SDL_HINT_RENDER_DRIVER) != nullptr;
+    if (!is_chosen && !(info.flags & SDL_RENDERER_SOFTWARE) && is_imitated_by_processor()) {
+        renderer.reset();
+        renderer.reset(SDL_CreateRenderer(window, -1, SDL_RENDERER_SOFTWARE));
+        if (!renderer) return sdl_error("cannot draw into the window");
+        info.flags = SDL_RENDERER_SOFTWARE;
+    }
     if (info.flags & SDL_RENDERER_SOFTWARE)
         return std::unique_ptr<RenderBackend>(
             std::make_unique<UnacceleratedBackend>(window, def, std::move(renderer)));
-    return std::unique_ptr<RenderBackend>(
-        std::make_unique<AcceleratedBackend>(window, def, std::move(renderer)));
+    return std::unique_ptr<RenderBackend>(std::make_unique<AcceleratedBackend>(
+        window, def, std::move(renderer), (info.flags & SDL_RENDERER_PRESENTVSYNC) != 0));
 }
 
 }  // namespace cairn::engine

@@ -2,6 +2,7 @@
 #include "render/surface/surface_backend.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cstring>
 
@@ -19,9 +20,35 @@ void fill(Image& image, Rgba8 color) {
         std::memcpy(image.rgba.data() + i, &pixel, sizeof pixel);
 }
 
+/// What one triangle costs before it has a pixel, in pixels.
+constexpr float kPixelsPerTriangle = 30;
+/// From here on several threads are sooner done than one: a third of a millisecond.
+constexpr float kMuch = 60'000;
+/// More than one, because rows in the middle of a picture tend to hold more.
+constexpr int kBandsPerThread = 3;
+
+/// By the boxes of the triangles, wherever they lie.
+bool is_much(std::span<const RenderVertex> vertices, std::span<const int> indices) {
+    float pixels = 0;
+    for (std::size_t i = 0; i + 2 < indices.size() && pixels < kMuch; i += 3) {
+        const auto [a, b, c] = std::array{vertices[indices[i]].position, vertices[indices[i + 1]].position,
+                                          vertices[indices[i + 2]].position};
+        const float width = std::max({a.x, b.x, c.x}) - std::min({a.x, b.x, c.x});
+        const float height = std::max({a.y, b.y, c.y}) - std::min({a.y, b.y, c.y});
+        pixels += kPixelsPerTriangle + width * height;
+    }
+    return pixels >= kMuch;
+}
+
+/// Whether a triangle may have pixels in these rows; a row too many does no harm.
+bool may_meet(const PixelRect& rows, float a_y, float b_y, float c_y) {
+    return std::max({a_y, b_y, c_y}) >= static_cast<float>(rows.y - 1) &&
+           std::min({a_y, b_y, c_y}) <= static_cast<float>(rows.y + rows.height + 1);
+}
+
 }  // namespace
 
-SurfaceBackend::SurfaceBackend(const Viewport& viewport) {
+SurfaceBackend::SurfaceBackend(const Viewport& viewport, int threads) : workers_(threads) {
     set_viewport(viewport);
 }
 
@@ -76,9 +103,21 @@ void SurfaceBackend::draw(std::span<const RenderVertex> vertices, std::span<cons
                           BackendTexture texture, BlendMode blend, const PixelRect& scissor) {
     const Image* image = texture ? &textures_[texture - 1].image : nullptr;
     const TextureFilter filter = texture ? textures_[texture - 1].filter : TextureFilter::Linear;
-    for (std::size_t i = 0; i + 2 < indices.size(); i += 3)
-        rasterize_triangle(vertices[indices[i]], vertices[indices[i + 1]], vertices[indices[i + 2]], image,
-                           filter, blend, scissor, target());
+    Image& to = target();
+    const bool draws_itself = image == &to;  // then what is read depends on what was written before
+    const int bands = !draws_itself && is_much(vertices, indices) ? kBandsPerThread * workers_.threads() : 1;
+    workers_.run(bands, [&](int band) {
+        PixelRect rows = scissor;
+        rows.y = scissor.y + scissor.height * band / bands;
+        rows.height = scissor.y + scissor.height * (band + 1) / bands - rows.y;
+        for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
+            const RenderVertex& a = vertices[indices[i]];
+            const RenderVertex& b = vertices[indices[i + 1]];
+            const RenderVertex& c = vertices[indices[i + 2]];
+            if (bands == 1 || may_meet(rows, a.position.y, b.position.y, c.position.y))
+                rasterize_triangle(a, b, c, image, filter, blend, rows, to);
+        }
+    });
 }
 
 }  // namespace cairn::engine

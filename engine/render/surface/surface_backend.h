@@ -1,18 +1,20 @@
 // Draws into memory, with no display and no graphics driver: for screenshots of headless runs, and for
 // windows on machines without accelerated graphics. Invariant: the same calls give the same bytes on every
-// machine.
+// machine, with any number of threads: what is much to draw is cut into bands of whole rows, and a row
+// depends on no other.
 #pragma once
 
 #include <memory>
 #include <vector>
 
 #include "render/backend.h"
+#include "render/surface/band_workers.h"
 
 namespace cairn::engine {
 
 class SurfaceBackend final : public RenderBackend {
   public:
-    explicit SurfaceBackend(const Viewport& viewport);
+    explicit SurfaceBackend(const Viewport& viewport, int threads = BandWorkers::threads_of_machine());
 
     /// Throws the picture away when the output's size changes.
     void set_viewport(const Viewport& viewport);
@@ -39,6 +41,7 @@ class SurfaceBackend final : public RenderBackend {
     };
     Image& target() { return target_ ? textures_[target_ - 1].image : picture_; }
 
+    BandWorkers workers_;
     Viewport viewport_;
     Image picture_;
     BackendTexture target_ = 0;

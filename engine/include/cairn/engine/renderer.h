@@ -151,6 +151,9 @@ class Renderer {
     float pixel_scale() const;
     void begin_frame(Color clear);
     void end_frame();
+    /// Whether end_frame waits until the display shows the picture, so that pictures keep its rhythm by
+    /// themselves.
+    bool waits_for_display() const;
     /// The picture as drawn so far, between begin_frame and end_frame. The null renderer has none: an error.
     Result<Image> capture();
     const RenderStats& stats() const;
