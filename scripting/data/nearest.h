@@ -13,8 +13,9 @@ namespace cairn::scripting {
 /// other. Source: Damerau 1964, restricted to one edit per place ("optimal string alignment").
 int edit_distance(std::string_view a, std::string_view b);
 
-/// The candidate nearest to `word`, or an empty text when none is near: more than a third of its letters
-/// differ.
+/// The candidate nearest to `word`; when more than a third of the letters of each differ, the one that has
+/// most of its words in common with it ("circle" for "fill_circle", "position" for "getPosition"), or an
+/// empty text.
 std::string_view nearest(std::string_view word, std::span<const std::string> candidates);
 
 }  // namespace cairn::scripting

@@ -1,12 +1,16 @@
 // The back-end on SDL2_mixer. Invariant: voice slot i plays on mixer channel i; the samples of a sound and
 // the bytes of the music live until no channel plays them. The mixer cannot change the speed of a channel, so
 // each channel plays silence for ever, into which its stream writes what is heard.
+//
+// SDL goes on writing to a device that was pulled out, and nobody hears it any more. So the next sound after
+// that opens whichever device there is now; without one, the next sound after one has come.
 #include "audio/sdl/mixer_backend.h"
 
 #include <SDL.h>
 #include <SDL_mixer.h>
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <map>
@@ -41,12 +45,10 @@ int to_mixer_volume(float volume) {
 class MixerBackend final : public AudioBackend {
   public:
     ~MixerBackend() override {
-        if (!is_open_) return;
-        Mix_HaltChannel(-1);
+        if (!has_audio_) return;
+        SDL_DelEventWatch(notice_devices, this);
+        close_device();
         chunks_.clear();
-        silence_.reset();
-        music_.reset();
-        Mix_CloseAudio();
         SDL_QuitSubSystem(SDL_INIT_AUDIO);
     }
 
@@ -102,12 +104,9 @@ class MixerBackend final : public AudioBackend {
         if (!open_device()) return;
         stop_music();
         music_data_ = std::move(music);
-        SDL_RWops* stream =
-            SDL_RWFromConstMem(music_data_.file.data(), static_cast<int>(music_data_.file.size()));
-        music_.reset(stream ? Mix_LoadMUS_RW(stream, /*freesrc=*/1) : nullptr);
-        Mix_VolumeMusic(to_mixer_volume(volume));
-        if (!music_ || Mix_PlayMusic(music_.get(), loop ? -1 : 0) != 0)
-            warn_once(music_data_.path, Mix_GetError());
+        music_volume_ = volume;
+        music_loops_ = loop;
+        play_music();
     }
 
     void stop_music() override {
@@ -117,6 +116,7 @@ class MixerBackend final : public AudioBackend {
     }
 
     void set_music_volume(float volume) override {
+        music_volume_ = volume;
         if (is_open_) Mix_VolumeMusic(to_mixer_volume(volume));
     }
 
@@ -140,16 +140,60 @@ class MixerBackend final : public AudioBackend {
                        static_cast<Uint8>(255 * std::min(1.0f, 1 + where)));
     }
 
+    /// From the first byte of music_data_.
+    void play_music() {
+        SDL_RWops* stream =
+            SDL_RWFromConstMem(music_data_.file.data(), static_cast<int>(music_data_.file.size()));
+        music_.reset(stream ? Mix_LoadMUS_RW(stream, /*freesrc=*/1) : nullptr);
+        Mix_VolumeMusic(to_mixer_volume(music_volume_));
+        if (!music_ || Mix_PlayMusic(music_.get(), music_loops_ ? -1 : 0) != 0)
+            warn_once(music_data_.path, Mix_GetError());
+    }
+
+    /// Called for each event, maybe by SDL's own threads.
+    static int notice_devices(void* self, SDL_Event* event) {
+        const bool is_about_devices =
+            event->type == SDL_AUDIODEVICEREMOVED || event->type == SDL_AUDIODEVICEADDED;
+        if (!is_about_devices || event->adevice.iscapture != 0) return 0;
+        auto& backend = *static_cast<MixerBackend*>(self);
+        (event->type == SDL_AUDIODEVICEREMOVED ? backend.lost_one_ : backend.found_one_) = true;
+        return 0;
+    }
+
+    /// Before a sound: what became of the device since the last one.
+    void follow_devices() {
+        const bool found = found_one_.exchange(false);
+        const bool lost = lost_one_.exchange(false);
+        if (is_open_ && lost) {
+            const bool has_music = music_ != nullptr && Mix_PlayingMusic() != 0;
+            close_device();
+            has_tried_ = false;
+            if (open_device() && has_music) play_music();
+        } else if (!is_open_ && found) {
+            has_tried_ = false;
+        }
+    }
+
+    void close_device() {
+        if (!is_open_) return;
+        is_open_ = false;
+        Mix_HaltChannel(-1);
+        silence_.reset();
+        music_.reset();
+        Mix_CloseAudio();
+    }
+
     bool open_device() {
+        follow_devices();
         if (is_open_ || std::exchange(has_tried_, true)) return is_open_;
-        if (SDL_InitSubSystem(SDL_INIT_AUDIO) != 0) {
+        if (!has_audio_ && SDL_InitSubSystem(SDL_INIT_AUDIO) != 0) {
             log(LogLevel::Warning, std::string("no sound: ") + SDL_GetError());
             return false;
         }
+        if (!std::exchange(has_audio_, true)) SDL_AddEventWatch(notice_devices, this);
         // The mixer may not change the format: streams rely on 16-bit stereo.
         if (Mix_OpenAudioDevice(kRate_hz, AUDIO_S16SYS, 2, kBufferFrames, nullptr, 0) != 0) {
             log(LogLevel::Warning, std::string("no sound: ") + Mix_GetError());
-            SDL_QuitSubSystem(SDL_INIT_AUDIO);
             return false;
         }
         is_open_ = true;
@@ -187,13 +231,18 @@ class MixerBackend final : public AudioBackend {
         });
     }
 
+    bool has_audio_ = false;  ///< SDL's audio, whose devices are watched
     bool is_open_ = false;
     bool has_tried_ = false;
+    std::atomic<bool> lost_one_ = false;     ///< an output was pulled out
+    std::atomic<bool> found_one_ = false;    ///< one came
     std::map<std::uint32_t, Chunk> chunks_;  ///< by the key of their sound
     std::array<Voice, Audio::kMaxVoices> voices_;
     alignas(4) std::array<Uint8, std::size_t{4} * kBufferFrames> no_sound_{};
     Chunk silence_;
     SoundData music_data_;
+    float music_volume_ = 1;
+    bool music_loops_ = false;
     std::unique_ptr<Mix_Music, MusicDeleter> music_;
     std::set<std::string> complaints_;
 };

@@ -2,8 +2,10 @@
 #include "render/sdl/window_backend.h"
 
 #include <SDL.h>
+#include <filesystem>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -56,6 +58,20 @@ SDL_BlendMode to_sdl(BlendMode mode) {
             return SDL_BLENDMODE_NONE;
     }
     return SDL_BLENDMODE_NONE;
+}
+
+/// Whether there may be a graphics driver. Linux shows its devices as files; to see that there are none takes
+/// less than to start an OpenGL that is drawn by the processor, a tenth of a second.
+bool may_be_accelerated() {
+#ifdef __linux__
+    for (const char* device : {"/dev/dri", "/dev/nvidiactl", "/dev/dxg", "/dev/mali0", "/dev/kgsl-3d0"}) {
+        std::error_code ignored;
+        if (std::filesystem::exists(device, ignored)) return true;
+    }
+    return false;
+#else
+    return true;
+#endif
 }
 
 /// Whether the OpenGL context at hand is drawn by the processor. What these programs make of a picture takes
@@ -251,17 +267,19 @@ Viewport window_viewport(SDL_Window* window, const WindowDef& def, Size output) 
 Result<std::unique_ptr<RenderBackend>> make_window_backend(SDL_Window* window, const WindowDef& def) {
     // Else the software renderer would hand its picture to the imitated driver that it stands in for.
     SDL_SetHint(SDL_HINT_FRAMEBUFFER_ACCELERATION, "0");
-    RendererPtr renderer(SDL_CreateRenderer(window, -1, def.has_vsync ? SDL_RENDERER_PRESENTVSYNC : 0));
-    if (!renderer) return sdl_error("cannot draw into the window");
-    SDL_RendererInfo info;
-    if (SDL_GetRendererInfo(renderer.get(), &info) != 0) return sdl_error("cannot draw into the window");
     const bool is_chosen = SDL_GetHint(SDL_HINT_RENDER_DRIVER) != nullptr;
+    const Uint32 wanted = !is_chosen && !may_be_accelerated() ? SDL_RENDERER_SOFTWARE
+                          : def.has_vsync                     ? SDL_RENDERER_PRESENTVSYNC
+                                                              : 0;
+    RendererPtr renderer(SDL_CreateRenderer(window, -1, wanted));
+    SDL_RendererInfo info{};
+    if (renderer) SDL_GetRendererInfo(renderer.get(), &info);
     if (!is_chosen && !(info.flags & SDL_RENDERER_SOFTWARE) && is_imitated_by_processor()) {
         renderer.reset();
         renderer.reset(SDL_CreateRenderer(window, -1, SDL_RENDERER_SOFTWARE));
-        if (!renderer) return sdl_error("cannot draw into the window");
         info.flags = SDL_RENDERER_SOFTWARE;
     }
+    if (!renderer) return sdl_error("cannot draw into the window");
     if (info.flags & SDL_RENDERER_SOFTWARE)
         return std::unique_ptr<RenderBackend>(
             std::make_unique<UnacceleratedBackend>(window, def, std::move(renderer)));

@@ -1,4 +1,6 @@
 // SDL2_mixer on SDL's dummy device, and the streams of voices against a formula.
+#include <SDL.h>
+#include <SDL_mixer.h>
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cstdlib>
@@ -103,6 +105,46 @@ TEST_CASE("without an audio device a game goes on silently after one warning") {
     CHECK(audio.is_playing(voice));
     CHECK(audio.stats().plays == 2);
     CHECK_FALSE(audio.stats().device_open);
+}
+
+TEST_CASE(
+    "after the audio device was pulled out, the next sound plays on the one that there is, and music goes "
+    "on") {
+    const AudioDriver dummy("dummy");
+    Drawing game({8, 8}, false);
+    game.folder.put("tone.wav", tone_wav(0.5));
+    Audio audio(*game.files, make_mixer_audio());
+    const auto tone = audio.load_sound("tone.wav");
+    REQUIRE(tone);
+    audio.set_limit(*tone, {.min_interval_s = 0, .max_voices = 8});
+    const auto tell = [](SDL_EventType type) {
+        SDL_Event event;
+        SDL_zero(event);
+        event.type = type;
+        SDL_PushEvent(&event);
+        SDL_FlushEvent(type);
+    };
+    CHECK_FALSE(audio.play(*tone, {.loop = true}).is_null());
+    CHECK(audio.play_music("tone.wav"));
+    REQUIRE(Mix_PlayingMusic() != 0);
+    tell(SDL_AUDIODEVICEREMOVED);
+    CHECK_FALSE(audio.play(*tone).is_null());
+    CHECK(audio.stats().device_open);
+    CHECK(Mix_PlayingMusic() != 0);
+    CHECK(Mix_Playing(-1) == 1);  // the looping one ended with its device
+
+    int warnings = 0;
+    const LogSink before = set_log_sink([&](LogLevel, std::string_view) { ++warnings; });
+    tell(SDL_AUDIODEVICEREMOVED);
+    SDL_AudioQuit();  // so that none can be opened
+    for (int i = 0; i < 3; ++i) (void)audio.play(*tone);
+    CHECK(warnings == 1);
+    CHECK_FALSE(audio.stats().device_open);
+    SDL_AudioInit(nullptr);
+    tell(SDL_AUDIODEVICEADDED);
+    (void)audio.play(*tone);
+    set_log_sink(before);
+    CHECK(audio.stats().device_open);
 }
 
 TEST_CASE("a sound whose samples are damaged is warned about once and stays silent") {

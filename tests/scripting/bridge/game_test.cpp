@@ -47,6 +47,19 @@ TEST_CASE("a quit request ends the game unless the game goes on") {
     CHECK(bench.game().wants_quit());
 }
 
+TEST_CASE("a window closed while the game loads ends it in its first update, with nothing half done") {
+    LuaBench bench;
+    REQUIRE(bench.run("function cairn.load() world = cairn.physics.new_world{} loaded = true end "
+                      "function cairn.update() updates = (updates or 0) + 1 end cairn.load()") == "");
+    // What happened meanwhile comes with the first update, in its order; what stands behind the end counts no
+    // more.
+    const std::vector<InputEvent> waiting = {{.kind = InputKind::KeyPressed, .key = engine::Key::A},
+                                             {.kind = InputKind::QuitRequested}};
+    REQUIRE_FALSE(bench.game().update(waiting));
+    CHECK(bench.game().wants_quit());
+    CHECK(bench.value("updates") == "1");
+}
+
 TEST_CASE("a callback that is no function is an error that names it") {
     LuaBench bench;
     REQUIRE(bench.run("cairn.update = 12") == "");

@@ -29,6 +29,33 @@ TEST_CASE("errors of the game's callbacks fail the test that runs them") {
     CHECK(status_of("cairn.test.test('x', function() cairn.test.run(1) end)") == 1);
 }
 
+TEST_CASE("nonsense in any argument of the functions for tests raises an error that names them") {
+    CHECK(status_of(R"(
+local test = cairn.test
+local nonsense = { true, "text", {}, { 1, "a" }, print, 0/0, 1/0, -1, 1e300, math.mininteger, cairn.random.visual,
+    coroutine.create(print) }
+local called = 0
+local function call(name, f, ...)
+    called = called + 1
+    local fine, message = pcall(f, ...)
+    -- What is expected and does not hold fails in words of its own.
+    if fine or name:find("^expect") then return end
+    test.expect(tostring(message):find("cairn.test." .. name .. ": ", 1, true), name .. ": " .. tostring(message))
+end
+test.test("nonsense", function()
+    test.start{}
+    for name, f in cairn.sorted_pairs(test) do
+        for _, value in ipairs(nonsense) do
+            call(name, f, value)
+            call(name, f, nil, value)
+            call(name, f, nil, nil, value)
+        end
+    end
+    test.expect(called >= 3 * #nonsense * 27)
+end)
+)") == 0);
+}
+
 TEST_CASE("a recording made by a test plays again to the same end") {
     CHECK(status_of(R"(
 local test = cairn.test
