@@ -7,6 +7,7 @@
 
 #include <cairn/engine/tile_map.h>
 
+#include "assets/staggered_grid.h"
 #include "assets/tile_data.h"
 #include "assets/tiled_xml.h"
 
@@ -201,16 +202,14 @@ class MapReader {
     TileMap read() {
         const Json json = read_json(files_, path_);
         const Node node(json, "");
-        const std::string grid = node.text("orientation", "orthogonal");
-        if (grid != "orthogonal" && grid != "isometric")
-            node.fail("orientation", "must be orthogonal or isometric");
-        map_.grid = grid == "isometric" ? MapGrid::Isometric : MapGrid::Orthogonal;
+        map_.grid = read_grid(node);
         if (node.flag("infinite", false))
             node.fail("infinite", "must be false: give the map a fixed size in the editor");
         map_.columns = node.whole("width", 1, kMaxSide);
         map_.rows = node.whole("height", 1, kMaxSide);
         if (cells() > kMaxCells) node.fail("width", "width times height must be at most 16777216");
         map_.tile_size = {node.whole("tilewidth", 1, 4096), node.whole("tileheight", 1, 4096)};
+        if (map_.grid == MapGrid::Staggered) read_stagger(node);
         map_.properties = read_properties(node);
         map_.background = read_color(node, "backgroundcolor");
         for (const Node& set : node.list("tilesets")) add_set(set);
@@ -221,6 +220,28 @@ class MapReader {
   private:
     std::size_t cells() const {
         return static_cast<std::size_t>(map_.columns) * static_cast<std::size_t>(map_.rows);
+    }
+
+    static MapGrid read_grid(const Node& node) {
+        const std::string grid = node.text("orientation", "orthogonal");
+        if (grid == "orthogonal") return MapGrid::Orthogonal;
+        if (grid == "isometric") return MapGrid::Isometric;
+        if (grid == "staggered" || grid == "hexagonal") return MapGrid::Staggered;
+        node.fail("orientation", "must be orthogonal, isometric, staggered or hexagonal");
+    }
+
+    void read_stagger(const Node& node) {
+        const auto choice = [&](const char* field, const char* one, const char* other) {
+            const std::string text = node.text(field, other);
+            if (text != one && text != other)
+                node.fail(field, std::string("must be ") + one + " or " + other);
+            return text == one;
+        };
+        map_.stagger.moves_columns = choice("staggeraxis", "x", "y");
+        map_.stagger.moves_even = choice("staggerindex", "even", "odd");
+        const int longest = map_.stagger.moves_columns ? map_.tile_size.width : map_.tile_size.height;
+        if (node.text("orientation") == "hexagonal")
+            map_.stagger.side_length = node.whole("hexsidelength", 0, longest - 1, 0);
     }
 
     void add_set(const Node& node) {
@@ -355,6 +376,7 @@ Vec2 TileMap::size() const {
     const auto height = static_cast<float>(tile_size.height);
     if (grid == MapGrid::Orthogonal)
         return {static_cast<float>(columns) * width, static_cast<float>(rows) * height};
+    if (grid == MapGrid::Staggered) return staggered_size(*this);
     const auto sides = static_cast<float>(columns + rows);
     return {0.5f * sides * width, 0.5f * sides * height};
 }
@@ -376,11 +398,36 @@ Vec2 TileMap::to_cells(Vec2 place) const {
 }
 
 Vec2 TileMap::from_object(Vec2 place) const {
-    if (grid == MapGrid::Orthogonal) return place;
+    if (grid != MapGrid::Isometric) return place;
     return from_cells(place * (1 / static_cast<float>(tile_size.height)));
 }
 
+Vec2 TileMap::cell_middle(int column, int row) const {
+    if (grid == MapGrid::Staggered) return staggered_middle(*this, column, row);
+    return from_cells({static_cast<float>(column) + 0.5f, static_cast<float>(row) + 0.5f});
+}
+
+TileMap::Cell TileMap::cell_at(Vec2 place) const {
+    if (grid == MapGrid::Staggered) return staggered_cell(*this, place);
+    const auto index = [](float x) { return static_cast<int>(std::clamp(std::floor(x), -1e9f, 1e9f)); };
+    const Vec2 cells = to_cells(place);
+    return {index(cells.x), index(cells.y)};
+}
+
+std::vector<Vec2> TileMap::cell_outline() const {
+    if (grid == MapGrid::Staggered) return staggered_outline(*this);
+    const Vec2 middle = from_cells({0.5f, 0.5f});
+    std::vector<Vec2> corners;
+    for (const Vec2 corner : {Vec2{0, 0}, Vec2{1, 0}, Vec2{1, 1}, Vec2{0, 1}})
+        corners.push_back(from_cells(corner) - middle);
+    return corners;
+}
+
 Vec2 TileMap::tile_corner(int column, int row) const {
+    if (grid == MapGrid::Staggered) {
+        return staggered_middle(*this, column, row) +
+               Vec2{-0.5f * static_cast<float>(tile_size.width), 0.5f * static_cast<float>(tile_size.height)};
+    }
     const Vec2 below = from_cells({static_cast<float>(column), static_cast<float>(row + 1)});
     if (grid == MapGrid::Orthogonal) return below;
     return below + Vec2{0, 0.5f * static_cast<float>(tile_size.height)};

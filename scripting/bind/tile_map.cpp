@@ -145,16 +145,15 @@ Pushed tile_properties(lua_State* L, TileMapObject* self, std::int64_t id) {
 }
 
 std::tuple<std::int64_t, std::int64_t> cell_at(TileMapObject* self, float x, float y) {
-    const auto index = [](float place) {
-        return static_cast<std::int64_t>(std::clamp(std::floor(place), -1e9f, 1e9f)) + 1;
-    };
-    const Vec2 cells = self->map.to_cells(self->to_pixels({x, y}));
-    return {index(cells.x), index(cells.y)};
+    const engine::TileMap::Cell cell = self->map.cell_at(self->to_pixels({x, y}));
+    return {cell.column + 1, cell.row + 1};
 }
 
 std::tuple<float, float> cell_center(TileMapObject* self, std::int64_t column, std::int64_t row) {
-    const Vec2 middle = self->to_units(
-        self->map.from_cells({static_cast<float>(column) - 0.5f, static_cast<float>(row) - 0.5f}));
+    const auto index = [](std::int64_t number) {
+        return static_cast<int>(std::clamp<std::int64_t>(number, -1'000'000'000, 1'000'000'000)) - 1;
+    };
+    const Vec2 middle = self->to_units(self->map.cell_middle(index(column), index(row)));
     return {middle.x, middle.y};
 }
 
@@ -200,6 +199,18 @@ void push_solid(lua_State* L, const TileMapObject& self, const engine::CellRect&
     set_points(L, corners);
 }
 
+/// The same of one cell of a staggered map, whose cells make no straight rows.
+void push_solid_cell(lua_State* L, const TileMapObject& self, int column, int row) {
+    const Vec2 in_picture = self.map.cell_middle(column, row);
+    const Vec2 middle = self.to_units(in_picture);
+    lua_createtable(L, 0, 3);
+    set_number(L, "x", middle.x);
+    set_number(L, "y", middle.y);
+    std::vector<Vec2> corners = self.map.cell_outline();
+    for (Vec2& corner : corners) corner = self.to_units(in_picture + corner) - middle;
+    set_points(L, corners);
+}
+
 Pushed solids(lua_State* L, TileMapObject* self, std::string_view name,
               std::optional<std::string_view> property) {
     const MapLayer& layer = find_layer(L, self, name, MapLayer::Kind::Tiles);
@@ -217,6 +228,15 @@ Pushed solids(lua_State* L, TileMapObject* self, std::string_view name,
     }
     lua_newtable(L);
     lua_Integer count = 0;
+    if (self->map.grid == engine::MapGrid::Staggered) {
+        for (std::size_t i = 0; i < is_solid.size(); ++i) {
+            if (!is_solid[i]) continue;
+            const int cell = static_cast<int>(i);
+            push_solid_cell(L, *self, cell % self->map.columns, cell / self->map.columns);
+            lua_rawseti(L, -2, ++count);
+        }
+        return {1};
+    }
     for (const engine::CellRect& rect : engine::cover_cells(self->map.columns, self->map.rows, is_solid)) {
         push_solid(L, *self, rect);
         lua_rawseti(L, -2, ++count);
@@ -318,13 +338,13 @@ constexpr std::array<std::string_view, 1> kReturnsTable = {"table"};
 constexpr std::array<std::string_view, 1> kReturnsNames = {"string[]"};
 
 constexpr Function kModuleFunctions[] = {
-    function_pushing<&load>(
-        "load", "path, fields = {}", "map", kReturnsMap,
-        "Loads an orthogonal or isometric map of fixed size, .tmx or .tmj, with its tile sets and pictures. "
-        "Layer data may be CSV or base64, plain or packed with zlib or gzip. Places on isometric maps are "
-        "those "
-        "of the picture, in which a cell is a diamond.",
-        &kLoadFields),
+    function_pushing<&load>("load", "path, fields = {}", "map", kReturnsMap,
+                            "Loads an orthogonal, isometric, staggered or hexagonal map of fixed size, .tmx "
+                            "or .tmj, with its tile "
+                            "sets and pictures. Layer data may be CSV or base64, plain or packed with zlib "
+                            "or gzip. Places are those "
+                            "of the picture, in which a cell may be a diamond or a hexagon.",
+                            &kLoadFields),
 };
 constexpr Function kMethods[] = {
     function<&draw>(
@@ -352,7 +372,8 @@ constexpr Function kMethods[] = {
         "solids", "layer, property = nil", "rectangles", kReturnsTable,
         "Covers the layer's tiles, all or those whose property is there and not false, with few rectangles: "
         "a list of "
-        "{ x, y, width, height }, x and y being the middle, as `body:add_box` takes them. On isometric maps "
+        "{ x, y, width, height }, x and y being the middle, as `body:add_box` takes them. On all but "
+        "orthogonal maps "
         "{ x, y, points }, the points from the middle, as `world:add_polygon` takes them."),
     function_pushing<&objects>("objects", "layer = nil", "objects", kReturnsTable,
                                "A new list of tables: id, name, class, shape (\"rectangle\", \"ellipse\", "

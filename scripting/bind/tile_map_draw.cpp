@@ -107,6 +107,16 @@ CellRange visible_cells(const engine::Renderer& renderer, const TileMapObject& m
     // The picture, and what tiles may reach into it from below and from the left, as a part of the grid.
     low.x -= static_cast<float>(largest.width);
     high.y += static_cast<float>(largest.height);
+    const auto cell = [](float place, int count) {
+        return static_cast<int>(std::clamp(std::floor(place), -1.0f, static_cast<float>(count)));
+    };
+    if (map.map.grid == engine::MapGrid::Staggered) {
+        // The cells at the corners, and those around: rows that are moved begin or end half a cell behind.
+        const engine::TileMap::Cell from = map.map.cell_at(low);
+        const engine::TileMap::Cell to = map.map.cell_at(high);
+        return {std::max(from.column - 1, 0), std::min(to.column + 1, map.map.columns - 1),
+                std::max(from.row - 1, 0), std::min(to.row + 1, map.map.rows - 1)};
+    }
     Vec2 first = {1e30f, 1e30f};
     Vec2 last = {-1e30f, -1e30f};
     for (const Vec2 corner : {low, Vec2{high.x, low.y}, high, Vec2{low.x, high.y}}) {
@@ -114,9 +124,6 @@ CellRange visible_cells(const engine::Renderer& renderer, const TileMapObject& m
         first = {std::min(first.x, cells.x), std::min(first.y, cells.y)};
         last = {std::max(last.x, cells.x), std::max(last.y, cells.y)};
     }
-    const auto cell = [](float place, int count) {
-        return static_cast<int>(std::clamp(std::floor(place), -1.0f, static_cast<float>(count)));
-    };
     return {std::max(cell(first.x, map.map.columns), 0),
             std::min(cell(last.x, map.map.columns), map.map.columns - 1),
             std::max(cell(first.y, map.map.rows), 0), std::min(cell(last.y, map.map.rows), map.map.rows - 1)};
@@ -125,7 +132,7 @@ CellRange visible_cells(const engine::Renderer& renderer, const TileMapObject& m
 /// The bottom left of an object that is a tile.
 Vec2 tile_object_corner(const engine::TileMap& map, const MapObject& object) {
     const Vec2 place = map.from_object(object.position);
-    if (map.grid == engine::MapGrid::Orthogonal) return place;
+    if (map.grid != engine::MapGrid::Isometric) return place;
     return place - Vec2{0.5f * object.size.x, 0};
 }
 
@@ -143,14 +150,26 @@ void draw_layer(const Context& context, const TileMapObject& map, const MapLayer
         return;
     }
     const CellRange range = visible_cells(renderer, map, layer.offset);
-    for (int row = range.first_row; row <= range.last_row; ++row)
-        for (int column = range.first_column; column <= range.last_column; ++column) {
+    const auto add_row = [&](int row, int first_column, int step) {
+        for (int column = first_column; column <= range.last_column; column += step) {
             const Tile& tile =
                 layer.tiles[static_cast<std::size_t>(row) * static_cast<std::size_t>(map.map.columns) +
                             column];
             if (tile.id == 0) continue;
             mesh.add(tile, map.map.tile_corner(column, row) + layer.offset);
         }
+    };
+    const bool moves_columns = map.map.grid == engine::MapGrid::Staggered && map.map.stagger.moves_columns;
+    for (int row = range.first_row; row <= range.last_row; ++row) {
+        if (!moves_columns) {
+            add_row(row, range.first_column, 1);
+            continue;
+        }
+        // Columns that are moved down stand before the others of their row.
+        const bool first_is_moved = (range.first_column % 2 == 0) == map.map.stagger.moves_even;
+        add_row(row, range.first_column + (first_is_moved ? 1 : 0), 2);
+        add_row(row, range.first_column + (first_is_moved ? 0 : 1), 2);
+    }
 }
 
 }  // namespace cairn::scripting

@@ -420,8 +420,9 @@ engine::Result<Value> tiled_level(const engine::Files& files, std::string_view p
     const auto map = engine::load_tile_map(files, path);
     if (!map) return map.error();
     if (map->grid != engine::MapGrid::Orthogonal)
-        return engine::Error{"map '" + std::string(path) +
-                             "': orientation is isometric, but levels are made of orthogonal maps"};
+        return engine::Error{
+            "map '" + std::string(path) +
+            "': levels are made of orthogonal maps; this one is isometric, staggered or hexagonal"};
     return MapReader(*map, scale > 0 ? scale : 1.0 / map->tile_size.width).read();
 }
 

@@ -2502,7 +2502,7 @@ cairn.tilemap = {}
 ---@field y_up? boolean whether y points up, as under a camera
 ---@field filter? string of its pictures: "linear", or "nearest" for pixel art
 
----Loads an orthogonal or isometric map of fixed size, .tmx or .tmj, with its tile sets and pictures. Layer data may be CSV or base64, plain or packed with zlib or gzip. Places on isometric maps are those of the picture, in which a cell is a diamond.
+---Loads an orthogonal, isometric, staggered or hexagonal map of fixed size, .tmx or .tmj, with its tile sets and pictures. Layer data may be CSV or base64, plain or packed with zlib or gzip. Places are those of the picture, in which a cell may be a diamond or a hexagon.
 ---@param path string
 ---@param fields cairn.tilemap.load.Fields?
 ---@return TileMap map
@@ -2570,7 +2570,7 @@ function TileMap:cell_at(x, y) end
 ---@return number y
 function TileMap:cell_center(column, row) end
 
----Covers the layer's tiles, all or those whose property is there and not false, with few rectangles: a list of { x, y, width, height }, x and y being the middle, as `body:add_box` takes them. On isometric maps { x, y, points }, the points from the middle, as `world:add_polygon` takes them.
+---Covers the layer's tiles, all or those whose property is there and not false, with few rectangles: a list of { x, y, width, height }, x and y being the middle, as `body:add_box` takes them. On all but orthogonal maps { x, y, points }, the points from the middle, as `world:add_polygon` takes them.
 ---@param layer string
 ---@param property string?
 ---@return table rectangles

@@ -187,8 +187,9 @@ TEST_CASE_METHOD(Maps, "a wrong map is an error that names the file, the place a
         std::string text = tmx(kCsv);
         return message(text.replace(text.find(from), from.size(), to));
     };
-    CHECK_THAT(without("orthogonal", "hexagonal"),
-               Catch::Contains("orientation is \"hexagonal\", but must be orthogonal or isometric"));
+    CHECK_THAT(without("orthogonal", "oblique"),
+               Catch::Contains("orientation is \"oblique\", but must be orthogonal, isometric, staggered or "
+                               "hexagonal"));
     CHECK_THAT(without("infinite=\"0\"", "infinite=\"1\""), Catch::Contains("a fixed size"));
     CHECK_THAT(without("width=\"3\"", "width=\"0\""),
                Catch::Contains("width is 0.0, but must be a whole number from 1"));
@@ -225,6 +226,71 @@ TEST_CASE_METHOD(Maps, "the cells of an isometric map are diamonds, and its obje
     CHECK(map->tile_corner(0, 0) == Vec2{16, 16});
     for (const Vec2 cells : {Vec2{0.5f, 0.25f}, Vec2{2, 1.5f}, Vec2{-3, 7}})
         CHECK(map->to_cells(map->from_cells(cells)) == cells);
+}
+
+TEST_CASE_METHOD(Maps, "hexagons and staggered diamonds lie where Tiled draws them") {
+    const auto hexagons = load("hex.tmj", R"({"orientation": "hexagonal", "width": 3, "height": 3,
+        "tilewidth": 14, "tileheight": 12, "hexsidelength": 6, "staggeraxis": "y", "staggerindex": "odd"})");
+    if (!hexagons) FAIL(hexagons.error().message);
+    CHECK(hexagons->size() == Vec2{49, 30});
+    CHECK(hexagons->cell_middle(0, 0) == Vec2{7, 6});
+    CHECK(hexagons->cell_middle(0, 1) == Vec2{14, 15});
+    CHECK(hexagons->cell_middle(2, 2) == Vec2{35, 24});
+    CHECK(hexagons->tile_corner(0, 1) == Vec2{7, 21});
+    CHECK(hexagons->cell_outline().size() == 6);
+    CHECK(hexagons->cell_outline()[1] == Vec2{7, -3});
+    const auto diamonds = load("staggered.tmj", R"({"orientation": "staggered", "width": 4, "height": 2,
+        "tilewidth": 32, "tileheight": 16, "staggeraxis": "x", "staggerindex": "even"})");
+    if (!diamonds) FAIL(diamonds.error().message);
+    CHECK(diamonds->size() == Vec2{80, 40});
+    CHECK(diamonds->cell_middle(0, 0) == Vec2{16, 16});
+    CHECK(diamonds->cell_middle(1, 0) == Vec2{32, 8});
+    CHECK(diamonds->cell_outline().size() == 4);
+    CHECK_THAT(load("bad.tmj", R"({"orientation": "hexagonal", "width": 3, "height": 3, "tilewidth": 14,
+        "tileheight": 12, "hexsidelength": 12})")
+                   .error()
+                   .message,
+               Catch::Contains("hexsidelength is 12, but must be a whole number from 0 to 11"));
+    CHECK_THAT(load("bad.tmj", R"({"orientation": "staggered", "width": 3, "height": 3, "tilewidth": 14,
+        "tileheight": 12, "staggeraxis": "z"})")
+                   .error()
+                   .message,
+               Catch::Contains("staggeraxis is \"z\", but must be x or y"));
+}
+
+TEST_CASE_METHOD(Maps, "a place is in the cell whose outline holds it, on each kind of grid") {
+    Random random(5);
+    for (const char* orientation : {"orthogonal", "isometric", "staggered", "hexagonal"}) {
+        for (const char* axis : {"x", "y"}) {
+            for (const char* index : {"even", "odd"}) {
+                const auto map = load("m.tmj", std::string(R"({"width": 9, "height": 8, "tilewidth": 18,
+                    "tileheight": 14, "hexsidelength": 5, "orientation": ")") +
+                                                   orientation + R"(", "staggeraxis": ")" + axis +
+                                                   R"(", "staggerindex": ")" + index + "\"}");
+                if (!map) FAIL(map.error().message);
+                const std::vector<Vec2> outline = map->cell_outline();
+                for (int i = 0; i < 500; ++i) {
+                    const Vec2 place = {static_cast<float>(random.uniform(-60, 300)),
+                                        static_cast<float>(random.uniform(-60, 300))};
+                    const TileMap::Cell cell = map->cell_at(place);
+                    const Vec2 from_middle = place - map->cell_middle(cell.column, cell.row);
+                    bool is_inside = true;
+                    for (std::size_t k = 0; k < outline.size(); ++k) {
+                        const Vec2 edge = outline[(k + 1) % outline.size()] - outline[k];
+                        const Vec2 way = from_middle - outline[k];
+                        const float turn = edge.x * way.y - edge.y * way.x;
+                        const Vec2 inward = Vec2{0, 0} - outline[k];
+                        const float side = edge.x * inward.y - edge.y * inward.x;
+                        is_inside = is_inside && turn * (side > 0 ? 1.0f : -1.0f) >= -0.01f;
+                    }
+                    INFO(orientation << ' ' << axis << ' ' << index << ' ' << place.x << ' ' << place.y);
+                    REQUIRE(is_inside);
+                    const Vec2 middle = map->cell_middle(cell.column, cell.row);
+                    REQUIRE(map->cell_at(middle) == cell);
+                }
+            }
+        }
+    }
 }
 
 TEST_CASE("rectangles cover exactly the solid cells, each once, and runs with one rectangle") {

@@ -161,6 +161,38 @@ TEST_CASE("isometric maps have their places in the picture, and their solids are
     CHECK_THAT(bench.run("cairn.level.load('map.tmj')"), Catch::Contains("made of orthogonal maps"));
 }
 
+TEST_CASE("hexagonal maps are drawn, and each solid cell is a polygon") {
+    LuaBench bench(
+        {{"conf.lua", "{ width = 200, height = 100 }"},
+         {"tiles.png", tiles_png()},
+         {"map.tmj",
+          R"({"orientation": "hexagonal", "width": 2, "height": 2, "tilewidth": 16, "tileheight": 8,
+        "hexsidelength": 4, "staggeraxis": "y", "staggerindex": "odd",
+        "tilesets": [{"firstgid": 1, "name": "t", "tilewidth": 16, "tileheight": 8, "tilecount": 1, "columns": 1,
+            "image": "tiles.png"}],
+        "layers": [{"type": "tilelayer", "name": "ground", "data": [1, 0, 1, 0]}]})"}},
+        MachineKind::HeadlessDrawing);
+    REQUIRE(bench.run("map = cairn.tilemap.load('map.tmj') world = cairn.tilemap.load('map.tmj', { scale = "
+                      "1 / 8, y_up = true })") == "");
+    CHECK(bench.value("table.concat({ map:size() }, ' ')") == "40.0 14.0");
+    CHECK(bench.value("table.concat({ map:cell_center(1, 2) }, ' ')") == "16.0 10.0");
+    CHECK(bench.value("table.concat({ map:cell_at(16, 9) }, ' ')") == "1 2");
+    CHECK(bench.value("table.concat({ world:cell_at(world:cell_center(2, 2)) }, ' ')") == "2 2");
+    REQUIRE(bench.run("w = cairn.physics.new_world{} for _, part in ipairs(world:solids('ground')) do "
+                      "part.type = 'static' w:add_polygon(part) end "
+                      "function solid(x, y) return w:body_at(x, y) ~= nil end") == "");
+    CHECK(bench.value("w:body_count()") == "2");
+    CHECK(bench.value("solid(world:cell_center(1, 1)) and solid(world:cell_center(1, 2)) and "
+                      "not solid(world:cell_center(2, 1)) and not solid(world:cell_center(2, 2))") == "true");
+    // A tile fills the box around its cell: the first at (0, 0), the one below half a cell behind at (8, 6).
+    const engine::Image image = picture_of(bench, "map:draw('ground')");
+    is_color(image, 2, 2, 255, 0, 0);
+    is_color(image, 10, 8, 255, 0, 0);
+    is_color(image, 2, 12, 0, 0, 0);
+    is_color(image, 34, 2, 0, 0, 0);
+    picture_of(bench, "cairn.graphics.translate(-1000, 0) map:draw()");
+}
+
 TEST_CASE_METHOD(Maps, "wrong layers, tiles and files say what is wrong") {
     CHECK(run("screen:tile('grond', 1, 1)")
               .find("layer is \"grond\": no such layer of tiles; did you mean \"ground\"?") !=

@@ -85,6 +85,15 @@ struct MapLayer {
 enum class MapGrid {
     Orthogonal,
     Isometric,  ///< diamonds: columns run down to the right, rows down to the left
+    Staggered,  ///< diamonds or hexagons: every second row or column is half a cell behind
+};
+
+/// What a staggered grid has besides the size of its cells. A cell is a hexagon with two sides of
+/// `side_length` pixels, which lie across the axis in which cells are moved; at 0 it is a diamond.
+struct Stagger {
+    int side_length = 0;
+    bool moves_columns = false;  ///< else rows
+    bool moves_even = false;     ///< the first, third, ... one; else the others
 };
 
 struct TileMap {
@@ -92,6 +101,7 @@ struct TileMap {
     int columns = 0;
     int rows = 0;
     Size tile_size;                ///< of a cell
+    Stagger stagger;               ///< of a staggered grid
     std::vector<TileSet> sets;     ///< by first_id
     std::vector<MapLayer> layers;  ///< the lowest first; those in groups are named "group/layer"
     TileProperties properties;
@@ -99,8 +109,8 @@ struct TileMap {
 
     /// Of the picture, in pixels.
     Vec2 size() const;
-    /// Where a place among the cells lies in the picture; (0, 0) is the outer corner of the first cell, (1,
-    /// 1) that of the second in the second row.
+    /// On grids whose rows are straight: where a place among the cells lies in the picture; (0, 0) is the
+    /// outer corner of the first cell, (1, 1) that of the second in the second row.
     Vec2 from_cells(Vec2 cells) const;
     /// The other way.
     Vec2 to_cells(Vec2 place) const;
@@ -109,6 +119,19 @@ struct TileMap {
     Vec2 from_object(Vec2 place) const;
     /// The bottom left of a cell's tile.
     Vec2 tile_corner(int column, int row) const;
+    /// Where the middle of a cell lies in the picture, on any grid.
+    Vec2 cell_middle(int column, int row) const;
+    /// The corners of a cell, from its middle, in order.
+    std::vector<Vec2> cell_outline() const;
+    /// The cell that a place in the picture is in, on any grid; outside of the map the one that would be
+    /// there.
+    struct Cell {
+        int column = 0;
+        int row = 0;
+
+        friend bool operator==(const Cell&, const Cell&) = default;
+    };
+    Cell cell_at(Vec2 place) const;
 
     const TileSet* set_of(std::uint32_t id) const;
     const MapLayer* layer(std::string_view name) const;
@@ -118,8 +141,8 @@ struct TileMap {
     std::uint32_t shown(std::uint32_t id, double time_s) const;
 };
 
-/// Orthogonal and isometric maps of fixed size; layer data as CSV or base64, plain or compressed with zlib or
-/// gzip. Errors name the file, the place in it, the value and the rule.
+/// Orthogonal, isometric, staggered and hexagonal maps of fixed size; layer data as CSV or base64, plain or
+/// compressed with zlib or gzip. Errors name the file, the place in it, the value and the rule.
 Result<TileMap> load_tile_map(const Files& files, std::string_view path);
 
 /// Covers the cells that `is_solid` says with few rectangles (in cells), so that bodies slide over no joints:
