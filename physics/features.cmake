@@ -33,6 +33,7 @@ cairn_feature(JOINTS "joints of all kinds"
   resolve/joints/prismatic.cpp
   resolve/joints/pulley.cpp
   resolve/joints/revolute.cpp
+  resolve/joints/torn_joints.cpp
   resolve/joints/weld.cpp
   resolve/joints/wheel.cpp
   world/joint_constraints.cpp

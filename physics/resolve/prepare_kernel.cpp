@@ -12,6 +12,7 @@
 
 #include "base/simd_rows-inl.h"
 #include "resolve/contact_constraint.h"
+#include "resolve/deep_overlap.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace cairn::physics {
@@ -81,6 +82,7 @@ HWY_INLINE PreparedLanes prepare_part(const PoseLanes& poses, const ManifoldLane
     M carried = used;
     M swings = used;
     M fast = used;
+    M deep = used;
     for (int i = 0; i < 2; ++i) {
         const ManifoldPointLanes& from = manifold.points[i];
         ContactBlockPoint& to = block.points[i];
@@ -111,6 +113,7 @@ HWY_INLINE PreparedLanes prepare_part(const PoseLanes& poses, const ManifoldLane
         store(zero, block.total_impulse[i], lane);
         store(id, features[i], lane);
         used = hn::Or(used, is_used);
+        deep = hn::Or(deep, hn::Lt(s, set(-kDeepOverlap_m)));
         fast = hn::Or(fast, hn::And(is_used, hn::Gt(hn::Abs(jv), set(impact_speed_m_s))));
         carried = hn::Or(carried, hn::And(is_used, last.any));
         swings =
@@ -134,7 +137,7 @@ HWY_INLINE PreparedLanes prepare_part(const PoseLanes& poses, const ManifoldLane
     store(hn::IfThenElseZero(used, effective_mass(bodies, response(bodies.velocity_a, arm_a), arm_b)),
           block.tangent_mass, lane);
     store(hn::IfThenElseZero(carried, load(block.friction_impulse, lane)), block.friction_impulse, lane);
-    return {bits_of(hn::Not(used)), bits_of(fast), bits_of(swings)};
+    return {bits_of(hn::Not(used)), bits_of(fast), bits_of(swings), bits_of(deep)};
 }
 
 void prepare_block(const PoseLanes& poses, const ManifoldLanes& manifold, const float* velocity,
@@ -146,6 +149,7 @@ void prepare_block(const PoseLanes& poses, const ManifoldLanes& manifold, const 
         prepared.apart |= part.apart << lane;
         prepared.fast |= part.fast << lane;
         prepared.swings |= part.swings << lane;
+        prepared.deep |= part.deep << lane;
     }
 }
 

@@ -14,6 +14,7 @@ struct PreparedLanes {
     unsigned apart = 0;   // bits: lanes without points
     unsigned fast = 0;    // lanes of which a point closes or opens faster than was asked for
     unsigned swings = 0;  // lanes whose points would go far astray if a body turned by a quarter radian
+    unsigned deep = 0;    // lanes of which a point overlaps deeply (resolve/deep_overlap.h)
 };
 
 /// The rows `a` and `b` of the block, its friction and its impulses are given; the rest is made. `features`

@@ -9,6 +9,7 @@
 
 #include "base/ample.h"
 #include "base/prefetch.h"
+#include "world/awaited_contacts.h"
 #include "world/contact_events.h"
 #include "world/contact_lists.h"
 #include "world/fast_bodies.h"
@@ -101,6 +102,8 @@ class Update {
     void run() {
         scratch_.contacts.clear();
         scratch_.scalar_contacts.clear();
+        scratch_.deep.clear();
+        scratch_.awaited.clear();
         update_uncolored();
         for (const int contact : scratch_.met) unlist_contact(stores_, contact);
         loose_done_ = stores_.contacts.loose.size();
@@ -301,13 +304,14 @@ class Update {
         const unsigned apart = prepared.apart & lanes_of(block_index) & ~gone;
         const unsigned told = (pairs.reports | (pairs.impacts & prepared.fast)) & ~prepared.apart;
         const unsigned loose = ((places.turn_far & prepared.swings) | places.direct) & ~prepared.apart;
+        const unsigned deep = prepared.deep & ~places.direct & ~prepared.apart;
         block.reports = told != 0;
         for (unsigned rest = apart; rest != 0; rest &= rest - 1) {
             const int lane = std::countr_zero(rest);
             LaneNote& note = notes.emplace_back(LaneNote{.block = block_index, .lane = lane, .parts = true});
             note.will_meet = meets_again(places, manifold, lane, pairs.contact[lane], note.input);
         }
-        for (unsigned rest = (told | loose) & ~gone; rest != 0; rest &= rest - 1) {
+        for (unsigned rest = (told | loose | deep) & ~gone; rest != 0; rest &= rest - 1) {
             const int lane = std::countr_zero(rest);
             LaneNote& note = notes.emplace_back(LaneNote{.block = block_index, .lane = lane});
             note.is_loose = (loose >> lane & 1) != 0;
@@ -322,7 +326,12 @@ class Update {
             part(contact, note.will_meet ? &note.input : nullptr);
             return;
         }
-        add_plain(note.input, stores_.contacts.lanes.block(note.block), note.lane);
+        ContactBlock& block = stores_.contacts.lanes.block(note.block);
+        add_plain(note.input, block, note.lane);
+        if (is_pushed_apart(scratch_.contacts.back())) {
+            note_deep();
+            hide_overlap(block, note.lane);
+        }
         if (!note.is_loose) return;
         solve_as_scalar();
         stores_.contacts.lanes.blank(note.block * kLanes + note.lane);
@@ -356,6 +365,24 @@ class Update {
     void solve_as_scalar() {
         scratch_.contacts.back().in_lane = false;
         scratch_.scalar_contacts.push_back(static_cast<int>(scratch_.contacts.size()) - 1);
+    }
+
+    // Of the constraint that was added last.
+    void note_deep() {
+        ContactConstraint& c = scratch_.contacts.back();
+        scratch_.deep.push_back({static_cast<int>(scratch_.contacts.size()) - 1,
+                                 {c.points[0].separation, c.points[1].separation}});
+        hide_overlap(c);
+    }
+
+    // What is solved with a structure of joints is moved by that alone.
+    [[nodiscard]] bool is_pushed_apart(const ContactConstraint& c) const {
+        return overlaps_deeply(c, time_.dt_s) && !is_direct(stores_.contacts.slots[c.contact]);
+    }
+
+    [[nodiscard]] bool is_direct(const ContactRecord& record) const {
+        const auto flags = [&](int body) { return stores_.bodies.places[body].flags; };
+        return ((flags(record.body_a) | flags(record.body_b)) & place_flag::kDirect) != 0;
     }
 
     void update_loose(int contact) {
@@ -418,7 +445,13 @@ class Update {
             if (!known[i] && rests) constraint.points[i].normal_impulse = kUnknownImpulse;
         }
         scratch_.contacts.push_back(constraint);
-        solve_as_scalar();
+        if (is_pushed_apart(constraint)) note_deep();
+        const ContactRecord& c = stores_.contacts.slots[input.contact];
+        if (input.reached_s > 0 && !is_direct(c)) {
+            await_contact(input, stores_.bodies.center_offset(c.body_a, c.body_b), time_, scratch_);
+        } else {
+            solve_as_scalar();
+        }
     }
 
     [[nodiscard]] bool is_dynamic(int body) const {

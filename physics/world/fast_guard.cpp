@@ -35,7 +35,9 @@ std::optional<LocalRayHit> cast_relative_way(const Stores& stores, int shape, Po
     }
     const BodyRows& awake = stores.bodies.rows(RowSet::Awake);
     const Vec2 moved = awake.moved[place.row - 1];
-    const Rotation q = awake.rotation_before[place.row - 1];
+    // In the frame of what whirls nothing goes straight: it counts as having stood as it does now.
+    const bool whirls = (place.flags & place_flag::kWhirls) != 0;
+    const Rotation q = whirls ? place.rotation : awake.rotation_before[place.row - 1];
     const Position center = place.center + -moved;
     // Turning moves a point by the chord of the angle.
     const float chord = length(Vec2{place.rotation.c - q.c, place.rotation.s - q.s});

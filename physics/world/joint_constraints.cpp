@@ -125,19 +125,22 @@ void mark_turning(Motions& motions, int row) {
 void prepare_joints(Stores& stores, const StepTime& time, StepScratch& scratch, TaskPool& tasks) {
     std::vector<JointConstraint>& joints = scratch.joints;
     joints.resize(static_cast<std::size_t>(stores.joints.swept.size()));
+    scratch.torn.clear();
     std::size_t next = 0;
     bool springs = false;
     for (const int joint : stores.joints.swept) {
         JointConstraint& c = joints[next++];
         make_constraint(stores, joint, time, c);
         forget_idle_impulses(c);
+        if (TornJoint torn{}; hide_tear(c, torn)) scratch.torn.push_back(torn);
         springs = springs || c.has_spring;
         for (int i = 0; i < c.bodies; ++i) mark_turning(scratch.motions, c.rows[static_cast<std::size_t>(i)]);
     }
     if (!joints.empty()) place_joints(joints, scratch.motions, scratch.joint_places);
     JointLanes& lanes = stores.joints.lanes;
-    if (!lanes.empty()) {
-        lanes.place(stores.bodies.places, scratch.motions, time.impulse_ratio, time.dt_s, tasks);
+    if (!lanes.empty() &&
+        lanes.place(stores.bodies.places, scratch.motions, time.impulse_ratio, time.dt_s, tasks)) {
+        lanes.hide_tears(softness_of(JointStiffness{}, time.h_s).bias_rate, scratch.torn);
     }
     if (!springs && !lanes.springs_changed()) return;
     scratch.spring_loads.assign(static_cast<std::size_t>(scratch.motions.size()), 0);

@@ -16,6 +16,9 @@ namespace {
 // rad. Lanes take separations as linear in the angle, which is wrong by half its square times the arm.
 constexpr float kMaxTurn_rad = 0.25f;
 
+// rad. A point of a body that turns further in a step goes round and not along.
+constexpr float kWhirl_rad = 1;
+
 // What a thread takes at once.
 constexpr int kRowsPerChunk = 512;
 
@@ -52,8 +55,12 @@ void set_motions(BodyStore& bodies, Vec2 gravity_m_s2, float dt_s, int first, St
             scratch.drives[row + 1] = drive_of(record, gravity_m_s2, awake.force[row], awake.torque[row]);
             if (locked_axes(record) != 0) locked.items().push_back(row);
             std::uint32_t& flags = bodies.places[awake.body[row]].flags;
-            flags &= ~place_flag::kTurnsFar;
-            if (std::fabs(awake.spin[row]) * dt_s > kMaxTurn_rad) flags |= place_flag::kTurnsFar;
+            flags &= ~(place_flag::kTurnsFar | place_flag::kWhirls);
+            const float turn = std::fabs(awake.spin[row]) * dt_s;
+            if (turn > kMaxTurn_rad) {
+                flags |= place_flag::kTurnsFar;
+                if (turn > kWhirl_rad) flags |= place_flag::kWhirls;
+            }
         }
     });
     scratch.locked_rows.for_each(
@@ -108,6 +115,10 @@ void choose_movers(const Stores& stores, StepScratch& scratch) {
     for (const int i : scratch.scalar_contacts) {
         mark_mover(scratch.motions, scratch.contacts[i].a, Mover::Turning);
         mark_mover(scratch.motions, scratch.contacts[i].b, Mover::Turning);
+    }
+    for (const AwaitedContact& awaited : scratch.awaited) {
+        mark_mover(scratch.motions, awaited.input.a, Mover::Turning);
+        mark_mover(scratch.motions, awaited.input.b, Mover::Turning);
     }
     // What carries others moves with them.
     const ContactLanes& lanes = stores.contacts.lanes;

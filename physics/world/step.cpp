@@ -5,6 +5,7 @@
 
 #include "base/stage_clock.h"
 #include "integrator/integrate.h"
+#include "world/awaited_contacts.h"
 #include "world/bounces.h"
 #include "world/breakables.h"
 #include "world/contact_events.h"
@@ -63,6 +64,7 @@ void step_world(WorldState& world, float dt_s) {
         integrate_velocities(scratch, acting, substep == 0, tasks);
         solve_direct(world.direct, scratch, rules, time.h_s, tasks);
         if (substep == 0) warm_start_contacts(stores.contacts.lanes, scratch, time, tasks);
+        reach_contacts(scratch, substep, rules, time);
         solve(stores, scratch, rules, time.h_s, acting, Pass::Biased, tasks);
         integrate_positions(scratch, time.h_s, tasks);
         move_direct(world.direct, scratch, rules, time.h_s, tasks);
@@ -73,6 +75,8 @@ void step_world(WorldState& world, float dt_s) {
     collect_outcomes(stores.contacts, scratch);
     place_bounces(stores.bodies.rows(RowSet::Awake), scratch, time, rules);
     apply_restitution(scratch.contacts, scratch.motions, scratch.drives, rules);
+    push_apart(scratch.deep, scratch.contacts, def.max_push_out_speed_m_s * dt_s, scratch.motions);
+    close_tears(scratch.torn, scratch.motions);
 
     halt_lost_bodies(stores.bodies, scratch.motions, world.events.quarantined);
     report_contacts(stores, scratch, def.hit_speed_m_s, world.events);

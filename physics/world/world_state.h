@@ -15,8 +15,10 @@
 #include "collide/place_lanes.h"
 #include "islands/islands.h"
 #include "resolve/contact_constraint.h"
+#include "resolve/deep_overlap.h"
 #include "resolve/direct/direct_component.h"
 #include "resolve/joints/joint_constraint.h"
+#include "resolve/joints/torn_joints.h"
 #include "resolve/support_lanes.h"
 #include "world/body_mass.h"
 #include "world/body_store.h"
@@ -158,6 +160,14 @@ struct BlockFindings {
     std::uint8_t gone = 0;  // bits: lanes of which the boxes have parted
 };
 
+/// A contact that acts once, when it is reached (world/awaited_contacts.h).
+struct AwaitedContact {
+    int contact;         ///< in the plain form
+    int substep;         ///< in which it is reached
+    ContactInput input;  ///< with the arms of the impact
+    Vec2 between;        ///< centre of b less centre of a, m, at the start of the step
+};
+
 /// What was found in a block of pairs that had no points, as bits by lane.
 struct NearFindings {
     std::uint8_t gone = 0;       // the boxes have parted
@@ -185,8 +195,11 @@ struct StepScratch {
     std::vector<ContactConstraint>
         contacts;  // in plain form: solved as scalars, or wanted for restitution or events
     std::vector<int> scalar_contacts;     // those of them
+    std::vector<AwaitedContact> awaited;  // those that are reached in the course of the step
+    std::vector<DeepOverlap> deep;        // those of them that overlap deeply
     std::vector<JointConstraint> joints;  // the swept ones, in their order
     std::vector<JointPlace> joint_places;
+    std::vector<TornJoint> torn;
     std::vector<int> unseated;  // joints that may get a lane, or break
     std::vector<double> spring_loads;
     std::vector<int> met;      // contacts that were near and have points now

@@ -26,10 +26,11 @@ struct JointPassTime {
 // Each works on blocks of one colour and kind, given by their places in the pool, of pins and of drives
 // alike.
 
-/// Once per step: where the anchors are. Impulses of the last step are multiplied by impulse_ratio.
-void place_joints(AnchorBlock* anchors, PinBlock* pool, std::span<const int> blocks, JointBlockKind kind,
+/// Once per step: where the anchors are. Impulses of the last step are multiplied by impulse_ratio. The
+/// result is whether some joint may be torn (resolve/joints/torn_joints.h).
+bool place_joints(AnchorBlock* anchors, PinBlock* pool, std::span<const int> blocks, JointBlockKind kind,
                   const Place* places, const Motions& motions, float impulse_ratio);
-void place_joints(AnchorBlock* anchors, DriveBlock* pool, std::span<const int> blocks, JointBlockKind kind,
+bool place_joints(AnchorBlock* anchors, DriveBlock* pool, std::span<const int> blocks, JointBlockKind kind,
                   const Place* places, const Motions& motions, float impulse_ratio);
 
 /// At the start of a substep: how fast springs are before anything acts.

@@ -2,6 +2,7 @@
 #include "resolve/joints/joint_lanes.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cstring>
 
 namespace cairn::physics {
@@ -254,13 +255,16 @@ void JointLanes::arrange() {
     drives_.arrange();
 }
 
-void JointLanes::place(const std::vector<Place>& places, Motions& motions, float impulse_ratio, float dt_s,
+bool JointLanes::place(const std::vector<Place>& places, Motions& motions, float impulse_ratio, float dt_s,
                        TaskPool& tasks) {
     dt_s_ = dt_s;
+    std::atomic<bool> torn = false;
     const auto place_all = [&](auto& pool) {
         pool.for_each_bucket(tasks, [&](std::span<const int> blocks, JointBlockKind kind) {
-            place_joints(pool.anchor_data(), pool.data(), blocks, kind, places.data(), motions,
-                         impulse_ratio);
+            if (place_joints(pool.anchor_data(), pool.data(), blocks, kind, places.data(), motions,
+                             impulse_ratio)) {
+                torn.store(true, std::memory_order_relaxed);
+            }
         });
         for (const int bucket : pool.buckets()) {
             if (joint_block_kind(bucket) != JointBlockKind::Anchored) continue;
@@ -274,6 +278,35 @@ void JointLanes::place(const std::vector<Place>& places, Motions& motions, float
     };
     place_all(pins_);
     place_all(drives_);
+    return torn.load(std::memory_order_relaxed);
+}
+
+void JointLanes::hide_tears(float rigid_rate, std::vector<TornJoint>& torn) {
+    const auto hide = [&](PinBlock& block, std::size_t lane) {
+        const Vec2 error{block.error_x[lane], block.error_y[lane]};
+        if (!(length_squared(error) > kTorn_m * kTorn_m)) return;
+        torn.push_back({block.a[lane],
+                        block.b[lane],
+                        {block.arm_ax[lane], block.arm_ay[lane]},
+                        {block.arm_bx[lane], block.arm_by[lane]},
+                        error,
+                        {}});
+        block.offset_x[lane] -= error.x;
+        block.offset_y[lane] -= error.y;
+        block.error_x[lane] = block.error_y[lane] = 0;
+    };
+    const auto for_each = [&](auto& pool, const auto& visit) {
+        for (const int i : pool.blocks()) {
+            const AnchorBlock& anchors = pool.anchors(i);
+            for (std::size_t lane = 0; lane < kLanes; ++lane) {
+                if (anchors.joint[lane] != kNone) visit(pool.block(i), lane);
+            }
+        }
+    };
+    for_each(pins_, hide);
+    for_each(drives_, [&](DriveBlock& block, std::size_t lane) {
+        if (block.bias_rate[lane] >= rigid_rate) hide(block.pin, lane);
+    });
 }
 
 void JointLanes::add_spring_loads(const Motions& motions, std::vector<double>& together) const {

@@ -17,6 +17,7 @@
 #include "resolve/joints/joint_block.h"
 #include "resolve/joints/joint_constraint.h"
 #include "resolve/joints/joint_kernels.h"
+#include "resolve/joints/torn_joints.h"
 
 namespace cairn::physics {
 
@@ -158,9 +159,13 @@ class JointLanes {
     // The stages of a step, in their order.
 
     void arrange();
-    /// Where all anchors are. Marks who carries joints without being moved by them.
-    void place(const std::vector<Place>& places, Motions& motions, float impulse_ratio, float dt_s,
+    /// Where all anchors are. Marks who carries joints without being moved by them. The result is whether
+    /// some joint may be torn.
+    bool place(const std::vector<Place>& places, Motions& motions, float impulse_ratio, float dt_s,
                TaskPool& tasks);
+    /// Hides torn joints from the passes, and appends how they were. Those softer than
+    /// `rigid_rate` are let alone.
+    void hide_tears(float rigid_rate, std::vector<TornJoint>& torn);
     /// Whether springs came, went or changed since `settle_springs` was last told of none that are swept.
     [[nodiscard]] bool springs_changed() const { return springs_changed_; }
     /// As prepare_springs, in two halves: what each row has of springs, and what comes of it.

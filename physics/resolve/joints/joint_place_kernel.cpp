@@ -8,6 +8,7 @@
 #include "base/simd_rows-inl.h"
 #include "resolve/joints/joint_block-inl.h"
 #include "resolve/joints/joint_kernels.h"
+#include "resolve/joints/torn_joints.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace cairn::physics {
@@ -80,8 +81,8 @@ struct PlaceLanes {
 };
 
 template <JointBlockKind kKind, class Block>
-HWY_INLINE void place_lanes(AnchorBlock& anchor, Block& joint, const PlaceLanes& places, int lane,
-                            const float* velocity, const float* pose, float impulse_ratio) {
+HWY_INLINE M place_lanes(AnchorBlock& anchor, Block& joint, const PlaceLanes& places, int lane,
+                         const float* velocity, const float* pose, float impulse_ratio) {
     PinBlock& block = pin_of(joint);
     const V cos_a = load(places.cos_a, lane);
     const V sin_a = load(places.sin_a, lane);
@@ -112,11 +113,15 @@ HWY_INLINE void place_lanes(AnchorBlock& anchor, Block& joint, const PlaceLanes&
     store(sine, anchor.sine, lane);
     store(turns, anchor.turns, lane);
     place_drive(joint, lane, k_a, k_b, cosine, sine, turns, impulse_ratio);
+    const V error_x = load(block.error_x, lane);
+    const V error_y = load(block.error_y, lane);
+    return hn::Gt(hn::Add(hn::Mul(error_x, error_x), hn::Mul(error_y, error_y)), set(kTorn_m * kTorn_m));
 }
 
 template <JointBlockKind kKind, class Block>
-void place_all(AnchorBlock* anchors, Block* pool, std::span<const int> blocks, const Place* all,
+bool place_all(AnchorBlock* anchors, Block* pool, std::span<const int> blocks, const Place* all,
                const float* velocity, const float* pose, float impulse_ratio) {
+    M torn = hn::FirstN(D(), 0);
     for (const int i : blocks) {
         AnchorBlock& anchor = anchors[i];
         PinBlock& block = pin_of(pool[i]);
@@ -139,12 +144,14 @@ void place_all(AnchorBlock* anchors, Block* pool, std::span<const int> blocks, c
             block.b[lane] = b.row;
         }
         for (int lane = 0; lane < kLanes; lane += kStep)
-            place_lanes<kKind>(anchor, pool[i], places, lane, velocity, pose, impulse_ratio);
+            torn = hn::Or(torn,
+                          place_lanes<kKind>(anchor, pool[i], places, lane, velocity, pose, impulse_ratio));
     }
+    return !hn::AllFalse(D(), torn);
 }
 
 template <class Block>
-void place_kind(AnchorBlock* anchors, Block* pool, std::span<const int> blocks, JointBlockKind kind,
+bool place_kind(AnchorBlock* anchors, Block* pool, std::span<const int> blocks, JointBlockKind kind,
                 const Place* all, const float* velocity, const float* pose, float impulse_ratio) {
     switch (kind) {
         case JointBlockKind::TwoBodies:
@@ -154,15 +161,16 @@ void place_kind(AnchorBlock* anchors, Block* pool, std::span<const int> blocks, 
             return place_all<JointBlockKind::Anchored>(anchors, pool, blocks, all, velocity, pose,
                                                        impulse_ratio);
     }
+    return false;
 }
 
-void place_pins(AnchorBlock* anchors, PinBlock* pool, std::span<const int> blocks, JointBlockKind kind,
+bool place_pins(AnchorBlock* anchors, PinBlock* pool, std::span<const int> blocks, JointBlockKind kind,
                 const Place* all, const float* velocity, const float* pose, float impulse_ratio) {
-    place_kind(anchors, pool, blocks, kind, all, velocity, pose, impulse_ratio);
+    return place_kind(anchors, pool, blocks, kind, all, velocity, pose, impulse_ratio);
 }
-void place_drives(AnchorBlock* anchors, DriveBlock* pool, std::span<const int> blocks, JointBlockKind kind,
+bool place_drives(AnchorBlock* anchors, DriveBlock* pool, std::span<const int> blocks, JointBlockKind kind,
                   const Place* all, const float* velocity, const float* pose, float impulse_ratio) {
-    place_kind(anchors, pool, blocks, kind, all, velocity, pose, impulse_ratio);
+    return place_kind(anchors, pool, blocks, kind, all, velocity, pose, impulse_ratio);
 }
 
 }  // namespace HWY_NAMESPACE
@@ -175,15 +183,15 @@ namespace cairn::physics {
 HWY_EXPORT(place_pins);
 HWY_EXPORT(place_drives);
 
-void place_joints(AnchorBlock* anchors, PinBlock* pool, std::span<const int> blocks, JointBlockKind kind,
+bool place_joints(AnchorBlock* anchors, PinBlock* pool, std::span<const int> blocks, JointBlockKind kind,
                   const Place* places, const Motions& motions, float impulse_ratio) {
-    HWY_DYNAMIC_DISPATCH(place_pins)
-    (anchors, pool, blocks, kind, places, &motions.velocity[0].v.x, &motions.pose[0].d.x, impulse_ratio);
+    return HWY_DYNAMIC_DISPATCH(place_pins)(anchors, pool, blocks, kind, places, &motions.velocity[0].v.x,
+                                            &motions.pose[0].d.x, impulse_ratio);
 }
-void place_joints(AnchorBlock* anchors, DriveBlock* pool, std::span<const int> blocks, JointBlockKind kind,
+bool place_joints(AnchorBlock* anchors, DriveBlock* pool, std::span<const int> blocks, JointBlockKind kind,
                   const Place* places, const Motions& motions, float impulse_ratio) {
-    HWY_DYNAMIC_DISPATCH(place_drives)
-    (anchors, pool, blocks, kind, places, &motions.velocity[0].v.x, &motions.pose[0].d.x, impulse_ratio);
+    return HWY_DYNAMIC_DISPATCH(place_drives)(anchors, pool, blocks, kind, places, &motions.velocity[0].v.x,
+                                              &motions.pose[0].d.x, impulse_ratio);
 }
 
 }  // namespace cairn::physics

@@ -2,6 +2,7 @@
 #include "world/joints.h"
 
 #include "resolve/joints/joint_solver.h"
+#include "resolve/joints/torn_joints.h"
 #include "world/features.h"
 #include "world/joint_constraints.h"
 #include "world/joint_lists.h"
@@ -57,6 +58,7 @@ Softness softness_of(const JointStiffness&, float) {
 void note_spring_speeds(std::span<JointConstraint>, std::span<const JointPlace>, const Motions&) {}
 void warm_start_joints(std::span<JointConstraint>, std::span<const JointPlace>, Motions&) {}
 void solve_joints(std::span<JointConstraint>, std::span<JointPlace>, Motions&, float, Pass) {}
+void close_tears(std::span<const TornJoint>, Motions&) {}
 void JointLanes::note_spring_speeds(const Motions&, TaskPool&) {}
 void JointLanes::warm_start(Motions&, TaskPool&) {}
 void JointLanes::solve(Motions&, const JointPassTime&, TaskPool&) {}

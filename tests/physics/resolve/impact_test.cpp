@@ -77,6 +77,40 @@ TEST_CASE("an off-centre hit keeps linear and angular momentum, and with e = 1 t
     CHECK(after.energy == Approx(before.energy).epsilon(1e-4));
 }
 
+TEST_CASE("what whirls hits with all its momentum, wherever and whenever its tip comes round") {
+    for (const float spin : {100.0f, 300.0f, 1000.0f, -1000.0f}) {
+        for (const double aside : {-0.6, -0.3, 0.1, 0.45}) {
+            INFO("spin " << spin << ", aside by " << aside);
+            World world({.gravity_m_s2 = {}, .enable_sleep = false});
+            add(world, {.angular_velocity_rad_s = spin}, Box{0.5f, 0.05f});
+            const BodyId other =
+                add(world, {.position_m = {aside, 1.5}, .linear_velocity_m_s = {0, -2}}, Box{0.5f, 0.05f});
+            const Momentum before = momentum_of(world);
+            run_for(world, 2);
+            const Momentum after = momentum_of(world);
+            CHECK(length(world.body(other)->linear_velocity()) > 2.01f);  // it was hit
+            CHECK(after.x == Approx(before.x).margin(1e-5));
+            CHECK(after.y == Approx(before.y).margin(1e-5));
+            CHECK(after.angular == Approx(before.angular).epsilon(1e-3));
+            CHECK(after.energy <= before.energy * 1.001);
+        }
+    }
+}
+
+TEST_CASE("a hit of what whirls keeps the energy with e = 1") {
+    World world({.gravity_m_s2 = {}, .enable_sleep = false});
+    const ShapeDef elastic{.material = {.friction = 0, .restitution = 1}};
+    add(world, {.angular_velocity_rad_s = 500}, Box{0.5f, 0.05f}, elastic);
+    const BodyId disc =
+        add(world, {.position_m = {0.2, 1.5}, .linear_velocity_m_s = {0, -3}}, Circle{{}, 0.1f}, elastic);
+    const Momentum before = momentum_of(world);
+    run_for(world, 2);
+    const Momentum after = momentum_of(world);
+    CHECK(length(world.body(disc)->linear_velocity()) > 10);
+    CHECK(after.energy == Approx(before.energy).epsilon(1e-3));
+    CHECK(after.angular == Approx(before.angular).epsilon(1e-3));
+}
+
 TEST_CASE("whatever free bodies do to each other, their momentum stays and their energy does not grow") {
     World world({.gravity_m_s2 = {}});
     Random random(1);

@@ -1,0 +1,102 @@
+// Joints of which a body was put elsewhere.
+#include <catch2/catch.hpp>
+#include <vector>
+
+#include "physics/support/making.h"
+
+namespace cairn::physics {
+namespace {
+
+using namespace test;
+
+constexpr WorldDef kWeightless{.gravity_m_s2 = {}, .enable_sleep = false};
+constexpr ShapeDef kMeetsNothing{.filter = {.categories = 2, .mask = 0}};
+
+std::vector<JointDef> joints_between(BodyId a, BodyId b) {
+    return {RevoluteJointDef{.body_a = a, .body_b = b, .local_anchor_b_m = {0, 1}},
+            RevoluteJointDef{.body_a = a,
+                             .body_b = b,
+                             .local_anchor_b_m = {0, 1},
+                             .enable_limit = true,
+                             .lower_rad = -1,
+                             .upper_rad = 1},
+            WeldJointDef{.body_a = a, .body_b = b, .local_anchor_b_m = {0, 1}},
+            PrismaticJointDef{.body_a = a, .body_b = b, .local_anchor_b_m = {0, 1}},
+            WheelJointDef{.body_a = a, .body_b = b, .local_anchor_b_m = {0, 1}, .enable_spring = false},
+            DistanceJointDef{.body_a = a, .body_b = b, .length_m = 1}};
+}
+
+}  // namespace
+
+TEST_CASE("a joint torn far apart is closed at once, and leaves no speed behind") {
+    for (std::size_t kind = 0; kind < 6; ++kind) {
+        for (const Position to : {Position{100, 70}, Position{-5, -30}}) {
+            INFO("joint " << kind << ", to (" << to.x << ", " << to.y << ")");
+            World world(kWeightless);
+            const BodyId hook = world.create_body({.type = BodyType::Static}).value();
+            const BodyId bob = add(world, {.position_m = {0, -1}}, Circle{{}, 0.25f}, kMeetsNothing);
+            world.create_joint(joints_between(hook, bob)[kind]).value();
+            world.body(bob)->set_transform(to, 0).value();
+            run_for(world, 0.5);
+            CHECK(world.report().max_joint_error_m < 1e-4f);
+            CHECK(length(world.body(bob)->linear_velocity()) < 1e-3f);
+            CHECK(std::fabs(world.body(bob)->angular_velocity()) < 1e-3f);
+        }
+    }
+}
+
+TEST_CASE("two free bodies of a torn joint meet where their masses say") {
+    World world(kWeightless);
+    const BodyId light = add(world, {}, Circle{{}, 0.5f}, kMeetsNothing);
+    const BodyId heavy = add(world, {}, Circle{{}, 1}, kMeetsNothing);
+    world.create_joint(RevoluteJointDef{.body_a = light, .body_b = heavy}).value();
+    world.body(heavy)->set_transform({10, 0}, 0).value();
+    world.step(kStep_s).value();
+    // Masses as 1 : 4.
+    CHECK(world.body(light)->position().x == Approx(8).epsilon(1e-5));
+    CHECK(world.body(heavy)->position().x == Approx(8).epsilon(1e-5));
+}
+
+TEST_CASE("a chain of which a link was put elsewhere comes together") {
+    World world(kWeightless);
+    std::vector<BodyId> links;
+    for (int i = 0; i < 12; ++i) {
+        links.push_back(add(world, {.position_m = {0.5 * i, 0}}, Box{0.25f, 0.05f}, kMeetsNothing));
+        if (i == 0) continue;
+        world
+            .create_joint(RevoluteJointDef{.body_a = links[links.size() - 2],
+                                           .body_b = links.back(),
+                                           .local_anchor_a_m = {0.25f, 0},
+                                           .local_anchor_b_m = {-0.25f, 0}})
+            .value();
+    }
+    world.body(links[5])->set_transform({0, 200}, 0).value();
+    run_for(world, 3);
+    CHECK(world.report().max_joint_error_m < 5e-3f);
+}
+
+TEST_CASE("what is soft is left to its forces when it is torn") {
+    const auto run = [](const JointDef& joint) {
+        World world(kWeightless);
+        const BodyId hook = world.create_body({.type = BodyType::Static}).value();
+        const BodyId bob = add(world, {}, Circle{{}, 0.25f}, kMeetsNothing);
+        JointDef def = joint;
+        std::visit(
+            [&](auto& d) {
+                if constexpr (requires { d.body_a; }) {
+                    d.body_a = hook;
+                    d.body_b = bob;
+                }
+            },
+            def);
+        world.create_joint(def).value();
+        world.body(bob)->set_transform({20, 0}, 0).value();
+        world.step(kStep_s).value();
+        return world.body(bob)->position().x;
+    };
+    CHECK(run(RevoluteJointDef{}) == Approx(0).margin(1e-4));
+    CHECK(run(RevoluteJointDef{.stiffness = {.frequency_hz = 1}}) > 15);
+    CHECK(run(WeldJointDef{.linear_frequency_hz = 1}) > 15);
+}
+
+}  // namespace cairn::physics
