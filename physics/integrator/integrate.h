@@ -1,5 +1,6 @@
 // Moving bodies on: by substeps when constraints act on them, in one exact stride when none does.
-// Source: semi-implicit Euler for the substeps; constant acceleration for the stride.
+// Source: semi-implicit Euler for the substeps; constant acceleration for the stride, but for the host's
+// forces.
 #pragma once
 
 #include <cstdint>
@@ -29,8 +30,12 @@ void end_joints(Motions& motions, int first, int last);
 void integrate_positions(Motions& motions, float h_s);
 void integrate_positions(Motions& motions, float h_s, int first, int last);
 
-/// The whole step at once for the others: x += dt (v + v')/2, exact under constant acceleration. `step` is
-/// the number of the step: roundings of the velocity even out over many (base/dithered_rounding.h).
-void fly_freely(Motions& motions, std::span<const Drive> drives, float dt_s, std::uint64_t step);
+/// The whole step at once for the others: x += dt (v + v')/2, exact under gravity. What else acts was found
+/// by the host from where the body was, so it acts as a kick at the start: v += dt F/m before x moves. Then
+/// forces that depend on the place, springs and orbits that a game computes itself, do not pump energy (kick
+/// and drift are symplectic: Hairer, Lubich, Wanner, "Geometric Numerical Integration", 2006). `step` is the
+/// number of the step: roundings of the velocity even out over many (base/dithered_rounding.h).
+void fly_freely(Motions& motions, std::span<const Drive> drives, Vec2 gravity_m_s2, float dt_s,
+                std::uint64_t step);
 
 }  // namespace cairn::physics

@@ -71,7 +71,7 @@ void step_world(WorldState& world, float dt_s) {
         solve(stores, scratch, rules, time.h_s, acting, Pass::Relax, tasks);
     }
     clock.enter(Stage::Store);
-    fly_freely(scratch.motions, scratch.drives, time.dt_s, world.step_count);
+    fly_freely(scratch.motions, scratch.drives, def.gravity_m_s2, time.dt_s, world.step_count);
     collect_outcomes(stores.contacts, scratch);
     place_bounces(stores.bodies.rows(RowSet::Awake), scratch, time, rules);
     apply_restitution(scratch.contacts, scratch.motions, scratch.drives, rules);

@@ -1,4 +1,5 @@
 // Bodies in free flight against the formulas of mechanics.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -126,6 +127,23 @@ TEST_CASE("a force accelerates by F / m for one step, an impulse at once by P / 
     CHECK(world.body(box)->linear_velocity() == Vec2{1, 0});
     world.body(box)->apply_impulse_to_center({0, 2}).value();
     CHECK(world.body(box)->linear_velocity() == Vec2{1, 0.5f});
+}
+
+TEST_CASE("a spring that the host computes swings on for ever") {
+    World world({.gravity_m_s2 = {}, .enable_sleep = false});
+    const BodyId box = add(world, {.position_m = {1, 0}}, Box{0.5f, 0.5f});
+    const float mass_kg = world.body(box)->mass();
+    const float w = 2 * kPi;  // rad/s
+    double farthest = 0;
+    for (int i = 0; i < 60 * 1000; ++i) {
+        const auto x = static_cast<float>(world.body(box)->position().x);
+        world.body(box)->apply_force_to_center({-mass_kg * w * w * x, 0}).value();
+        world.step(kStep_s).value();
+        farthest = std::max(farthest, std::fabs(world.body(box)->position().x));
+    }
+    // Kick and drift keep x^2 + (v/w)^2 - dt x v: the amplitude stays within dt w / 2 of what it was.
+    const double band = d(kStep_s * w) / 2;
+    CHECK(farthest == Approx(1).margin(band));
 }
 
 TEST_CASE("torques, angular impulses and forces off the centre turn by the inertia") {

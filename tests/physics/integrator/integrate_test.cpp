@@ -25,9 +25,10 @@ TEST_CASE("free flight leaves constrained bodies alone, and substeps leave free 
     motions.add({1, 2}, 0, 1, 1);
     motions.add({1, 2}, 0, 1, 1);
     motions.mover[1] = Mover::Substeps;
-    const std::array drives{Drive{.acceleration = {0, -10}}, Drive{.acceleration = {0, -10}}};
+    const Drive falls{.acceleration = {0, -10}, .gravity_scale = 1};
+    const std::array drives{falls, falls};
 
-    fly_freely(motions, drives, 0.5f, 0);
+    fly_freely(motions, drives, {0, -10}, 0.5f, 0);
     CHECK(motions.velocity[0].v == Vec2{1, -3});
     CHECK(motions.pose[0].d == Vec2{0.5f, -0.25f});
     CHECK(motions.velocity[1].v == Vec2{1, 2});
@@ -44,16 +45,29 @@ TEST_CASE("free flight leaves constrained bodies alone, and substeps leave free 
 TEST_CASE("one stride of free flight follows the parabola exactly") {
     Motions motions;
     motions.add({3, 4}, 0, 1, 1);
-    fly_freely(motions, std::array{Drive{.acceleration = {0, -10}}}, 1, 0);
+    fly_freely(motions, std::array{Drive{.acceleration = {0, -10}, .gravity_scale = 1}}, {0, -10}, 1, 0);
     // Every number here is one that float holds.
     CHECK(motions.pose[0].d == Vec2{3, -1});
     CHECK(motions.velocity[0].v == Vec2{3, -6});
 }
 
+TEST_CASE("in one stride a force is a kick at the start, on top of the parabola") {
+    Motions motions;
+    motions.add({3, 4}, 0, 1, 1);
+    motions.add({3, 4}, 0, 1, 1);
+    motions.lock(1, kLockedY);
+    const Drive forced{.acceleration = {2, -10}, .gravity_scale = 1};
+    const Drive held{.acceleration = {2, 0}, .gravity_scale = 1};
+    fly_freely(motions, std::array{forced, held}, {0, -10}, 1, 0);
+    CHECK(motions.pose[0].d == Vec2{5, -1});
+    CHECK(motions.velocity[0].v == Vec2{5, -6});
+    CHECK(motions.pose[1].d == Vec2{5, 4});
+}
+
 TEST_CASE("a torque turns a free body by half its angular acceleration times time squared") {
     Motions motions;
     motions.add({}, 0, 1, 0.25f);  // an inertia of 4, so that the scale of angular rows counts
-    fly_freely(motions, std::array{Drive{.angular_acceleration = 2}}, 0.5f, 0);
+    fly_freely(motions, std::array{Drive{.angular_acceleration = 2}}, {}, 0.5f, 0);
     CHECK(motions.spin(0) == 1);
     CHECK(motions.angle(0) == 0.25f);
 }
@@ -65,7 +79,7 @@ TEST_CASE("damping takes the same share of the velocity in one stride as in many
     motions.mover[1] = Mover::Substeps;
     const Drive drive{.linear_damping = 2, .angular_damping = 3};
     const std::array drives{drive, drive};
-    fly_freely(motions, drives, 0.5f, 0);
+    fly_freely(motions, drives, {}, 0.5f, 0);
     for (int i = 0; i < 8; ++i) push(motions, drives, 0.0625f, i == 0);
     for (int body = 0; body < 2; ++body) {
         // Eight multiplications, each rounded: 8 * 2^-24 = 5e-7 relative.
