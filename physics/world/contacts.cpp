@@ -27,6 +27,9 @@ namespace {
 constexpr int kGroupsPerChunk = 16;
 constexpr int kBlocksPerChunk = 8;
 
+// m/s. Bodies that are faster are not ones that were put somewhere.
+constexpr float kCalm_m_s = 1;
+
 // Whether contacts can move the body, now or later.
 bool is_immovable(const BodyStore& bodies, int body) {
     return bodies.slots[body].type != BodyType::Dynamic;
@@ -377,7 +380,13 @@ class Update {
 
     // What is solved with a structure of joints is moved by that alone.
     [[nodiscard]] bool is_pushed_apart(const ContactConstraint& c) const {
-        return overlaps_deeply(c, time_.dt_s) && !is_direct(stores_.contacts.slots[c.contact]);
+        return overlaps_deeply(c, time_.dt_s) && is_calm(c.a) && is_calm(c.b) &&
+               !is_direct(stores_.contacts.slots[c.contact]);
+    }
+
+    // What is pressed together by others that move is parted by velocities, which reach through all of them.
+    [[nodiscard]] bool is_calm(int row) const {
+        return length_squared(scratch_.motions.velocity[row].v) < kCalm_m_s * kCalm_m_s;
     }
 
     [[nodiscard]] bool is_direct(const ContactRecord& record) const {
