@@ -24,6 +24,9 @@ constexpr double kNoArm_m = 1e-3;
 // A projection that leaves more of the error than this is undone.
 constexpr double kWorthwhile = 0.3;
 constexpr int kMaxEnlargements = 3;
+// rad/s. In a singular pose roundings press the joints of a loop against each other with any impulse. Inertia
+// by that would stop what turns faster, so it gets no more than it has.
+constexpr double kTurning_rad_s = 1;
 
 using State = DirectEquation::State;
 
@@ -75,7 +78,9 @@ void DirectComponent::sum_levers() {
 
 double DirectComponent::inertia_for(std::size_t body, double h) const {
     const double own = system_.bodies[body].own_inertia;
-    return own + std::max(0.0, h * levers_[body] - 2 * own);
+    const double needed = own + std::max(0.0, h * levers_[body] - 2 * own);
+    const bool turns = is_loop_ && std::fabs(velocity_before_[3 * body + 2]) > kTurning_rad_s;
+    return turns ? std::min(needed, system_.bodies[body].inertia) : needed;
 }
 
 bool DirectComponent::enlarge_inertia(double h) {

@@ -151,6 +151,7 @@ class DirectComponent {
     double surplus_ = 0;  // J that errors added in the solution
     double energy_ = 0;   // J without them, before positions are projected
     bool kicked_ = false;
+    bool is_loop_ = false;
 };
 
 }  // namespace cairn::physics

@@ -84,6 +84,8 @@ void DirectComponent::assemble(std::span<const int> joints, std::span<const int>
         }
     }
     links_.assign(system_.links.size(), {});
+    // Chains and trees that hang from one thing have as many joints as bodies.
+    is_loop_ = joints_.size() > rows_.size();
     for (const int place : contacts) {
         const ContactConstraint& c = scene.contacts[at(place)];
         system_.begin_member();

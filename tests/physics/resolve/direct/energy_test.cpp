@@ -101,6 +101,35 @@ TEST_CASE("a taut bridge under falling boxes throws none of them up, and all sle
     for (const BodyId box : boxes) CHECK(world.body(box)->position().y > 0);
 }
 
+TEST_CASE("a parallelogram of cranks turns on through its flat poses") {
+    World world({.gravity_m_s2 = {}, .joint_solver = JointSolver::Direct, .enable_sleep = false});
+    const BodyId base = world.create_body({.type = BodyType::Static}).value();
+    const ShapeDef shape{.density_kg_m2 = 10, .filter = {.group = -1}};
+    const double up = 1.5707963267948966;
+    const float spin_rad_s = 6;
+    // Straight up, with a bar of 1 m between them: each half turn all lies on one line.
+    std::vector<BodyId> cranks;
+    for (const double x : {0.0, 1.0})
+        cranks.push_back(add(world,
+                             {.position_m = {x, 0.25},
+                              .angle_rad = up,
+                              .linear_velocity_m_s = {-0.25f * spin_rad_s, 0},
+                              .angular_velocity_rad_s = spin_rad_s},
+                             Box{0.25f, 0.05f}, shape));
+    const BodyId bar = add(world, {.position_m = {0.5, 0.5}, .linear_velocity_m_s = {-0.5f * spin_rad_s, 0}},
+                           Box{0.5f, 0.05f}, shape);
+    pin(world, base, cranks[0], {0, 0}, {-0.25f, 0});
+    pin(world, base, cranks[1], {1, 0}, {-0.25f, 0});
+    pin(world, cranks[0], bar, {0.25f, 0}, {-0.5f, 0});
+    pin(world, bar, cranks[1], {0.5f, 0}, {0.25f, 0});
+    const double start = energy(world, 0);
+    for (int i = 0; i < 240; ++i) {
+        world.step(kStep_s).value();
+        REQUIRE(energy(world, 0) < 1.01 * start);
+    }
+    CHECK(energy(world, 0) > 0.9 * start);
+}
+
 TEST_CASE("a ring of bars in flight gains no energy, and keeps its momentum") {
     World world({.gravity_m_s2 = {}, .joint_solver = JointSolver::Direct, .enable_sleep = false});
     // Two rows on each other, pinned at both ends: taut to begin with.
