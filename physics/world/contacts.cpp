@@ -307,7 +307,7 @@ class Update {
         const unsigned apart = prepared.apart & lanes_of(block_index) & ~gone;
         const unsigned told = (pairs.reports | (pairs.impacts & prepared.fast)) & ~prepared.apart;
         const unsigned loose = ((places.turn_far & prepared.swings) | places.direct) & ~prepared.apart;
-        const unsigned deep = prepared.deep & ~places.direct & ~prepared.apart;
+        const unsigned deep = calm_lanes(block, prepared.deep & ~places.direct & ~prepared.apart);
         block.reports = told != 0;
         for (unsigned rest = apart; rest != 0; rest &= rest - 1) {
             const int lane = std::countr_zero(rest);
@@ -387,6 +387,16 @@ class Update {
     // What is pressed together by others that move is parted by velocities, which reach through all of them.
     [[nodiscard]] bool is_calm(int row) const {
         return length_squared(scratch_.motions.velocity[row].v) < kCalm_m_s * kCalm_m_s;
+    }
+
+    // Of some lanes. In a dense crowd many overlap deeply, and few of those are calm.
+    [[nodiscard]] unsigned calm_lanes(const ContactBlock& block, unsigned lanes) const {
+        unsigned calm = 0;
+        for (; lanes != 0; lanes &= lanes - 1) {
+            const int lane = std::countr_zero(lanes);
+            if (is_calm(block.a[lane]) && is_calm(block.b[lane])) calm |= 1u << lane;
+        }
+        return calm;
     }
 
     [[nodiscard]] bool is_direct(const ContactRecord& record) const {
