@@ -57,18 +57,18 @@ void kick_at_start(Motions& motions, int i, const Drive& drive, Vec2 gravity_m_s
         motions.pose[i].d += 0.5f * dt_s * dt_s * forced;
 }
 
-float turned(const VelocityRow& row, const Drive& drive, float k, float time_s, float kick_s) {
-    const float faster = k > 0 ? kick_s * drive.angular_acceleration / k : 0;
+float turned(const VelocityRow& row, const Drive& drive, float k, float time_s) {
+    const float faster = k > 0 ? time_s * drive.angular_acceleration / k : 0;
     return decay(drive.angular_damping, time_s) * (row.w + faster);
 }
 
 }  // namespace
 
-VelocityRow accelerated(const VelocityRow& row, const Drive& drive, float k, float time_s, float kick_s) {
-    VelocityRow next = row;
-    next.v = decay(drive.linear_damping, time_s) * (row.v + kick_s * drive.acceleration);
-    next.w = turned(row, drive, k, time_s, kick_s);
-    return next;
+Vec2 freely_moving(Vec2 velocity, const Drive& drive, float h_s, int substeps) {
+    const float kept = decay(drive.linear_damping, h_s);
+    const Vec2 kick = h_s * drive.acceleration;
+    for (int i = 0; i < substeps; ++i) velocity = kept * (velocity + kick);
+    return velocity;
 }
 
 void prepare_kicks(Motions& motions, std::span<const Drive> drives, float h_s, int first, int last) {
@@ -143,7 +143,7 @@ void fly_freely(Motions& motions, std::span<const Drive> drives, Vec2 gravity_m_
         VelocityRow& after = motions.velocity[i];
         after.v.x = flown(before.v.x, drive.acceleration.x, kept, dt_s, threshold);
         after.v.y = flown(before.v.y, drive.acceleration.y, kept, dt_s, threshold);
-        after.w = turned(before, drive, motions.pose[i].k, dt_s, dt_s);
+        after.w = turned(before, drive, motions.pose[i].k, dt_s);
         motions.pose[i].d = 0.5f * dt_s * (before.v + after.v);
         motions.pose[i].theta = 0.5f * dt_s * (before.w + after.w);
         kick_at_start(motions, i, drive, gravity_m_s2, dt_s);

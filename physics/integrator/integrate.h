@@ -10,9 +10,9 @@
 
 namespace cairn::physics {
 
-/// The velocity where only forces and damping act: damped over the time, and accelerated for `kick_s` of it;
-/// k as in PoseRow.
-VelocityRow accelerated(const VelocityRow& row, const Drive& drive, float k, float time_s, float kick_s);
+/// What forces and damping alone make of the velocity (m/s) in so many substeps: to the bit what the substeps
+/// do.
+Vec2 freely_moving(Vec2 velocity, const Drive& drive, float h_s, int substeps);
 
 /// What forces and damping do in a substep to each row from first up to, and without, last, which is the same
 /// in all substeps. Bodies moved by constraints only; structures that are solved directly take half of it.

@@ -43,13 +43,8 @@ class Placing {
 
     [[nodiscard]] Vec2 velocity_before(int row) const { return awake_.velocity[row - 1]; }
 
-    // What forces alone make of the velocity, in the same operations as the substeps.
     [[nodiscard]] Vec2 free_velocity(int row) const {
-        VelocityRow velocity;
-        velocity.v = velocity_before(row);
-        for (int i = 0; i < time_.substeps; ++i)
-            velocity = accelerated(velocity, drives_[row], 0, time_.h_s, time_.h_s);
-        return velocity.v;
+        return freely_moving(velocity_before(row), drives_[row], time_.h_s, time_.substeps);
     }
 
     // A first guess that was taken out again leaves rounding behind.
