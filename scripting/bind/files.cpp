@@ -1,4 +1,7 @@
 // cairn.files.
+#include <cmath>
+#include <optional>
+
 #include "bind/context.h"
 #include "bind/data_values.h"
 #include "bind/modules.h"
@@ -72,8 +75,30 @@ Pushed read_data(lua_State* L, std::string_view path) {
     return {1};
 }
 
+// The first number that could be written but not read, such as t.best = 1/0; nothing when there is none.
+std::optional<std::string> find_unreadable(const Value& value, const std::string& path) {
+    if (value.kind() == Value::Kind::Number) {
+        const double number = std::get<double>(value.content);
+        if (std::isfinite(number)) return std::nullopt;
+        return path + " is " +
+               (std::isnan(number) ? "not a number"
+                : number > 0       ? "infinite"
+                                   : "-infinite") +
+               "; numbers in a file must be finite";
+    }
+    if (value.kind() != Value::Kind::Table) return std::nullopt;
+    for (const Entry& entry : value.entries()) {
+        const auto* name = std::get_if<std::string>(&entry.key);
+        const std::string key =
+            name != nullptr ? '.' + *name : '[' + std::to_string(std::get<std::int64_t>(entry.key)) + ']';
+        if (auto found = find_unreadable(entry.value, path + key)) return found;
+    }
+    return std::nullopt;
+}
+
 engine::Result<void> write_data(lua_State* L, std::string_view path, TableArgument table) {
     const Value value = value_or_raise(L, to_value(L, table.index));
+    if (auto unreadable = find_unreadable(value, "t")) return engine::Error{*unreadable};
     return write(L, path, to_table_file(value));
 }
 

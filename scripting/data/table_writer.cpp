@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 namespace cairn::scripting {
 namespace {
@@ -74,9 +75,14 @@ void write(const Value& value, std::size_t depth, std::string& out) {
         case Value::Kind::Boolean:
             out += std::get<bool>(value.content) ? "true" : "false";
             return;
-        case Value::Kind::Integer:
-            out += std::to_string(std::get<std::int64_t>(value.content));
+        case Value::Kind::Integer: {
+            const auto integer = std::get<std::int64_t>(value.content);
+            // Lua reads the least integer in decimal as a float: its digits stand for a positive number
+            // first.
+            const bool is_least = integer == std::numeric_limits<std::int64_t>::min();
+            out += is_least ? "0x8000000000000000" : std::to_string(integer);
             return;
+        }
         case Value::Kind::Number:
             out += number_text(std::get<double>(value.content));
             return;

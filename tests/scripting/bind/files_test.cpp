@@ -44,6 +44,21 @@ TEST_CASE("a real run writes to the save folder") {
     CHECK(std::filesystem::exists(bench.machine().files->save_folder() + "/one.txt"));
 }
 
+TEST_CASE("data that could not be read back is refused, and what was saved stays") {
+    LuaBench bench({}, MachineKind::Headless, {.plays_saves = true});
+    REQUIRE(bench.run("cairn.files.write_data('save/a.lua', { best = 1, least = math.mininteger })") == "");
+    const auto refusal = [&](const std::string& table) {
+        return bench.run("cairn.files.write_data('save/a.lua', " + table + ")");
+    };
+    CHECK(refusal("{ best = 1/0 }").find("t.best is infinite; numbers in a file must be finite") !=
+          std::string::npos);
+    CHECK(refusal("{ 1, { x = -math.huge } }").find("t[2].x is -infinite") != std::string::npos);
+    CHECK(refusal("{ 0/0 }").find("t[1] is not a number") != std::string::npos);
+    CHECK(bench.value("cairn.files.read_data('save/a.lua').best") == "1");
+    CHECK(bench.value("cairn.files.read_data('save/a.lua').least == math.mininteger") == "true");
+    CHECK(bench.value("math.type(cairn.files.read_data('save/a.lua').least)") == "integer");
+}
+
 /// What the calls of a script answer, with the errors' messages.
 const char* const kTriesEverything = R"(
     local answers = {}
