@@ -116,12 +116,12 @@ void load_places(const Place* places, const Lanes<std::int32_t>& body_a, const L
     out.rouses &= lanes;
 }
 
-// What rounding may make of a gap, as a share of what the bodies measure.
+// What rounding may make of a gap, as a share of what the bodies measure and how far apart they are.
 constexpr float kRounding = 1e-5f;
 
 // How far apart the shapes are at least, by when they were looked at. Seen from a, no point of b has gone
 // further since than its centre and its own turn took it.
-HWY_INLINE V gap_left(const NearSight* sights, V reach, Vec q_a, Vec q_b, Vec between) {
+HWY_INLINE V gap_left(const NearSight* sights, V reach, Vec q_a, Vec q_b, Vec between, V distance) {
     static_assert(sizeof(NearSight) == 32 && offsetof(NearSight, turn) == 12);
     const float* from[kStep];
     for (int i = 0; i < kStep; ++i) from[i] = &sights[i].gap_m;
@@ -129,8 +129,9 @@ HWY_INLINE V gap_left(const NearSight* sights, V reach, Vec q_a, Vec q_b, Vec be
     const Columns tail = load_rows(from, 4);  // sine
     const Vec moved = sub(inverse_rotate(q_a, between), {head.y, head.z});
     const Vec chord = sub(inverse_rotate(q_a, q_b), {head.u, tail.x});
-    const V arm = hn::Mul(reach, hn::Add(hn::Sqrt(dot(chord, chord)), set(kRounding)));
-    return hn::Sub(head.x, hn::Add(hn::Sqrt(dot(moved, moved)), arm));
+    const V turned = hn::Mul(reach, hn::Sqrt(dot(chord, chord)));
+    const V rounding = hn::Mul(set(kRounding), hn::Add(reach, distance));
+    return hn::Sub(head.x, hn::Add(hn::Add(hn::Sqrt(dot(moved, moved)), turned), rounding));
 }
 
 // Discs that hold the shapes, along the line between their centres; and what earlier looks said.
@@ -168,7 +169,8 @@ void look_near(const Place* places, const Lanes<std::int32_t>& body_a, const Lan
         if ((out.close & seen) >> lane == 0) continue;
         const V turning = hn::Add(advance_a.z, advance_b.z);
         const V way = hn::Mul(set(dt_s), hn::Add(hn::Sqrt(dot(velocity, velocity)), turning));
-        const V left = gap_left(sights + lane, reach, {turn_a.x, turn_a.y}, {turn_b.x, turn_b.y}, d);
+        const V left =
+            gap_left(sights + lane, reach, {turn_a.x, turn_a.y}, {turn_b.x, turn_b.y}, d, distance);
         const M apart = hn::Gt(hn::Sub(left, hn::IfThenElseZero(is_fast, way)), near);
         out.close &= ~((bits_of(apart) << lane) & seen);
     }
