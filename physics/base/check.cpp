@@ -1,8 +1,10 @@
 // Wording of errors about numbers.
 #include "base/check.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 
 namespace cairn::physics::check {
 namespace {
@@ -39,6 +41,12 @@ Fault finite(const char* field, Vec2 value) {
 Fault finite(const char* field, Position value) {
     if (is_finite(value)) return {};
     return fault(field, pair(value.x, value.y), "finite");
+}
+
+Fault placed(const char* field, Position value) {
+    if (auto fault = finite(field, value)) return fault;
+    const double farthest = std::max(std::fabs(value.x), std::fabs(value.y));
+    return require(farthest <= kFarthest_m, field, farthest, "within 1e12 m of the world's origin");
 }
 
 Fault positive(const char* field, double value) {

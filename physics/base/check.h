@@ -18,6 +18,8 @@ std::string number(double value);  ///< shortest text that reads back as the sam
 Fault finite(const char* field, double value);
 Fault finite(const char* field, Vec2 value);
 Fault finite(const char* field, Position value);
+/// Finite, and within kFarthest_m of the world's origin along each axis.
+Fault placed(const char* field, Position value);
 Fault positive(const char* field, double value);      ///< finite and > 0
 Fault not_negative(const char* field, double value);  ///< finite and >= 0
 Fault within(const char* field, double value, double low, double high);

@@ -76,7 +76,7 @@ Position Body::world_center() const {
 
 Result<void> Body::set_transform(Position position_m, double angle_rad) {
     if (auto fault = check::first_of(
-            {check::finite("body.position_m", position_m), check::finite("body.angle_rad", angle_rad)})) {
+            {check::placed("body.position_m", position_m), check::finite("body.angle_rad", angle_rad)})) {
         return *fault;
     }
     teleport(world_->stores, row_of(*world_, id_).body, position_m, angle_rad);

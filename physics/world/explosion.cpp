@@ -55,10 +55,7 @@ SurfaceForce impulse_on(const Stores& stores, int shape, const ExplosionDef& def
 check::Fault validate(const ExplosionDef& def) {
     const auto radius = static_cast<double>(def.radius_m);
     const auto falloff = static_cast<double>(def.falloff_m);
-    const double farthest = std::max(std::fabs(def.center_m.x), std::fabs(def.center_m.y));
-    return check::first_of({check::finite("explosion.center_m", def.center_m),
-                            check::require(farthest <= 1e12, "explosion.center_m", farthest,
-                                           "within 1e12 m of the world's origin"),
+    return check::first_of({check::placed("explosion.center_m", def.center_m),
                             check::not_negative("explosion.radius_m", radius),
                             check::require(radius <= 1e9, "explosion.radius_m", radius, "at most 1e9 m"),
                             check::not_negative("explosion.falloff_m", falloff),

@@ -24,7 +24,7 @@ class Fields {
 
     Fields& finite(const char* field, float x) { return keep(check::finite(name(field), d(x))); }
     Fields& finite(const char* field, Vec2 x) { return keep(check::finite(name(field), x)); }
-    Fields& finite(const char* field, Position x) { return keep(check::finite(name(field), x)); }
+    Fields& placed(const char* field, Position x) { return keep(check::placed(name(field), x)); }
     Fields& positive(const char* field, float x) { return keep(check::positive(name(field), d(x))); }
     Fields& not_negative(const char* field, float x) { return keep(check::not_negative(name(field), d(x))); }
     Fields& require(bool holds, const char* field, float x, const char* rule) {
@@ -186,8 +186,8 @@ Fault rules(const PulleyJointDef& def) {
     return Fields(JointKind::Pulley)
         .finite("local_anchor_a_m", def.local_anchor_a_m)
         .finite("local_anchor_b_m", def.local_anchor_b_m)
-        .finite("wheel_a_m", def.wheel_a_m)
-        .finite("wheel_b_m", def.wheel_b_m)
+        .placed("wheel_a_m", def.wheel_a_m)
+        .placed("wheel_b_m", def.wheel_b_m)
         .positive("ratio", def.ratio)
         .not_negative("length_m", def.length_m)
         .stiffness(def.stiffness)

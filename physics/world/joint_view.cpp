@@ -188,7 +188,7 @@ Result<void> Joint::set_target(float target) {
 }
 
 Result<void> Joint::set_target(Position target_m) {
-    if (auto fault = check::finite("mouse_joint.target_m", target_m)) return *fault;
+    if (auto fault = check::placed("mouse_joint.target_m", target_m)) return *fault;
     const Transform frame = world_->stores.bodies.transform(record_of(*world_, id_).body_a);
     return edit(*world_, id_, "set_target", "mouse", [&](auto& def) {
         if constexpr (requires { def.local_target_m; }) {

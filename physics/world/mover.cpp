@@ -20,7 +20,7 @@ constexpr float kTouching_m = kGap_m + 1e-4f;
 // m. Motion too small to see; what is left when a way is blocked.
 constexpr float kStill_m = 1e-5f;
 // m. Farther out the queries would refuse places.
-constexpr double kFarthest_m = 1e11;
+constexpr double kFarthestMover_m = 1e11;
 constexpr float kFastest_m_s = 1e6f;
 
 /// The surroundings of one call of Mover::move.
@@ -225,7 +225,7 @@ void push(World& world, const CollisionPlane& plane, Vec2 velocity, float greate
 check::Fault validate_place(Position p) {
     if (auto fault = check::finite("mover.position_m", p)) return fault;
     const double farthest = std::max(std::fabs(p.x), std::fabs(p.y));
-    return check::require(farthest <= kFarthest_m, "mover.position_m", farthest,
+    return check::require(farthest <= kFarthestMover_m, "mover.position_m", farthest,
                           "within 1e11 m of the world's origin");
 }
 

@@ -13,14 +13,8 @@
 namespace cairn::physics {
 namespace {
 
-check::Fault validate_place(const char* field, Position p) {
-    if (auto fault = check::finite(field, p)) return fault;
-    const double farthest = std::max(std::fabs(p.x), std::fabs(p.y));
-    return check::require(farthest <= 1e12, field, farthest, "within 1e12 m of the world's origin");
-}
-
 check::Fault validate_cut(Position from, Position to) {
-    if (auto fault = check::first_of({validate_place("cut.from_m", from), validate_place("cut.to_m", to)})) {
+    if (auto fault = check::first_of({check::placed("cut.from_m", from), check::placed("cut.to_m", to)})) {
         return fault;
     }
     const double way = length(RingPoint{to.x - from.x, to.y - from.y});
@@ -95,7 +89,7 @@ Result<std::vector<BodyId>> World::cut_body(BodyId id, Position from_m, Position
 
 Result<std::vector<BodyId>> World::break_body(BodyId id, Position impact_m, const FractureDef& def) {
     if (auto fault = check::first_of(
-            {refuse_within_step(*state_), validate_place("impact_m", impact_m), validate(def)})) {
+            {refuse_within_step(*state_), check::placed("impact_m", impact_m), validate(def)})) {
         return *fault;
     }
     const Result<int> body = find_divisible(*state_, id);

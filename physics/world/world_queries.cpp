@@ -8,15 +8,7 @@
 namespace cairn::physics {
 namespace {
 
-// m. Beyond, float could not hold the squares of distances, nor the boxes the places.
-constexpr double kFarthest_m = 1e12;
 constexpr float kLongest_m = 1e9f;
-
-check::Fault validate_place(const char* field, Position p) {
-    if (auto fault = check::finite(field, p)) return fault;
-    const double farthest = std::max(std::fabs(p.x), std::fabs(p.y));
-    return check::require(farthest <= kFarthest_m, field, farthest, "within 1e12 m of the world's origin");
-}
 
 check::Fault validate_translation(const char* field, Vec2 translation) {
     if (auto fault = check::finite(field, translation)) return fault;
@@ -32,7 +24,7 @@ check::Fault validate_length(const char* field, float length) {
 }
 
 check::Fault validate_pose(const char* place, const char* rotation, const Transform& pose) {
-    if (auto fault = validate_place(place, pose.p)) return fault;
+    if (auto fault = check::placed(place, pose.p)) return fault;
     const double size = std::sqrt(static_cast<double>(pose.q.c) * static_cast<double>(pose.q.c) +
                                   static_cast<double>(pose.q.s) * static_cast<double>(pose.q.s));
     return check::require(std::fabs(size - 1) < 1e-3, rotation, size, "of size 1, as a cosine and sine are");
@@ -50,7 +42,7 @@ auto ask_with(const Geometry& geometry, const check::Fault& fault, Ask&& ask)
 
 check::Fault validate_ray(Position origin_m, Vec2 translation_m) {
     return check::first_of(
-        {validate_place("ray.origin_m", origin_m), validate_translation("ray.translation_m", translation_m)});
+        {check::placed("ray.origin_m", origin_m), validate_translation("ray.translation_m", translation_m)});
 }
 
 check::Fault validate_shape_cast(const Transform& start, Vec2 translation_m) {
@@ -87,7 +79,7 @@ Result<std::vector<ShapeHit>> World::cast_shape_all(const Geometry& geometry, co
 }
 
 Result<std::optional<ShapeId>> World::shape_at(Position point_m, QueryFilter filter) const {
-    if (auto fault = validate_place("point_m", point_m)) return *fault;
+    if (auto fault = check::placed("point_m", point_m)) return *fault;
     return physics::shape_at(state_->stores, point_m, filter);
 }
 
@@ -101,7 +93,7 @@ Result<std::vector<ShapeId>> World::shapes_overlapping(const Geometry& geometry,
 Result<std::vector<ShapeId>> World::shapes_in_box(Position lower_m, Position upper_m,
                                                   QueryFilter filter) const {
     if (auto fault = check::first_of(
-            {validate_place("box.lower_m", lower_m), validate_place("box.upper_m", upper_m),
+            {check::placed("box.lower_m", lower_m), check::placed("box.upper_m", upper_m),
              check::require(lower_m.x <= upper_m.x, "box.lower_m.x", lower_m.x, "at most upper_m.x"),
              check::require(lower_m.y <= upper_m.y, "box.lower_m.y", lower_m.y, "at most upper_m.y")})) {
         return *fault;
@@ -112,7 +104,7 @@ Result<std::vector<ShapeId>> World::shapes_in_box(Position lower_m, Position upp
 Result<std::optional<SurfacePoint>> World::closest_point(Position point_m, float radius_m,
                                                          QueryFilter filter) const {
     if (auto fault =
-            check::first_of({validate_place("point_m", point_m), validate_length("radius_m", radius_m)})) {
+            check::first_of({check::placed("point_m", point_m), validate_length("radius_m", radius_m)})) {
         return *fault;
     }
     return physics::closest_point(state_->stores, point_m, radius_m, filter);
@@ -121,7 +113,7 @@ Result<std::optional<SurfacePoint>> World::closest_point(Position point_m, float
 Result<std::vector<SurfacePoint>> World::closest_points(Position point_m, float radius_m,
                                                         QueryFilter filter) const {
     if (auto fault =
-            check::first_of({validate_place("point_m", point_m), validate_length("radius_m", radius_m)})) {
+            check::first_of({check::placed("point_m", point_m), validate_length("radius_m", radius_m)})) {
         return *fault;
     }
     return physics::closest_points(state_->stores, point_m, radius_m, filter);

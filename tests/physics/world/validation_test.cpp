@@ -111,6 +111,8 @@ TEST_CASE("bad body definitions are refused") {
     require_refusals({
         bad_def("body.position_m", "(nan, 0)", BodyDef{.position_m = {kNaND, 0}}),
         bad_def("body.position_m", "(0, inf)", BodyDef{.position_m = {0, kInfinityD}}),
+        bad_def("body.position_m", "within 1e12 m", BodyDef{.position_m = {1e300, 0}}),
+        bad_def("body.position_m", "1.0001e+12", BodyDef{.position_m = {0, -1.0001e12}}),
         bad_def("body.angle_rad", "nan", BodyDef{.angle_rad = kNaND}),
         bad_def("body.angle_rad", "-inf", BodyDef{.angle_rad = -kInfinityD}),
         bad_def("body.linear_velocity_m_s", "(0, nan)", BodyDef{.linear_velocity_m_s = {0, kNaN}}),

@@ -30,7 +30,7 @@ struct AxisLocks {
 
 struct BodyDef {
     BodyType type = BodyType::Dynamic;
-    Position position_m{};
+    Position position_m{};  ///< within kFarthest_m of the origin
     double angle_rad = 0;
     Vec2 linear_velocity_m_s{};  ///< of the centre of mass
     float angular_velocity_rad_s = 0;

@@ -60,6 +60,11 @@ inline bool is_finite(Vec2 a) {
     return std::isfinite(a.x) && std::isfinite(a.y);
 }
 
+/// m. Nothing is put or asked for farther than this from the world's origin, along either axis. A double
+/// still tells places 0.12 mm apart there; farther out, float could not hold the squares of distances, nor
+/// the boxes of the trees the places.
+inline constexpr double kFarthest_m = 1e12;
+
 /// A point of the world, m.
 struct Position {
     double x = 0;

@@ -162,7 +162,7 @@ class World {
     [[nodiscard]] std::span<const BodyId> quarantined() const;
 
     // Queries. Between steps any number of threads may ask at once, as long as none changes the world. Each
-    // gives an error for NaN and infinity, for places beyond 1e12 m and lengths beyond 1e9 m, and for
+    // gives an error for NaN and infinity, for places beyond kFarthest_m and lengths beyond 1e9 m, and for
     // geometry that `create_shape` would refuse. Lists are ordered by fraction or distance, then by slot of
     // the shape. Chains are met from their front only; a shape or box is where its middle is.
 
