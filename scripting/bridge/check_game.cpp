@@ -6,10 +6,12 @@
 #include <functional>
 
 #include <cairn/engine/atlas.h>
+#include <cairn/engine/audio.h>
 #include <cairn/engine/tile_map.h>
 #include <cairn/scripting/check_game.h>
 
 #include "bind/level.h"
+#include "bridge/conf.h"
 #include "bridge/game.h"
 #include "bridge/machine.h"
 #include "bridge/replay.h"
@@ -26,10 +28,11 @@ class Inspector {
     Inspector(Machine& machine) : machine_(machine), game_(machine.services(), {.plays_saves = true}) {}
 
     void inspect(const std::string& path) {
-        const std::string ending = fs::path(path).extension().string();
+        std::string ending = fs::path(path).extension().string();
+        for (char& c : ending) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c;
         const bool is_level = path.starts_with("levels/") && !machine_.files->exists(kOwnCheck);
         if (ending == ".lua") {
-            if (path == "conf.lua") return note(path, "");  // read when the game was opened
+            if (path == "conf.lua") return inspect_conf(path);
             if (is_level) return inspect_level(path);
             inspect_script(path);
         } else if (ending == ".tmx" || ending == ".tmj") {
@@ -38,7 +41,7 @@ class Inspector {
         } else if (ending == ".png" || ending == ".jpg" || ending == ".jpeg") {
             inspect_asset(path, machine_.renderer->load_texture(path));
         } else if (ending == ".wav" || ending == ".ogg" || ending == ".mp3" || ending == ".flac") {
-            inspect_asset(path, machine_.audio->load_sound(path));
+            inspect_asset(path, engine::check_sound(*machine_.files, path));
         } else if (ending == ".ttf" || ending == ".otf") {
             inspect_asset(path, machine_.renderer->load_font(path, 16));
         } else if (ending == ".replay") {
@@ -94,6 +97,13 @@ class Inspector {
         note(path, loaded ? "" : loaded.error().message);
     }
 
+    void inspect_conf(const std::string& path) {
+        const auto text = machine_.files->read_text(path);
+        if (!text) return note(path, text.error().message);
+        ++files_;
+        for (const std::string& fault : faults_of_conf(*text, path)) tell(path, fault);
+    }
+
     void inspect_level(const std::string& path) {
         ++files_;
         for (const std::string& fault : faults_of_level(game_.lua(), path)) tell(path, fault);
@@ -144,7 +154,7 @@ std::vector<std::string> files_below(const fs::path& root, std::string& problem)
 
 int check_game(const GameSource& source) {
     // Drawing into memory decodes images whole; a plain headless run would read their headers only.
-    auto machine = make_machine(source, MachineKind::HeadlessDrawing);
+    auto machine = make_machine(source, MachineKind::HeadlessDrawing, ConfSlips::Passed);
     if (!machine) {
         std::printf("%s\n1 fault\n", machine.error().message.c_str());
         return 1;

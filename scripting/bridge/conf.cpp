@@ -55,6 +55,12 @@ Conf default_conf(const std::string& game_name) {
     return conf;
 }
 
+std::vector<std::string> faults_of_conf(std::string_view text, const std::string& path) {
+    const auto value = parse_table_text(text, path);
+    if (!value) return {value.error().message};
+    return check_data(*value, conf_schema(), path);
+}
+
 engine::Result<Conf> parse_conf(std::string_view text, const std::string& path,
                                 const std::string& game_name) {
     const auto value = parse_table_text(text, path);

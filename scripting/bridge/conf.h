@@ -3,6 +3,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <cairn/engine/geometry.h>
 #include <cairn/engine/result.h>
@@ -21,7 +22,10 @@ struct Conf {
 /// Of a game without conf.lua.
 Conf default_conf(const std::string& game_name);
 
-/// `path` is for messages.
+/// Everything that is wrong with the text of a conf.lua, each fault one text. `path` is for messages.
+std::vector<std::string> faults_of_conf(std::string_view text, const std::string& path);
+
+/// The error is the first fault.
 engine::Result<Conf> parse_conf(std::string_view text, const std::string& path, const std::string& game_name);
 
 }  // namespace cairn::scripting

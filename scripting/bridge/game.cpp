@@ -7,6 +7,7 @@
 
 #include <cairn/engine/fixed_step.h>
 
+#include "bind/callbacks.h"
 #include "bind/fields.h"
 #include "bind/module.h"
 #include "bind/physics_objects.h"
@@ -80,7 +81,17 @@ std::optional<ScriptError> Game::run_file(const std::string& path,
 std::optional<ScriptError> Game::load(const std::string& main_path,
                                       const std::vector<std::string>& arguments) {
     if (auto error = run_file(main_path)) return error;
-    return call_load(arguments);
+    hint_at_slips();
+    auto error = call_load(arguments);
+    if (!error) hint_at_slips();
+    return error;
+}
+
+void Game::hint_at_slips() {
+    lua_State* L = state_.get();
+    lua_rawgeti(L, LUA_REGISTRYINDEX, cairn_);
+    warn_of_slips(L, -1, "cairn.");
+    lua_pop(L, 1);
 }
 
 struct Game::CallbackCall {

@@ -64,6 +64,8 @@ class Game {
     struct CallbackCall;
     static int run_callback(lua_State* L);
     static void run_scene_callbacks(lua_State* L, CallbackCall& callback);
+    /// Logs functions of `cairn` that look like callbacks and are none.
+    void hint_at_slips();
     /// Calls cairn.load.
     std::optional<ScriptError> call_load(const std::vector<std::string>& arguments);
     std::optional<ScriptError> deliver(const engine::InputEvent& event);

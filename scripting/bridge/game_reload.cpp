@@ -69,6 +69,7 @@ std::optional<ScriptError> Game::reload(const std::string& main_path,
     unref_all(L, context_);
     auto error = run_file(main_path);
     if (!error) {
+        hint_at_slips();
         if (push_callback(L, table, "after_reload")) {
             lua_rawgeti(L, LUA_REGISTRYINDEX, kept);
             error = protected_call(L, 1, 0);

@@ -29,7 +29,8 @@ engine::Result<Conf> read_conf(const engine::Files& files, const std::string& ga
 
 }  // namespace
 
-engine::Result<std::unique_ptr<Machine>> make_machine(const GameSource& source, MachineKind kind) {
+engine::Result<std::unique_ptr<Machine>> make_machine(const GameSource& source, MachineKind kind,
+                                                      ConfSlips slips) {
     auto machine = std::make_unique<Machine>();
     std::error_code ignored;
     std::string root = source.path;
@@ -47,8 +48,8 @@ engine::Result<std::unique_ptr<Machine>> make_machine(const GameSource& source, 
             return engine::Error{"\"" + source.path + "\" is no game: it holds no " + machine->main_path};
         }
         auto conf = read_conf(**files, source.name);
-        if (!conf) return conf.error();
-        machine->conf = *std::move(conf);
+        if (!conf && slips != ConfSlips::Passed) return conf.error();
+        machine->conf = conf ? *std::move(conf) : default_conf(source.name);
     }
     auto files = open_files(source, root, machine->conf.identity);
     if (!files) return files.error();

@@ -33,7 +33,11 @@ enum class MachineKind {
     HeadlessDrawing,  ///< draws into memory
 };
 
+/// Whether a faulty conf.lua is an error, or the machine is made as if there were none.
+enum class ConfSlips { Refused, Passed };
+
 /// Errors say what is wrong with the game's folder, its conf.lua or the display.
-engine::Result<std::unique_ptr<Machine>> make_machine(const GameSource& source, MachineKind kind);
+engine::Result<std::unique_ptr<Machine>> make_machine(const GameSource& source, MachineKind kind,
+                                                      ConfSlips slips = ConfSlips::Refused);
 
 }  // namespace cairn::scripting

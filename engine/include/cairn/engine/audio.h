@@ -45,6 +45,10 @@ struct AudioStats {
     bool device_open = false;
 };
 
+/// Whether a sound or a piece of music is whole, from the first byte to the last; Audio looks no farther than
+/// the header before it plays one. The error names the path and the reason.
+Result<void> check_sound(const Files& files, std::string_view path);
+
 class Audio {
   public:
     /// Of all sounds together.
