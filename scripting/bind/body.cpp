@@ -156,11 +156,21 @@ Pushed add_shape(lua_State* L, BodyRef self, TableArgument description) {
     OwnedGeometry geometry;
     read_geometry(L, reader, kKind, read_shape_place(reader), geometry);
     WorldObject& world = *self.object.world;
-    const auto id = value_or_raise(
-        L, world.world->create_shape(self.object.id, geometry.geometry, read_shape_def(reader)));
+    const physics::ShapeDef def = read_shape_def(reader);
+    std::vector<physics::ShapeId> made;
+    for (const physics::Geometry& part : geometry.parts) {
+        const auto id = world.world->create_shape(self.object.id, part, def);
+        if (!id) {
+            for (const physics::ShapeId other : made) check_or_raise(L, world.world->destroy_shape(other));
+            call_error(L, id.error());
+        }
+        made.push_back(*id);
+    }
     push_world_of(L, self.index);
-    push_shape(L, -1, world, id);
-    return {1};
+    const int world_index = lua_gettop(L);
+    luaL_checkstack(L, static_cast<int>(made.size()), "shapes of a polygon");
+    for (const physics::ShapeId id : made) push_shape(L, world_index, world, id);
+    return {static_cast<int>(made.size())};
 }
 
 Pushed shapes(lua_State* L, BodyRef self) {
@@ -273,9 +283,11 @@ constexpr Function kFunctions[] = {
     function_pushing<&add_shape<GeometryKind::Capsule>>("add_capsule", "fields", "shape", kReturnsShape,
                                                         "Adds a capsule.",
                                                         &fields_of_body_add(GeometryKind::Capsule)),
-    function_pushing<&add_shape<GeometryKind::Polygon>>("add_polygon", "fields", "shape", kReturnsShape,
-                                                        "Adds a convex polygon.",
-                                                        &fields_of_body_add(GeometryKind::Polygon)),
+    function_pushing<&add_shape<GeometryKind::Polygon>>(
+        "add_polygon", "fields", "shape", kReturnsShape,
+        "Adds a polygon. One with dents, or with more than eight corners, "
+        "becomes several convex shapes, which are all returned.",
+        &fields_of_body_add(GeometryKind::Polygon)),
     function_pushing<&add_shape<GeometryKind::Segment>>(
         "add_segment", "fields", "shape", kReturnsShape,
         "Adds a line without thickness or mass, solid from both sides.",

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <lua.hpp>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -77,6 +78,8 @@ struct Context {
     std::vector<WorldObject*> worlds{};
 
     lua_Integer levels_loaded = 0;  ///< numbers them for hot reload
+
+    std::set<std::string> hints_told{};  ///< each once
 
     /// With a value, the save folder is only played: files written are kept here and the real folder is
     /// neither read nor written, so that a replay does not depend on what the player saved.

@@ -1,5 +1,7 @@
 #include "bind/level_parts.h"
 
+#include <algorithm>
+
 #include "bind/data_values.h"
 #include "bind/fields.h"
 #include "bind/modules.h"
@@ -102,6 +104,15 @@ const Module& methods_of(PartKind kind) {
     return kJointMethods;
 }
 
+/// Whether one of the parts that a part names could not be made.
+bool refers_to_unmade(const Level& level, std::size_t part, const std::vector<bool>& is_made) {
+    const auto& references = level.parts[part].references;
+    return std::any_of(references.begin(), references.end(), [&](const PartReference& reference) {
+        const auto named = level.find(split_part_name(reference.name).name);
+        return named && !is_made[*named];
+    });
+}
+
 /// Makes a world for trying out; pushed.
 void push_scratch_world(lua_State* L) {
     push_function(L, kPhysicsModule, "new_world");
@@ -162,8 +173,11 @@ std::vector<std::string> faults_of_building(lua_State* L, const Level& level) {
     push_scratch_world(L);
     lua_newtable(L);
     std::vector<std::string> faults;
+    std::vector<bool> is_made(level.parts.size());
     for (std::size_t part = 0; part < level.parts.size(); ++part) {
+        if (refers_to_unmade(level, part, is_made)) continue;  // the cause is told
         const std::string message = make_part(L, level, part, top + 1, top + 2);
+        is_made[part] = message.empty();
         if (!message.empty()) faults.push_back(level.parts[part].place + ": " + message);
     }
     push_function(L, kWorldMethods, "destroy");

@@ -7,6 +7,7 @@
 
 #include <cairn/physics/tuning.h>
 
+#include "bind/convex_parts.h"
 #include "bind/function.h"
 #include "bind/physics_objects.h"
 #include "data/nearest.h"
@@ -41,8 +42,8 @@ constexpr const Field* kWorldOwn[] = {&kGravityX,         &kGravityY,     &kSubs
                                       &kRestitutionSpeed, &kPushOutSpeed, &kJointSolver, &kThreads};
 
 // ---- Body
-constexpr Field kX = number_field("x", 0, "0", "m");
-constexpr Field kY = number_field("y", 0, "0", "m");
+constexpr Field kX = within(number_field("x", 0, "0", "m"), -physics::kFarthest_m, physics::kFarthest_m);
+constexpr Field kY = within(number_field("y", 0, "0", "m"), -physics::kFarthest_m, physics::kFarthest_m);
 constexpr Field kAngle = number_field("angle", 0, "0", "rad");
 // In the order of physics::BodyType.
 constexpr Field kType =
@@ -128,8 +129,8 @@ constexpr Field kRounding =
 constexpr Field kLength =
     above(required_field("length", FieldType::Number, "m, between the centres of the two ends, along x"),
           kPointsApart_m, 2 * kMaxReach_m);
-constexpr Field kPoints = required_field(
-    "points", FieldType::Points, "{ {x, y}, ... }, m: 3 to 8 corners, of which the convex hull is taken");
+constexpr Field kPoints = required_field("points", FieldType::Points,
+                                         "{ {x, y}, ... }, m: 3 to 256 corners in order, either way round");
 constexpr Field kX1 = required_field("x1", FieldType::Number, "m; one end, in the body's frame");
 constexpr Field kY1 = required_field("y1", FieldType::Number, "m");
 constexpr Field kX2 = required_field("x2", FieldType::Number, "m; the other end");
@@ -318,32 +319,34 @@ void read_geometry(lua_State* L, const FieldReader& reader, GeometryKind kind, c
     const physics::Rotation q = physics::Rotation::from_angle(place.angle_rad);
     switch (kind) {
         case GeometryKind::Box:
-            out.geometry = physics::Box{.half_width_m = reader.real(kWidth) / 2,
-                                        .half_height_m = reader.real(kHeight) / 2,
-                                        .center_m = place.position_m,
-                                        .angle_rad = static_cast<float>(place.angle_rad),
-                                        .radius_m = reader.real(kRounding)};
+            out.parts = {physics::Box{.half_width_m = reader.real(kWidth) / 2,
+                                      .half_height_m = reader.real(kHeight) / 2,
+                                      .center_m = place.position_m,
+                                      .angle_rad = static_cast<float>(place.angle_rad),
+                                      .radius_m = reader.real(kRounding)}};
             return;
         case GeometryKind::Circle:
-            out.geometry = physics::Circle{.center_m = place.position_m, .radius_m = reader.real(kRadius)};
+            out.parts = {physics::Circle{.center_m = place.position_m, .radius_m = reader.real(kRadius)}};
             return;
         case GeometryKind::Capsule: {
             const Vec2 half = physics::rotate(q, {reader.real(kLength) / 2, 0});
-            out.geometry = physics::Capsule{.a_m = place.position_m - half,
-                                            .b_m = place.position_m + half,
-                                            .radius_m = reader.real(kRadius)};
+            out.parts = {physics::Capsule{.a_m = place.position_m - half,
+                                          .b_m = place.position_m + half,
+                                          .radius_m = reader.real(kRadius)}};
             return;
         }
         case GeometryKind::Polygon:
-            out.points_m = read_points(L, reader, kPoints);
-            for (Vec2& point : out.points_m) point = place.position_m + physics::rotate(q, point);
-            out.geometry = physics::Polygon{.points_m = out.points_m, .radius_m = reader.real(kRounding)};
+            out.points_m = value_or_raise(L, convex_parts(read_points(L, reader, kPoints)));
+            for (std::vector<Vec2>& part : out.points_m) {
+                for (Vec2& point : part) point = place.position_m + physics::rotate(q, point);
+                out.parts.push_back(physics::Polygon{.points_m = part, .radius_m = reader.real(kRounding)});
+            }
             return;
         case GeometryKind::Segment: {
             const auto placed = [&](const Field& x, const Field& y) {
                 return place.position_m + physics::rotate(q, {reader.real(x), reader.real(y)});
             };
-            out.geometry = physics::Segment{.a_m = placed(kX1, kY1), .b_m = placed(kX2, kY2)};
+            out.parts = {physics::Segment{.a_m = placed(kX1, kY1), .b_m = placed(kX2, kY2)}};
             return;
         }
     }

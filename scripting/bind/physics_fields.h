@@ -81,10 +81,11 @@ struct BodyPlace {
 };
 BodyPlace read_body_place(const FieldReader& reader);
 
-/// A geometry together with the points that a polygon borrows.
+/// A geometry together with the points that polygons borrow. One part, but for a polygon that is not convex
+/// or has many corners.
 struct OwnedGeometry {
-    std::vector<physics::Vec2> points_m;
-    physics::Geometry geometry;
+    std::vector<physics::Geometry> parts;
+    std::vector<std::vector<physics::Vec2>> points_m;
 };
 void read_geometry(lua_State* L, const FieldReader& reader, GeometryKind kind, const ShapePlace& place,
                    OwnedGeometry& out);

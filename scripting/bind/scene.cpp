@@ -1,4 +1,5 @@
 // cairn.scene: a stack of scenes, of which the top one gets the callbacks.
+#include "bind/callbacks.h"
 #include "bind/context.h"
 #include "bind/fields.h"
 #include "bind/modules.h"
@@ -41,6 +42,7 @@ void check_not_there(lua_State* L, int scene) {
 }
 
 void add(lua_State* L, int scene) {
+    warn_of_slips(L, scene, "the scene's ");
     lua_pushvalue(L, scene);
     context_of(L).scenes.push_back(luaL_ref(L, LUA_REGISTRYINDEX));
 }

@@ -132,7 +132,9 @@ Pushed add_body(lua_State* L, WorldRef self, TableArgument description) {
     const physics::ShapeDef shape = read_shape_def(reader);
     push_data_table(L, reader);
     const physics::BodyId id = value_or_raise(L, self.world.create_body(read_body_def(reader)));
-    if (const auto made = self.world.create_shape(id, geometry.geometry, shape); !made) {
+    for (const physics::Geometry& part : geometry.parts) {
+        const auto made = self.world.create_shape(id, part, shape);
+        if (made) continue;
         check_or_raise(L, self.world.destroy_body(id));
         call_error(L, made.error());
     }
@@ -272,9 +274,11 @@ constexpr Function kWorldFunctions[] = {
         "add_capsule", "fields", "body", kReturnsBody,
         "Adds a body with one capsule: all points within `radius` of a segment along its x axis.",
         &fields_of_world_add(GeometryKind::Capsule)),
-    function_pushing<&add_body<GeometryKind::Polygon>>("add_polygon", "fields", "body", kReturnsBody,
-                                                       "Adds a body with one convex polygon.",
-                                                       &fields_of_world_add(GeometryKind::Polygon)),
+    function_pushing<&add_body<GeometryKind::Polygon>>(
+        "add_polygon", "fields", "body", kReturnsBody,
+        "Adds a body with a polygon. One with dents, or with more than eight "
+        "corners, becomes several convex shapes.",
+        &fields_of_world_add(GeometryKind::Polygon)),
     function_pushing<&add_body<GeometryKind::Segment>>(
         "add_segment", "fields", "body", kReturnsBody,
         "Adds a body with one line without thickness, solid from both sides.",

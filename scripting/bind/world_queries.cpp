@@ -38,6 +38,8 @@ void read_asking(lua_State* L, TableArgument table, AskingShape& out) {
     const FieldSet fields{kAskingOwn, {&kGeometryFields[found - names.begin()], &kPlaceFields}};
     const FieldReader reader(L, table.index, fields);
     read_geometry(L, reader, kind, {}, out.geometry);
+    if (out.geometry.parts.size() > 1)
+        call_error(L, "points: a polygon that asks must be convex and have at most 8 corners");
     const BodyPlace place = read_body_place(reader);
     out.pose = {place.position_m, physics::Rotation::from_angle(place.angle_rad)};
 }
@@ -182,8 +184,8 @@ Pushed cast_shape(lua_State* L, WorldRef self, TableArgument shape, float dx, fl
                   Ignored ignored) {
     AskingShape asking;
     read_asking(L, shape, asking);
-    const auto hit = value_or_raise(L, self.world.cast_shape(asking.geometry.geometry, asking.pose, {dx, dy},
-                                                             query_filter(mask, ignored)));
+    const auto hit = value_or_raise(L, self.world.cast_shape(asking.geometry.parts.front(), asking.pose,
+                                                             {dx, dy}, query_filter(mask, ignored)));
     if (!hit) return lua_pushnil(L), Pushed{1};
     push_place(L, self, hit->body, hit->point_m, hit->normal);
     lua_pushnumber(L, static_cast<double>(hit->fraction));
@@ -197,16 +199,17 @@ Pushed cast_shape_all(lua_State* L, WorldRef self, TableArgument shape, float dx
     AskingShape asking;
     read_asking(L, shape, asking);
     return push_hits(L, self,
-                     value_or_raise(L, self.world.cast_shape_all(asking.geometry.geometry, asking.pose,
+                     value_or_raise(L, self.world.cast_shape_all(asking.geometry.parts.front(), asking.pose,
                                                                  {dx, dy}, query_filter(mask, ignored))));
 }
 
 Pushed shapes_overlapping(lua_State* L, WorldRef self, TableArgument shape, Mask mask, Ignored ignored) {
     AskingShape asking;
     read_asking(L, shape, asking);
-    return push_shapes(L, self,
-                       value_or_raise(L, self.world.shapes_overlapping(asking.geometry.geometry, asking.pose,
-                                                                       query_filter(mask, ignored))));
+    return push_shapes(
+        L, self,
+        value_or_raise(L, self.world.shapes_overlapping(asking.geometry.parts.front(), asking.pose,
+                                                        query_filter(mask, ignored))));
 }
 
 Pushed shapes_in_box(lua_State* L, WorldRef self, double x1, double y1, double x2, double y2, Mask mask,
@@ -239,7 +242,7 @@ Pushed collision_planes(lua_State* L, WorldRef self, TableArgument shape, float 
     AskingShape asking;
     read_asking(L, shape, asking);
     return push_hits(L, self,
-                     value_or_raise(L, self.world.collision_planes(asking.geometry.geometry, asking.pose,
+                     value_or_raise(L, self.world.collision_planes(asking.geometry.parts.front(), asking.pose,
                                                                    reach, query_filter(mask, ignored))));
 }
 

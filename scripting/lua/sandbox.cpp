@@ -94,6 +94,8 @@ int safe_print(lua_State* L) {
     }
     line += '\n';
     std::fwrite(line.data(), 1, line.size(), stdout);
+    // So that lines stand before the error that follows them, and are not lost with a program that is ended.
+    std::fflush(stdout);
     return 0;
 }
 

@@ -1,0 +1,23 @@
+// The functions of a game that Cairn calls by their names, and the search for those that it never will
+// because their names are slips: a misspelt callback is no error in Lua, it is just never called.
+#pragma once
+
+#include <lua.hpp>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace cairn::scripting {
+
+/// Every name that is called in `cairn`; scenes have them too.
+std::span<const std::string_view> callback_names();
+
+/// The callback that was meant by a name that is none; empty when the name is not near any.
+std::string_view meant_callback(std::string_view name);
+
+/// Logs a warning for each function of the table at an index whose name is nearly that of a callback, and for
+/// each function of the API that the script has replaced. Once for each name. `owner` is what the table is
+/// called: "cairn.", "the scene's ".
+void warn_of_slips(lua_State* L, int table, const std::string& owner);
+
+}  // namespace cairn::scripting

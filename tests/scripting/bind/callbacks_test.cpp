@@ -1,0 +1,90 @@
+// Slips in the names of callbacks.
+#include "bind/callbacks.h"
+
+#include <catch2/catch.hpp>
+#include <fstream>
+#include <sstream>
+
+#include <cairn/engine/log.h>
+
+#include "scripting/support/lua_bench.h"
+
+namespace cairn::scripting::test {
+namespace {
+
+/// What is logged while it lives.
+class Log {
+  public:
+    Log() {
+        before_ = engine::set_log_sink(
+            [this](engine::LogLevel, std::string_view text) { lines_ += std::string(text) + '\n'; });
+    }
+    ~Log() { engine::set_log_sink(before_); }
+    Log(const Log&) = delete;
+    Log& operator=(const Log&) = delete;
+
+    [[nodiscard]] const std::string& lines() const { return lines_; }
+
+  private:
+    engine::LogSink before_;
+    std::string lines_;
+};
+
+std::string hints_of(const std::string& main) {
+    const Log log;
+    LuaBench bench(GameFiles{{"main.lua", main}});
+    const auto error = bench.game().load("main.lua", {});
+    CHECK(!error);
+    return log.lines();
+}
+
+}  // namespace
+
+TEST_CASE("the callbacks are those of the handbook") {
+    std::ifstream file(CAIRN_SOURCE_DIR "/docs/reference/games.md");
+    std::stringstream all;
+    all << file.rdbuf();
+    const std::string text = all.str();
+    const std::size_t begin = text.find("| callback | called |");
+    REQUIRE(begin != std::string::npos);
+    const std::string table = text.substr(begin, text.find("\n\n", begin) - begin);
+    std::size_t documented = 0;
+    for (std::size_t at = table.find("`cairn."); at != std::string::npos;
+         at = table.find("`cairn.", at + 1)) {
+        const std::size_t name = at + 7;
+        const std::string callback = table.substr(name, table.find_first_of("(`", name) - name);
+        if (table[name + callback.size()] != '(' || callback.find('.') != std::string::npos) continue;
+        ++documented;
+        INFO(callback);
+        const auto names = callback_names();
+        CHECK(std::find(names.begin(), names.end(), callback) != names.end());
+    }
+    CHECK(documented == callback_names().size());
+}
+
+TEST_CASE("a slip in the name of a callback is told once, with the name that was meant") {
+    CHECK(hints_of("function cairn.udpate() end") ==
+          "cairn.udpate is never called: there is no such callback; did you mean \"update\"?\n");
+    CHECK(
+        hints_of(
+            "function cairn.load() function cairn.keypressed() end function cairn.mousePressed() end end") ==
+        "cairn.keypressed is never called: there is no such callback; did you mean \"key_pressed\"?\n"
+        "cairn.mousePressed is never called: there is no such callback; did you mean \"mouse_pressed\"?\n");
+    CHECK(hints_of("local s = { udate = function() end }\ncairn.scene.push(s) cairn.scene.pop() "
+                   "cairn.scene.push(s)") ==
+          "the scene's udate is never called: there is no such callback; did you mean \"update\"?\n");
+    CHECK(hints_of("function cairn.quit() end") ==
+          "cairn.quit is a function of Cairn, which the game has replaced\n");
+}
+
+TEST_CASE("functions of a game's own and good callbacks are no slips") {
+    CHECK(
+        hints_of(
+            "function cairn.load() end function cairn.update() end function cairn.draw() end\n"
+            "cairn.helper = function() end cairn.update_enemies = print cairn.levels = {}\n"
+            "cairn.scene.push{ update = function() end, enter = function() end, leave = function() end }") ==
+        "");
+    for (const std::string_view name : callback_names()) CHECK(meant_callback(name).empty());
+}
+
+}  // namespace cairn::scripting::test
