@@ -59,6 +59,11 @@ const Value* find_in(std::span<const Layer> layers, std::string_view field, cons
     return nullptr;
 }
 
+bool is_point(const Value& value) {
+    return value.is_list() && value.entries().size() == 2 && value.entries()[0].value.is_number() &&
+           value.entries()[1].value.is_number();
+}
+
 void LevelChecker::fault_of_file(const std::string& file, const std::string& message) {
     // A message of the parser begins with the place already.
     std::string text = message.starts_with(file + ':') ? message : file + ": " + message;
@@ -134,9 +139,7 @@ void LevelChecker::check_value(const Layer& layer, const Value& value, const Fie
 void LevelChecker::check_points(const Layer& layer, const Value& value, const std::string& field) {
     for (std::size_t i = 0; i < value.entries().size(); ++i) {
         const Value& point = value.entries()[i].value;
-        const bool is_pair = point.is_list() && point.entries().size() == 2 &&
-                             point.entries()[0].value.is_number() && point.entries()[1].value.is_number();
-        if (!is_pair)
+        if (!is_point(point))
             fault(layer, point, field + '[' + std::to_string(i + 1) + ']', "must be { x, y }, two numbers");
     }
 }

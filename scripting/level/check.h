@@ -60,6 +60,9 @@ class LevelChecker {
     std::set<std::string> known_;
 };
 
+/// Whether it is { x, y }.
+bool is_point(const Value& value);
+
 /// The value of the first layer that has the field, or null; `found_in` receives the layer.
 const Value* find_in(std::span<const Layer> layers, std::string_view field, const Layer** found_in = nullptr);
 

@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "bind/convex_parts.h"
 #include "data/nearest.h"
 #include "data/table_parser.h"
 #include "data/table_writer.h"
@@ -241,6 +242,7 @@ class Reader {
     std::string take_name(const Layer& layer, const Value& name) {
         if (name.kind() != Value::Kind::String) return "";
         if (!is_part_name(name.text())) {
+            refused_names_.insert(name.text());
             check_.fault(layer, name, kName, "must be letters, digits, _ and -, and not empty");
             return "";
         }
@@ -259,7 +261,8 @@ class Reader {
 
     void read_part(PartKind kind, const Layer& entry) {
         std::vector<Layer> layers = {entry};
-        if (kind == PartKind::Body) add_named(layers, kTemplate, "template", templates_);
+        const bool has_all_layers =
+            kind != PartKind::Body || add_named(layers, kTemplate, "template", templates_);
         const PartSection& section = section_of(kind);
         const Layer* variant_layer = nullptr;
         const Value* variant = find_in(layers, section.variant, &variant_layer);
@@ -287,7 +290,9 @@ class Reader {
         const std::vector<const Field*> fields = part_fields(kind, part.variant);
         check_.check_fields(entry, fields);
         if (kind == PartKind::Body) add_named(layers, kMaterial, "material", materials_);
-        check_.check_missing(layers, fields, "body_a");
+        // What is missing may stand in a template that is not there; that is told.
+        if (has_all_layers) check_.check_missing(layers, fields, "body_a");
+        check_outline(part.variant, layers);
         part.fields = merged(layers, fields);
         if (kind == PartKind::Body) read_shapes(part, layers);
         note_names(part, layers);
@@ -303,18 +308,37 @@ class Reader {
 
     void finish(LevelPart&& part) { level_.parts.push_back(std::move(part)); }
 
-    /// Adds the template or material that the layers name.
-    void add_named(std::vector<Layer>& layers, const char* field, const std::string& what,
+    /// Adds the template or material that the layers name. False when they name one that there is not.
+    bool add_named(std::vector<Layer>& layers, const char* field, const std::string& what,
                    const std::map<std::string, Layer>& known) {
         const Layer* layer = nullptr;
         const Value* name = find_in(layers, field, &layer);
-        if (name == nullptr || name->kind() != Value::Kind::String) return;
+        if (name == nullptr) return true;
+        if (name->kind() != Value::Kind::String) return false;
         const auto found = known.find(name->text());
         if (found != known.end()) {
             layers.push_back(found->second);
         } else {
             check_.check_one_of(*layer, *name, field, what, names_of(known));
         }
+        return found != known.end();
+    }
+
+    /// Of a polygon: whether it can be made of what was drawn.
+    void check_outline(const std::string& variant, std::span<const Layer> layers) {
+        constexpr const char* kPoints = "points";
+        const Layer* layer = nullptr;
+        const Value* points = variant == "polygon" ? find_in(layers, kPoints, &layer) : nullptr;
+        if (points == nullptr || !points->is_list()) return;
+        std::vector<physics::Vec2> outline;
+        for (const Entry& entry : points->entries()) {
+            if (!is_point(entry.value)) return;  // told already
+            const Entries& pair = entry.value.entries();
+            outline.push_back(
+                {static_cast<float>(pair[0].value.number()), static_cast<float>(pair[1].value.number())});
+        }
+        if (const auto parts = convex_parts(outline); !parts)
+            check_.fault(*layer, *points, "", parts.error().message);
     }
 
     /// One table of all layers, without what only levels know. In the order of the fields, so that equal
@@ -386,6 +410,7 @@ class Reader {
             if (all.size() > body.size()) layers.push_back(all.back());
         }
         check_.check_missing(layers, fields);
+        check_outline(variant->text(), layers);
         part.shapes.push_back({variant->text(), merged(layers, fields)});
     }
 
@@ -428,6 +453,7 @@ class Reader {
     void check_references() {
         for (const Waiting& waiting : waiting_) {
             const PartName name = split_part_name(waiting.name.text());
+            if (refused_names_.contains(name.name)) continue;  // told where the name is given
             if (waiting.field->type == FieldType::Joint) {
                 const auto found = level_.find(PartKind::Joint, name.name);
                 if (!found) {
@@ -462,6 +488,7 @@ class Reader {
     std::map<std::string, Layer> templates_;
     std::vector<Layer> new_templates_;
     std::map<std::string, std::string> names_;  ///< name -> path of what has it
+    std::set<std::string> refused_names_;
     std::vector<Waiting> waiting_;
 };
 

@@ -214,7 +214,7 @@ function World:add_circle(fields) end
 function World:add_capsule(fields) end
 
 ---@class World.add_polygon.Fields
----@field points number[][] { {x, y}, ... }, m: 3 to 8 corners, of which the convex hull is taken
+---@field points number[][] { {x, y}, ... }, m: 3 to 256 corners in order, either way round
 ---@field radius? number m; rounds the corners outward
 ---@field x? number m
 ---@field y? number m
@@ -249,7 +249,7 @@ function World:add_capsule(fields) end
 ---@field one_way_x? number not (0, 0): solid only for what comes from that side, as a platform is
 ---@field one_way_y? number in the body's frame, of any length
 
----Adds a body with one convex polygon.
+---Adds a body with a polygon. One with dents, or with more than eight corners, becomes several convex shapes.
 ---@param fields World.add_polygon.Fields
 ---@return Body body
 function World:add_polygon(fields) end
@@ -1092,7 +1092,7 @@ function Body:add_circle(fields) end
 function Body:add_capsule(fields) end
 
 ---@class Body.add_polygon.Fields
----@field points number[][] { {x, y}, ... }, m: 3 to 8 corners, of which the convex hull is taken
+---@field points number[][] { {x, y}, ... }, m: 3 to 256 corners in order, either way round
 ---@field radius? number m; rounds the corners outward
 ---@field x? number m
 ---@field y? number m
@@ -1113,7 +1113,7 @@ function Body:add_capsule(fields) end
 ---@field one_way_x? number not (0, 0): solid only for what comes from that side, as a platform is
 ---@field one_way_y? number in the body's frame, of any length
 
----Adds a convex polygon.
+---Adds a polygon. One with dents, or with more than eight corners, becomes several convex shapes, which are all returned.
 ---@param fields Body.add_polygon.Fields
 ---@return Shape shape
 function Body:add_polygon(fields) end

@@ -1,0 +1,4 @@
+return {
+    widht = 640,
+    height = "tall",
+}

@@ -1,0 +1,1 @@
+function cairn.udpate() end

@@ -1,0 +1,3 @@
+print("first", 1)
+print("second")
+error("third")
