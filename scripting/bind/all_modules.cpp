@@ -4,6 +4,7 @@
 
 #include "bind/context.h"
 #include "bind/modules.h"
+#include "bind/object_data.h"
 #include "bind/physics_objects.h"
 #include "lua/state.h"
 
@@ -12,15 +13,15 @@ namespace {
 
 // In the order of the reference.
 constexpr std::array kModules = {
-    &kCoreModule,      &kPhysicsModule,    &kWorldMethods,  &kBodyMethods,       &kShapeMethods,
-    &kChainMethods,    &kJointMethods,     &kMoverMethods,  &kTransformsMethods, &kPrefabModule,
-    &kPrefabMethods,   &kCameraModule,     &kCameraMethods, &kGraphicsModule,    &kImageMethods,
-    &kFontMethods,     &kCanvasMethods,    &kQuadMethods,   &kAtlasMethods,      &kBatchMethods,
-    &kParticlesModule, &kParticlesMethods, &kTileMapModule, &kTileMapMethods,    &kUiModule,
-    &kUiMethods,       &kTextModule,       &kTextMethods,   &kAudioModule,       &kInputModule,
-    &kWindowModule,    &kFilesModule,      &kRandomModule,  &kRandomMethods,     &kTimerModule,
-    &kTimerMethods,    &kTweenModule,      &kTweenMethods,  &kSceneModule,       &kDataModule,
-    &kLevelModule,     &kLevelMethods,     &kTestModule,
+    &kCoreModule,   &kPhysicsModule,   &kWorldMethods,     &kBodyMethods,       &kShapeMethods,
+    &kChainMethods, &kJointMethods,    &kMoverMethods,     &kTransformsMethods, &kRecordingMethods,
+    &kPrefabModule, &kPrefabMethods,   &kCameraModule,     &kCameraMethods,     &kGraphicsModule,
+    &kImageMethods, &kFontMethods,     &kCanvasMethods,    &kQuadMethods,       &kAtlasMethods,
+    &kBatchMethods, &kParticlesModule, &kParticlesMethods, &kTileMapModule,     &kTileMapMethods,
+    &kUiModule,     &kUiMethods,       &kTextModule,       &kTextMethods,       &kAudioModule,
+    &kInputModule,  &kWindowModule,    &kFilesModule,      &kRandomModule,      &kRandomMethods,
+    &kTimerModule,  &kTimerMethods,    &kTweenModule,      &kTweenMethods,      &kSceneModule,
+    &kDataModule,   &kLevelModule,     &kLevelMethods,     &kTestModule,
 };
 
 struct TypeOfObject {
@@ -31,9 +32,6 @@ struct TypeOfObject {
 constexpr TypeOfObject kTypes[] = {
     {ObjectTag::World, &kWorldMethods, finalize_world},
     {ObjectTag::Body, &kBodyMethods, nullptr},
-    {ObjectTag::Shape, &kShapeMethods, nullptr},
-    {ObjectTag::Chain, &kChainMethods, nullptr},
-    {ObjectTag::Joint, &kJointMethods, nullptr},
     {ObjectTag::Camera, &kCameraMethods, nullptr},
     {ObjectTag::Image, &kImageMethods, nullptr},
     {ObjectTag::Font, &kFontMethods, nullptr},
@@ -43,6 +41,7 @@ constexpr TypeOfObject kTypes[] = {
     {ObjectTag::Ui, &kUiMethods, finalize_ui},
     {ObjectTag::Text, &kTextMethods, finalize_text},
     {ObjectTag::Transforms, &kTransformsMethods, finalize_transforms},
+    {ObjectTag::Recording, &kRecordingMethods, finalize_recording},
     {ObjectTag::Mover, &kMoverMethods, finalize_mover},
     {ObjectTag::Level, &kLevelMethods, finalize_level},
     {ObjectTag::Tween, &kTweenMethods, nullptr},
@@ -64,6 +63,9 @@ std::span<const Module* const> all_modules() {
 
 void register_all(lua_State* L) {
     for (const TypeOfObject& type : kTypes) register_type(L, type.tag, *type.methods, type.finalize);
+    register_type_with_data(L, ObjectTag::Shape, kShapeMethods);
+    register_type_with_data(L, ObjectTag::Chain, kChainMethods);
+    register_type_with_data(L, ObjectTag::Joint, kJointMethods);
     register_event_cursor(L);
     lua_newtable(L);  // cairn
     for (const Module* module : kModules) {

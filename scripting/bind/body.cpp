@@ -1,8 +1,10 @@
 // The methods of Body.
 #include "bind/chain.h"
+#include "bind/contacts.h"
 #include "bind/context.h"
 #include "bind/fracture.h"
 #include "bind/modules.h"
+#include "bind/object_data.h"
 #include "bind/pair_filter.h"
 #include "bind/physics_fields.h"
 #include "bind/physics_names.h"
@@ -104,6 +106,10 @@ float mass(BodyRef self) {
 float inertia(BodyRef self) {
     return self.body.mass_data().inertia_kg_m2;
 }
+FloatPair local_center(BodyRef self) {
+    const Vec2 p = self.body.mass_data().center_m;
+    return {p.x, p.y};
+}
 float linear_damping(BodyRef self) {
     return self.body.linear_damping();
 }
@@ -168,8 +174,13 @@ Pushed add_shape(lua_State* L, BodyRef self, TableArgument description) {
     }
     push_world_of(L, self.index);
     const int world_index = lua_gettop(L);
-    luaL_checkstack(L, static_cast<int>(made.size()), "shapes of a polygon");
-    for (const physics::ShapeId id : made) push_shape(L, world_index, world, id);
+    push_data_table(L, reader);
+    luaL_checkstack(L, static_cast<int>(made.size()) + 1, "shapes of a polygon");
+    for (const physics::ShapeId id : made) {
+        push_shape(L, world_index, world, id);
+        lua_pushvalue(L, world_index + 1);
+        set_data(L);
+    }
     return {static_cast<int>(made.size())};
 }
 
@@ -217,6 +228,7 @@ bool is_valid(Maybe<BodyObject> self) {
 constexpr std::array<std::string_view, 1> kReturnsShape = {"Shape"};
 constexpr std::array<std::string_view, 1> kReturnsChain = {"Chain"};
 constexpr std::array<std::string_view, 1> kReturnsTable = {"table"};
+constexpr std::array<std::string_view, 1> kReturnsMaybeTable = {"table?"};
 constexpr std::array<std::string_view, 1> kReturnsWorld = {"World"};
 
 constexpr Function kFunctions[] = {
@@ -256,6 +268,8 @@ constexpr Function kFunctions[] = {
         "Of moving air, or water, during the next step, which takes dt; wakes the body.", &kWindFields),
     function<&mass>("mass", "", "mass [kg]", "0 unless dynamic."),
     function<&inertia>("inertia", "", "inertia [kg m^2]", "About the centre of mass; 0 unless dynamic."),
+    function<&local_center>("local_center", "", "x [m], y [m]",
+                            "The centre of mass in the body's frame; (0, 0) unless dynamic."),
     function<&linear_damping>("linear_damping", "", "damping [1/s]", ""),
     function<&set_linear_damping>("set_linear_damping", "damping [1/s]", "", "c in v e^(-c t), at least 0."),
     function<&angular_damping>("angular_damping", "", "damping [1/s]", ""),
@@ -297,6 +311,8 @@ constexpr Function kFunctions[] = {
                                  &kBodyAddChainFields),
     function_pushing<&shapes>("shapes", "", "shapes", kReturnsTable, "A new list, in order of creation."),
     function_pushing<&joints>("joints", "", "joints", kReturnsTable, "A new list."),
+    function_pushing<&contacts_of_body>("contacts", "", "contacts", kReturnsTable,
+                                        "A new list of what touches it now, as `world:contacts()` tells it."),
     function_pushing<&world>("world", "", "world", kReturnsWorld, ""),
     function_pushing<&cut>("cut", "x1 [m], y1 [m], x2 [m], y2 [m]", "pieces", kReturnsTable,
                            "Cuts the body along a segment, from side to side: a list of the new bodies, at "
@@ -316,6 +332,8 @@ constexpr Function kFunctions[] = {
         &kBreakableFields),
     function<&clear_breakable>("clear_breakable", "", "", "The body withstands everything again."),
     function<&is_breakable>("is_breakable", "", "breakable", ""),
+    function_pushing<&breakable>("breakable", "", "fields", kReturnsMaybeTable,
+                                 "A new table with the fields that `set_breakable` takes; nil unless it is."),
     function<&destroy>("destroy", "", "",
                        "Removes the body with its shapes and joints. What rested on it wakes."),
     function<&is_valid>("is_valid", "", "valid", "Whether the body was not destroyed."),

@@ -1,5 +1,4 @@
-// The methods of Chain. A chain is interned by nothing: two values may name the same one, and compare
-// unequal.
+// The methods of Chain.
 #include "bind/chain.h"
 
 #include "bind/modules.h"
@@ -10,13 +9,6 @@ namespace {
 
 using physics::Vec2;
 using Change = physics::Result<void>;
-
-/// User value 1 is the world.
-struct ChainObject : ObjectHeader {
-    static constexpr ObjectTag kTag = ObjectTag::Chain;
-    WorldObject* world;
-    physics::ChainId id;
-};
 
 struct ChainRef {
     ChainObject& object;
@@ -40,13 +32,6 @@ struct Argument<ChainRef> {
 };
 
 namespace {
-
-void push_chain(lua_State* L, int world_index, WorldObject& world, physics::ChainId id) {
-    world_index = lua_absindex(L, world_index);
-    new_object<ChainObject>(L, 1, &world, id);
-    lua_pushvalue(L, world_index);
-    lua_setiuservalue(L, -2, 1);
-}
 
 /// An index of Lua, from 1, as one of the physics, from 0. What is beyond all numbers is beyond the chain
 /// too.
@@ -202,7 +187,7 @@ Pushed add_chain_body(lua_State* L, WorldRef self, TableArgument description) {
 const Module kChainMethods = {"Chain",
                               "A long outline of segments that are solid from one side, for the ground and "
                               "walls of a level. What slides "
-                              "along it does not feel the joins.",
+                              "along it does not feel the joins. `chain.data` is a table of your own.",
                               kFunctions, true};
 
 }  // namespace cairn::scripting

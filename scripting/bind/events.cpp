@@ -22,6 +22,7 @@ struct EventCursor : ObjectHeader {
     EventKind last_kind;
     std::size_t next;
     bool in_use;
+    bool with_shapes;
 };
 
 template <class Event>
@@ -37,7 +38,23 @@ void push_numbers(lua_State* L, std::initializer_list<double> numbers) {
     for (const double number : numbers) lua_pushnumber(L, number);
 }
 
-/// The iterator function of the loop: (cursor, previous kind) -> kind, a, b, impulse, x, y, nx, ny, speed.
+/// Pushes what is told of an event besides its kind; the number of values, with the kind.
+template <class Event>
+int finish_event(lua_State* L, const EventCursor& cursor, const Event& event,
+                 std::initializer_list<double> numbers) {
+    push_bodies(L, event);
+    push_numbers(L, numbers);
+    if (!cursor.with_shapes) return 9;
+    lua_getiuservalue(L, 1, 1);
+    const int world = lua_gettop(L);
+    push_shape(L, world, *cursor.world, event.shape_a);
+    push_shape(L, world, *cursor.world, event.shape_b);
+    lua_remove(L, world);
+    return 11;
+}
+
+/// The iterator function of the loop: (cursor, previous kind) -> kind, a, b, impulse, x, y, nx, ny, speed,
+/// and the two shapes when they are asked for.
 int next_event(lua_State* L) {
     auto* cursor = object_at<EventCursor>(L, 1);
     if (cursor == nullptr || !cursor->in_use) return 0;
@@ -48,25 +65,21 @@ int next_event(lua_State* L) {
         if (cursor->kind == EventKind::Begin && i < world->contact_begins().size()) {
             const physics::ContactBegin& event = world->contact_begins()[i];
             lua_pushliteral(L, "begin");
-            push_bodies(L, event);
-            push_numbers(L, {0, event.point_m.x, event.point_m.y, static_cast<double>(event.normal.x),
-                             static_cast<double>(event.normal.y), 0});
-            return 9;
+            return finish_event(L, *cursor, event,
+                                {0, event.point_m.x, event.point_m.y, static_cast<double>(event.normal.x),
+                                 static_cast<double>(event.normal.y), 0});
         }
         if (cursor->kind == EventKind::Hit && i < world->contact_hits().size()) {
             const physics::ContactHit& event = world->contact_hits()[i];
             lua_pushliteral(L, "hit");
-            push_bodies(L, event);
-            push_numbers(L, {static_cast<double>(event.impulse_ns), event.point_m.x, event.point_m.y,
-                             static_cast<double>(event.normal.x), static_cast<double>(event.normal.y),
-                             static_cast<double>(event.approach_speed_m_s)});
-            return 9;
+            return finish_event(L, *cursor, event,
+                                {static_cast<double>(event.impulse_ns), event.point_m.x, event.point_m.y,
+                                 static_cast<double>(event.normal.x), static_cast<double>(event.normal.y),
+                                 static_cast<double>(event.approach_speed_m_s)});
         }
         if (cursor->kind == EventKind::End && i < world->contact_ends().size()) {
             lua_pushliteral(L, "end");
-            push_bodies(L, world->contact_ends()[i]);
-            push_numbers(L, {0, 0, 0, 0, 0, 0});
-            return 9;
+            return finish_event(L, *cursor, world->contact_ends()[i], {0, 0, 0, 0, 0, 0});
         }
         if (cursor->kind == cursor->last_kind) return 0;
         cursor->kind = static_cast<EventKind>(static_cast<int>(cursor->kind) + 1);
@@ -174,7 +187,8 @@ EventCursor& push_free_cursor(lua_State* L, WorldRef world) {
 }
 
 /// The four values of a generic `for`: iterator, cursor, nothing, and the cursor as what is closed.
-int push_loop(lua_State* L, WorldRef world, lua_CFunction iterator, EventKind first, EventKind last) {
+int push_loop(lua_State* L, WorldRef world, lua_CFunction iterator, EventKind first = EventKind::Begin,
+              EventKind last = EventKind::End, bool with_shapes = false) {
     lua_pushcfunction(L, iterator);
     EventCursor& cursor = push_free_cursor(L, world);
     cursor.step = world.world.step_count();
@@ -182,6 +196,7 @@ int push_loop(lua_State* L, WorldRef world, lua_CFunction iterator, EventKind fi
     cursor.last_kind = last;
     cursor.next = 0;
     cursor.in_use = true;
+    cursor.with_shapes = with_shapes;
     lua_pushnil(L);
     lua_pushvalue(L, -2);
     return 4;
@@ -198,7 +213,7 @@ void register_event_cursor(lua_State* L) {
     set_metatable(L, ObjectTag::EventCursor);
 }
 
-int push_events(lua_State* L, WorldRef world, std::optional<std::string_view> kind) {
+int push_events(lua_State* L, WorldRef world, std::optional<std::string_view> kind, bool with_shapes) {
     EventKind first = EventKind::Begin;
     EventKind last = EventKind::End;
     if (kind) {
@@ -210,19 +225,19 @@ int push_events(lua_State* L, WorldRef world, std::optional<std::string_view> ki
         }
         first = last = static_cast<EventKind>(found - kinds.begin());
     }
-    return push_loop(L, world, next_event, first, last);
+    return push_loop(L, world, next_event, first, last, with_shapes);
 }
 
 int push_joint_breaks(lua_State* L, WorldRef world) {
-    return push_loop(L, world, next_break, EventKind::Begin, EventKind::End);
+    return push_loop(L, world, next_break);
 }
 
 int push_sensor_events(lua_State* L, WorldRef world) {
-    return push_loop(L, world, next_sensor_event, EventKind::Begin, EventKind::End);
+    return push_loop(L, world, next_sensor_event);
 }
 
 int push_body_breaks(lua_State* L, WorldRef world) {
-    return push_loop(L, world, next_body_break, EventKind::Begin, EventKind::End);
+    return push_loop(L, world, next_body_break);
 }
 
 }  // namespace cairn::scripting

@@ -166,6 +166,34 @@ bool is_breakable(lua_State* L, BodyRef self) {
     return value_or_raise(L, self.object.world->world->breakable(self.object.id)).has_value();
 }
 
+Pushed breakable(lua_State* L, BodyRef self) {
+    const auto def = value_or_raise(L, self.object.world->world->breakable(self.object.id));
+    if (!def) return lua_pushnil(L), Pushed{1};
+    const physics::FractureDef& fracture = def->fracture;
+    lua_createtable(L, 0, 11);
+    set_number(L, kStrength.name, static_cast<double>(def->strength_ns));
+    set_number(L, kMinWidth.name, static_cast<double>(fracture.min_width_m));
+    set_number(L, kRadius.name, static_cast<double>(fracture.radius_m));
+    set_number(L, kGrainX.name, static_cast<double>(fracture.grain.x));
+    set_number(L, kGrainY.name, static_cast<double>(fracture.grain.y));
+    lua_pushstring(L, fracture.pattern == physics::FracturePattern::Uniform ? "uniform" : "radial");
+    lua_setfield(L, -2, kPattern.name);
+    const std::pair<const Field&, lua_Integer> integers[] = {{kPieces, fracture.pieces},
+                                                             {kSeed, static_cast<lua_Integer>(fracture.seed)},
+                                                             {kGenerations, def->generations}};
+    for (const auto& [field, value] : integers) {
+        lua_pushinteger(L, value);
+        lua_setfield(L, -2, field.name);
+    }
+    const std::pair<const Field&, bool> booleans[] = {
+        {kRelease, fracture.release}, {kAutomatic, def->automatic}, {kGivesBack, def->gives_back}};
+    for (const auto& [field, value] : booleans) {
+        lua_pushboolean(L, value ? 1 : 0);
+        lua_setfield(L, -2, field.name);
+    }
+    return {1};
+}
+
 Pushed cuts_along(lua_State* L, WorldRef self, double x1, double y1, double x2, double y2,
                   std::optional<std::int64_t> mask) {
     const physics::QueryFilter filter{.mask = static_cast<std::uint64_t>(mask.value_or(-1))};

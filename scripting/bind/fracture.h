@@ -19,6 +19,7 @@ Pushed fracture(lua_State* L, BodyRef self, TableArgument fields);
 physics::Result<void> set_breakable(lua_State* L, BodyRef self, TableArgument fields);
 physics::Result<void> clear_breakable(BodyRef self);
 bool is_breakable(lua_State* L, BodyRef self);
+Pushed breakable(lua_State* L, BodyRef self);
 
 // Of worlds.
 

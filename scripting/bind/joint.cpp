@@ -157,6 +157,10 @@ constexpr Function kFunctions[] = {
 
 }  // namespace
 
-const Module kJointMethods = {"Joint", "Two bodies held together.", kFunctions, true};
+const Module kJointMethods = {"Joint",
+                              "Two bodies held together. `joint.data` is a table of your own that is kept as "
+                              "long as the joint and may be "
+                              "replaced.",
+                              kFunctions, true};
 
 }  // namespace cairn::scripting

@@ -319,7 +319,7 @@ constexpr const Field* kTwoJoints[] = {&kJoint1, &kJoint2};
 
 /// What is given when a joint of a kind is made.
 template <const auto& kPlaces, const auto& kOwn>
-constexpr auto kMaking = joined(std::to_array(kPlaces), kFieldsOf<kOwn>);
+constexpr auto kMaking = joined(std::to_array(kPlaces), kFieldsOf<kOwn>, std::array{&kData});
 
 template <const auto& kPlaces, const auto& kOwn, const auto& kFrame>
 constexpr JointKindFields kind_of_joint(const char* name) {

@@ -68,6 +68,7 @@ inline constexpr Field kAnchorXA = optional_field(
 inline constexpr Field kAnchorYA = optional_field("y_a", FieldType::Number, "m");
 inline constexpr Field kAnchorXB = optional_field("x_b", FieldType::Number, "m; the anchor on body b");
 inline constexpr Field kAnchorYB = optional_field("y_b", FieldType::Number, "m");
+inline constexpr Field kData = optional_field("data", FieldType::Table, "becomes joint.data");
 
 }  // namespace joint_places
 

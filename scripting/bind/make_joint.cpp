@@ -1,6 +1,7 @@
 // Joints from tables, and their changes. Anchors and axes are given in the world and become frames on the
 // bodies as they stand at that moment, so that a new joint is at rest: its angle and its translation are 0.
 #include "bind/joint_fields.h"
+#include "bind/object_data.h"
 
 namespace cairn::scripting {
 namespace {
@@ -223,7 +224,9 @@ void push_made_joint(lua_State* L, WorldRef world, int table, JointKind kind) {
             parameter.set(def, read_value(reader, *parameter.field));
         }
     }
-    push_joint(L, world.index, world.object, value_or_raise(L, world.world.create_joint(def)));
+    const int world_index = lua_absindex(L, world.index);
+    push_joint(L, world_index, world.object, value_or_raise(L, world.world.create_joint(def)));
+    if (reader.push(kData)) set_data(L);
 }
 
 void change_joint(lua_State* L, JointRef joint, int table) {

@@ -17,6 +17,7 @@ extern const Module kChainMethods;
 extern const Module kJointMethods;
 extern const Module kMoverMethods;
 extern const Module kTransformsMethods;
+extern const Module kRecordingMethods;
 extern const Module kPrefabModule;  // cairn.prefab
 extern const Module kPrefabMethods;
 extern const Module kCameraModule;  // cairn.camera
@@ -68,6 +69,7 @@ int finalize_text(lua_State* L);
 /// Frees what a Mover or a Level holds.
 int finalize_mover(lua_State* L);
 int finalize_transforms(lua_State* L);
+int finalize_recording(lua_State* L);
 int finalize_level(lua_State* L);
 
 /// Adds `cairn.random.visual` to the table on top of the stack, and makes math.random use the gameplay

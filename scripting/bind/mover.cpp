@@ -46,6 +46,41 @@ struct Argument<MoverObject*> {
     }
 };
 
+std::tuple<float, float> solve_planes(lua_State* L, float dx, float dy, TableArgument list, float gap) {
+    constexpr lua_Integer kMostPlanes = 64;  // the time grows with the cube
+    if (!physics::is_finite(Vec2{dx, dy}) || !physics::is_finite(gap))
+        call_error(L, "dx, dy and gap must be finite");
+    const auto count = static_cast<lua_Integer>(lua_rawlen(L, list.index));
+    if (count > kMostPlanes) {
+        call_error(L, "planes has " + std::to_string(count) + " members, but must have at most " +
+                          std::to_string(kMostPlanes));
+    }
+    std::vector<physics::CollisionPlane> planes;
+    for (lua_Integer i = 1; i <= count; ++i) {
+        lua_rawgeti(L, list.index, i);
+        const std::string place = "planes[" + std::to_string(i) + "]";
+        if (!lua_istable(L, -1)) call_error(L, place + " is " + describe_value(L, -1) + "; expected a table");
+        const int plane = lua_gettop(L);
+        const auto number = [&](const char* name) {
+            lua_getfield(L, plane, name);
+            const auto value = static_cast<float>(lua_tonumber(L, -1));
+            if (lua_type(L, -1) != LUA_TNUMBER || !physics::is_finite(value))
+                call_error(
+                    L, place + "." + name + " is " + describe_value(L, -1) + "; expected a finite number");
+            lua_pop(L, 1);
+            return value;
+        };
+        const Vec2 normal{number("nx"), number("ny")};
+        const float separation_m = number("separation");
+        lua_getfield(L, plane, "dynamic");
+        planes.push_back(
+            {.normal = normal, .separation_m = separation_m, .is_dynamic = lua_toboolean(L, -1) != 0});
+        lua_settop(L, list.index + 1);
+    }
+    const Vec2 way = physics::solve_planes({dx, dy}, planes, gap);
+    return {way.x, way.y};
+}
+
 Pushed new_mover(lua_State* L, std::optional<TableArgument> fields) {
     if (!fields) lua_newtable(L);
     const FieldReader reader(L, fields ? fields->index : -1, kMoverFields);
@@ -91,7 +126,15 @@ Pushed ground_body(lua_State* L, MoverObject* self, WorldRef world) {
     return {1};
 }
 
+Pushed ground_shape(lua_State* L, MoverObject* self, WorldRef world) {
+    const physics::ShapeId id = self->mover.ground_shape();
+    if (!world.world.contains(id)) return lua_pushnil(L), Pushed{1};
+    push_shape(L, world.index, world.object, id);
+    return {1};
+}
+
 constexpr std::array<std::string_view, 1> kReturnsBody = {"Body?"};
+constexpr std::array<std::string_view, 1> kReturnsShape = {"Shape?"};
 
 constexpr Function kFunctions[] = {
     function<&move>("move", "world, vx [m/s], vy [m/s], dt [s], mask = -1, ignored = nil", "",
@@ -106,6 +149,8 @@ constexpr Function kFunctions[] = {
     function<&ground_normal>("ground_normal", "", "x, y", "(0, 0) in the air."),
     function_pushing<&ground_body>("ground_body", "world", "body", kReturnsBody,
                                    "What it stands on; nil in the air."),
+    function_pushing<&ground_shape>("ground_shape", "world", "shape", kReturnsShape,
+                                    "Likewise, which shape of it."),
 };
 
 }  // namespace

@@ -35,9 +35,10 @@ enum class ObjectTag : std::uint32_t {
     Chain,
     Mover,
     Level,
-    Transforms
+    Transforms,
+    Recording
 };
-inline constexpr int kObjectTagCount = static_cast<int>(ObjectTag::Transforms) + 1;
+inline constexpr int kObjectTagCount = static_cast<int>(ObjectTag::Recording) + 1;
 
 struct ObjectHeader {
     ObjectTag tag;
@@ -94,6 +95,8 @@ constexpr const char* object_type_name(ObjectTag tag) {
             return "Level";
         case ObjectTag::Transforms:
             return "Transforms";
+        case ObjectTag::Recording:
+            return "Recording";
     }
     return "userdata";
 }

@@ -64,7 +64,9 @@ constexpr Field kSleepSpeed =
                           "m/s; may sleep when slower than this for half a second; at 0 it never does"),
              0);
 constexpr Field kData = optional_field("data", FieldType::Table, "becomes body.data");
+constexpr Field kShapeData = optional_field("data", FieldType::Table, "becomes shape.data");
 constexpr const Field* kPlaceOwn[] = {&kX, &kY, &kAngle};
+constexpr const Field* kShapeDataOwn[] = {&kShapeData};
 constexpr const Field* kBodyOwn[] = {&kX,
                                      &kY,
                                      &kAngle,
@@ -184,6 +186,7 @@ const FieldSet kFilterFields{kFilterOwn};
 
 const FieldSet kShapeFields{kShapeOwn};
 const FieldSet kPlaceFields{kPlaceOwn};
+const FieldSet kDataFields{kShapeDataOwn};
 const FieldSet kMaterialFields{kMaterialOwn};
 const FieldSet kMatterFields{kMatterOwn};
 const FieldSet kChainShapeFields{kChainOwn};
@@ -197,9 +200,11 @@ const FieldSet kWorldAddFields[kGeometryKinds] = {
     {kSegmentOwn, {&kBodyFields, &kShapeFields}},
 };
 const FieldSet kBodyAddFields[kGeometryKinds] = {
-    {kBoxOwn, {&kPlaceFields, &kShapeFields}},     {kCircleOwn, {&kPlaceFields, &kShapeFields}},
-    {kCapsuleOwn, {&kPlaceFields, &kShapeFields}}, {kPolygonOwn, {&kPlaceFields, &kShapeFields}},
-    {kSegmentOwn, {&kPlaceFields, &kShapeFields}},
+    {kBoxOwn, {&kPlaceFields, &kShapeFields, &kDataFields}},
+    {kCircleOwn, {&kPlaceFields, &kShapeFields, &kDataFields}},
+    {kCapsuleOwn, {&kPlaceFields, &kShapeFields, &kDataFields}},
+    {kPolygonOwn, {&kPlaceFields, &kShapeFields, &kDataFields}},
+    {kSegmentOwn, {&kPlaceFields, &kShapeFields, &kDataFields}},
 };
 const FieldSet kWorldAddChainFields{kChainOwn, {&kBodyFields}};
 const FieldSet kBodyAddChainFields{kChainOwn};

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "bind/fields.h"
+#include "bind/object_data.h"
 #include "bind/pair_filter.h"
 
 namespace cairn::scripting {
@@ -98,7 +99,7 @@ void push_interned(lua_State* L, int world_index, WorldTable table, WorldObject&
         }
         lua_pop(L, 1);
     }
-    new_object<Object>(L, 1, &world, id);
+    new_object<Object>(L, kDataValue, &world, id);
     lua_pushvalue(L, world_index);
     lua_setiuservalue(L, -2, 1);
     if (const physics::World* living = readable_world(world); living != nullptr && living->contains(id)) {
@@ -246,6 +247,10 @@ void push_shape(lua_State* L, int world_index, WorldObject& world, physics::Shap
 
 void push_joint(lua_State* L, int world_index, WorldObject& world, physics::JointId id) {
     push_interned<JointObject>(L, world_index, WorldTable::Joints, world, id);
+}
+
+void push_chain(lua_State* L, int world_index, WorldObject& world, physics::ChainId id) {
+    push_interned<ChainObject>(L, world_index, WorldTable::Chains, world, id);
 }
 
 void retire_body(lua_State* L, int world_index, WorldObject& world, physics::BodyId id) {

@@ -39,13 +39,14 @@ enum class WorldTable {
     Joints,         ///< slot number -> Joint
     Cursors,        ///< list of EventCursor, for reuse
     BrokenJoints,   ///< handle bits -> Joint: those that broke in the last step
+    Chains,         ///< slot number -> Chain
     Known,  ///< handle bits -> Body: all that somebody still holds (weak), also of bodies that are gone
 };
-inline constexpr int kWorldTableCount = 8;
+inline constexpr int kWorldTableCount = 9;
 /// The user value behind them: what world:set_pair_filter got.
 inline constexpr int kPairFilterValue = kWorldTableCount + 1;
 
-/// User value 1 is the world.
+/// User value 1 is the world; user value 2 of shapes, chains and joints is their data (object_data.h).
 struct BodyObject : ObjectHeader {
     static constexpr ObjectTag kTag = ObjectTag::Body;
     WorldObject* world;
@@ -60,6 +61,12 @@ struct JointObject : ObjectHeader {
     static constexpr ObjectTag kTag = ObjectTag::Joint;
     WorldObject* world;
     physics::JointId id;
+};
+
+struct ChainObject : ObjectHeader {
+    static constexpr ObjectTag kTag = ObjectTag::Chain;
+    WorldObject* world;
+    physics::ChainId id;
 };
 
 // ---- What bindings take: the living thing, or an error is raised.
@@ -146,6 +153,7 @@ void revive_body(lua_State* L, int world_index, WorldObject& world, physics::Bod
 void push_body(lua_State* L, int world_index, physics::BodyId id);
 void push_shape(lua_State* L, int world_index, WorldObject& world, physics::ShapeId id);
 void push_joint(lua_State* L, int world_index, WorldObject& world, physics::JointId id);
+void push_chain(lua_State* L, int world_index, WorldObject& world, physics::ChainId id);
 /// Pushes the world of a body, shape or joint.
 inline void push_world_of(lua_State* L, int object_index) {
     lua_getiuservalue(L, object_index, 1);
@@ -171,7 +179,7 @@ void keep_broken_joints(lua_State* L, WorldRef world);
 /// back.
 void register_event_cursor(lua_State* L);
 /// The iterator that world:events returns.
-int push_events(lua_State* L, WorldRef world, std::optional<std::string_view> kind);
+int push_events(lua_State* L, WorldRef world, std::optional<std::string_view> kind, bool with_shapes);
 /// The iterator that world:joint_breaks returns.
 int push_joint_breaks(lua_State* L, WorldRef world);
 /// The iterator that world:sensor_events returns.

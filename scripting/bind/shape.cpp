@@ -16,6 +16,14 @@ Pushed body(lua_State* L, ShapeRef self) {
     return {1};
 }
 
+Pushed chain(lua_State* L, ShapeRef self) {
+    const physics::ChainId id = self.shape.chain();
+    if (!id) return lua_pushnil(L), Pushed{1};
+    push_world_of(L, self.index);
+    push_chain(L, -1, *self.object.world, id);
+    return {1};
+}
+
 std::string_view kind(ShapeRef self) {
     return name_of(self.shape.outline().kind);
 }
@@ -128,11 +136,13 @@ bool is_valid(Maybe<ShapeObject> self) {
 }
 
 constexpr std::array<std::string_view, 1> kReturnsBody = {"Body"};
+constexpr std::array<std::string_view, 1> kReturnsChain = {"Chain?"};
 constexpr std::array<std::string_view, 1> kReturnsTable = {"table"};
 constexpr std::array<std::string_view, 1> kReturnsNumbers = {"number"};
 
 constexpr Function kFunctions[] = {
     function_pushing<&body>("body", "", "body", kReturnsBody, ""),
+    function_pushing<&chain>("chain", "", "chain", kReturnsChain, "nil unless it is a segment of a chain."),
     function<&kind>(
         "kind", "", "kind",
         "\"circle\", \"capsule\", \"polygon\" (boxes are polygons), \"segment\" or \"chain_segment\"."),
@@ -170,6 +180,10 @@ constexpr Function kFunctions[] = {
 
 }  // namespace
 
-const Module kShapeMethods = {"Shape", "What a body is made of.", kFunctions, true};
+const Module kShapeMethods = {"Shape",
+                              "What a body is made of. `shape.data` is a table of your own that is kept as "
+                              "long as the shape and may be "
+                              "replaced; pieces of a broken body have empty ones.",
+                              kFunctions, true};
 
 }  // namespace cairn::scripting

@@ -49,7 +49,10 @@ void restore(lua_State* L, WorldRef self, AnyArgument snapshot) {
     }
     const std::string_view bytes = bytes_of(L, snapshot.index);
     check_or_raise(L, self.world.restore(std::as_bytes(std::span(bytes))));
+    adopt_state(L, self, values);
+}
 
+void adopt_state(lua_State* L, WorldRef self, int values) {
     lua_getiuservalue(L, self.index, static_cast<int>(WorldTable::Bodies));
     const int before = lua_gettop(L);
     for (const WorldTable table :
@@ -63,7 +66,7 @@ void restore(lua_State* L, WorldRef self, AnyArgument snapshot) {
         ++place;
         lua_rawgeti(L, before, static_cast<lua_Integer>(id.index1));
         const auto* known = object_at<BodyObject>(L, -1);
-        if ((known == nullptr || !(known->id == id)) && lua_type(L, values) == LUA_TTABLE) {
+        if ((known == nullptr || !(known->id == id)) && values != 0 && lua_type(L, values) == LUA_TTABLE) {
             lua_pop(L, 1);
             lua_rawgeti(L, values, place);
         }

@@ -2,20 +2,25 @@
 #include <cstdio>
 
 #include <cairn/engine/log.h>
+#include <cairn/physics/features.h>
 
 #include "bind/chain.h"
+#include "bind/contacts.h"
 #include "bind/context.h"
 #include "bind/fracture.h"
 #include "bind/joint_fields.h"
+#include "bind/make_body.h"
 #include "bind/modules.h"
 #include "bind/mover.h"
 #include "bind/pair_filter.h"
 #include "bind/physics_fields.h"
 #include "bind/physics_objects.h"
+#include "bind/recording.h"
 #include "bind/report.h"
 #include "bind/snapshot.h"
 #include "bind/transforms.h"
 #include "bind/world_queries.h"
+#include "data/nearest.h"
 #include "lua/state.h"
 
 namespace cairn::scripting {
@@ -56,11 +61,23 @@ Pushed new_world(lua_State* L, std::optional<TableArgument> description) {
     return {1};
 }
 
+bool is_built_in(lua_State* L, std::string_view feature) {
+    std::vector<std::string> names;
+    for (const physics::Feature candidate : physics::kFeatures) {
+        if (physics::name(candidate) == feature) return physics::is_built_in(candidate);
+        names.emplace_back(physics::name(candidate));
+    }
+    call_error(L,
+               "feature is \"" + std::string(feature) + "\": no such feature" + suggestion(feature, names));
+}
+
 constexpr std::array<std::string_view, 1> kReturnsWorld = {"World"};
 constexpr std::array<std::string_view, 1> kReturnsBody = {"Body"};
 constexpr std::array<std::string_view, 2> kReturnsBodyAndChain = {"Body", "Chain"};
 constexpr std::array<std::string_view, 1> kReturnsTransforms = {"Transforms"};
 constexpr std::array<std::string_view, 1> kReturnsMover = {"Mover"};
+constexpr std::array<std::string_view, 1> kReturnsRecording = {"Recording"};
+constexpr std::array<std::string_view, 1> kReturnsBytes = {"string"};
 constexpr std::array<std::string_view, 1> kReturnsJoint = {"Joint"};
 constexpr std::array<std::string_view, 1> kReturnsTable = {"table"};
 
@@ -69,6 +86,27 @@ constexpr Function kPhysicsFunctions[] = {
                                  "Makes an empty world. It lives until `world:destroy()`.", &kWorldFields),
     function_pushing<&new_transforms>("new_transforms", "", "transforms", kReturnsTransforms,
                                       "Makes an empty list of places for `world:read_transforms`."),
+    function_pushing<&new_recording>("new_recording", "fields = {}", "recording", kReturnsRecording,
+                                     "Makes an empty recording, for the states of a world.",
+                                     &kRecordingFields),
+    function_pushing<&make_delta>("make_delta", "base, target", "delta", kReturnsBytes,
+                                  "What turns the bytes of one snapshot into those of another, as a string: "
+                                  "small when little differs, as "
+                                  "from step to step. To be sent or saved."),
+    function_pushing<&apply_delta>(
+        "apply_delta", "base, delta", "target", kReturnsBytes,
+        "The bytes of a snapshot from those of the one before it and what `make_delta` gave; "
+        "an error when `base` is another one."),
+    function<&is_built_in>(
+        "is_built_in", "feature", "built_in",
+        "Whether this build of Cairn has a part of the physics that can be left out: \"joints\", "
+        "\"sensors\", \"chains\", \"fracture\" and so on. Using one that is left out is an error "
+        "that names it."),
+    function<&solve_planes>(
+        "solve_planes", "dx [m], dy [m], planes, gap [m]", "dx [m], dy [m]",
+        "The way nearest to a wanted one that stays `gap` in front of every plane that "
+        "`world:collision_planes` told: "
+        "for characters of your own. Where there is none, planes of dynamic bodies give way first."),
     function_pushing<&new_mover>("new_mover", "fields = {}", "mover", kReturnsMover,
                                  "Makes a character that walks.", &kMoverFields),
 };
@@ -117,28 +155,13 @@ Pushed quarantined(lua_State* L, WorldRef self) {
 }
 
 Pushed new_body(lua_State* L, WorldRef self, TableArgument description) {
-    const FieldReader reader(L, description.index, kNewBodyFields);
-    push_data_table(L, reader);
-    const physics::BodyId id = value_or_raise(L, self.world.create_body(read_body_def(reader)));
-    push_new_body(L, self.index, self.object, id);
+    push_bare_body(L, self, FieldReader(L, description.index, kNewBodyFields));
     return {1};
 }
 
 template <GeometryKind kKind>
 Pushed add_body(lua_State* L, WorldRef self, TableArgument description) {
-    const FieldReader reader(L, description.index, fields_of_world_add(kKind));
-    OwnedGeometry geometry;
-    read_geometry(L, reader, kKind, {}, geometry);
-    const physics::ShapeDef shape = read_shape_def(reader);
-    push_data_table(L, reader);
-    const physics::BodyId id = value_or_raise(L, self.world.create_body(read_body_def(reader)));
-    for (const physics::Geometry& part : geometry.parts) {
-        const auto made = self.world.create_shape(id, part, shape);
-        if (made) continue;
-        check_or_raise(L, self.world.destroy_body(id));
-        call_error(L, made.error());
-    }
-    push_new_body(L, self.index, self.object, id);
+    push_described_body(L, self, FieldReader(L, description.index, fields_of_world_add(kKind)), kKind);
     return {1};
 }
 
@@ -171,8 +194,9 @@ Pushed sensor_events(lua_State* L, WorldRef self) {
     return {push_sensor_events(L, self)};
 }
 
-Pushed events(lua_State* L, WorldRef self, std::optional<std::string_view> kind) {
-    return {push_events(L, self, kind)};
+Pushed events(lua_State* L, WorldRef self, std::optional<std::string_view> kind,
+              std::optional<bool> with_shapes) {
+    return {push_events(L, self, kind, with_shapes.value_or(false))};
 }
 
 Pushed bodies(lua_State* L, WorldRef self) {
@@ -243,7 +267,7 @@ bool is_valid(Maybe<WorldObject> self) {
 }
 
 constexpr std::array<std::string_view, 1> kReturnsIterator = {
-    "fun(): string, Body, Body, number, number, number, number, number, number"};
+    "fun(): string, Body, Body, number, number, number, number, number, number, Shape?, Shape?"};
 constexpr std::array<std::string_view, 1> kReturnsBreakIterator = {
     "fun(): Joint, Body, Body, number, number, number, number, number"};
 constexpr std::array<std::string_view, 1> kReturnsBodyBreakIterator = {
@@ -322,6 +346,31 @@ constexpr Function kWorldFunctions[] = {
     add_joint_function<JointKind::Friction>(
         "add_friction_joint", "Friction between b and a, as of things on a table seen from above."),
     add_joint_function<JointKind::Filter>("add_filter_joint", "Keeps two bodies from colliding."),
+    function_pushing<&add_bodies>("add_bodies", "descriptions", "bodies", kReturnsTable,
+                                  "Adds many bodies: a list of tables, each with `shape` (\"box\", "
+                                  "\"circle\", \"capsule\", \"polygon\" or "
+                                  "\"segment\"; absent: none) and the fields that `add_box` and its like "
+                                  "take. Gives the list of the bodies; "
+                                  "with an error, which names the place in the list, nothing is added."),
+    function_pushing<&joints_of_world>("joints", "", "joints", kReturnsTable, "A new list of all joints."),
+    function_pushing<&contacts_of_world>(
+        "contacts", "", "contacts", kReturnsTable,
+        "A new list of the pairs of shapes that touch now: tables with `body_a`, `body_b`, `shape_a`, "
+        "`shape_b`, "
+        "`nx, ny` (unit, from a to b), `friction_impulse` (N s) and `points`, a list of tables with `x, y` "
+        "(m), "
+        "`separation` (m, negative where they overlap) and `impulse` (N s). Made for tools; in each step, "
+        "`events` costs less."),
+    function_pushing<&islands_of_world>("islands", "", "islands", kReturnsTable,
+                                        "A new list of the groups of bodies that move and fall asleep "
+                                        "together: tables with `bodies` and `awake`."),
+    function_pushing<&boxes_of_world>(
+        "boxes", "", "boxes", kReturnsTable,
+        "A new list of the boxes of the broad phase: tables with `shape`, and `x1, y1`, "
+        "`x2, y2` (m)."),
+    function<&destroy_bodies>(
+        "destroy_bodies", "bodies", "",
+        "Removes all bodies of a list; with an error, which names the place in the list, none."),
     function_pushing<&ground>("ground", "", "body", kReturnsBody,
                               "A static body without shapes at the origin, for joints to the world. Made "
                               "when it is first asked for."),
@@ -347,7 +396,7 @@ constexpr Function kWorldFunctions[] = {
         "the way "
         "enters and leaves it, and `pieces`, how many bodies `body:cut` would make of it. Changes nothing."),
     function_pushing<&events>(
-        "events", "kind = nil", "iterator", kReturnsIterator,
+        "events", "kind = nil, with_shapes = false", "iterator", kReturnsIterator,
         "Iterates over the events of the last step: `for kind, a, b, impulse, x, y, nx, ny, speed in "
         "world:events(\"hit\") do`. `kind` is \"begin\", \"end\" or \"hit\"; without an argument all come, "
         "begins first, "
@@ -356,7 +405,9 @@ constexpr Function kWorldFunctions[] = {
         "`impulse` (N s) what the contact exchanged in the step and `speed` (m/s) how fast they met; what an "
         "event does "
         "not have is 0. A body destroyed since the step is still given: `is_valid()` tells, and its `data` "
-        "can be read. "
+        "can be read. With `with_shapes` the two shapes come last: `for kind, a, b, impulse, x, y, nx, ny, "
+        "speed, "
+        "shape_a, shape_b in world:events(\"hit\", true) do`. "
         "Anything may be done in the loop; stepping the world ends it."),
     function_pushing<&sensor_events>(
         "sensor_events", "", "iterator", kReturnsSensorIterator,
@@ -412,12 +463,13 @@ constexpr Function kWorldFunctions[] = {
         "closest_points", "x [m], y [m], radius [m], mask = -1, ignored = nil", "points", kReturnsTable,
         "The nearest point of each shape within a radius: tables with body, shape, x, "
         "y, nx, ny, distance."),
-    function_pushing<&collision_planes>("collision_planes", "shape, reach [m], mask = -1, ignored = nil",
-                                        "planes", kReturnsTable,
-                                        "What limits a shape, described as for cast_shape: a line for each "
-                                        "shape within reach, as tables with "
-                                        "body, shape, x, y, nx, ny, separation, dynamic. For characters of "
-                                        "your own; see cairn.physics.new_mover."),
+    function_pushing<&collision_planes>(
+        "collision_planes", "shape, reach [m], mask = -1, ignored = nil", "planes", kReturnsTable,
+        "What limits a shape, described as for cast_shape: a line for each "
+        "shape within reach, as tables with "
+        "body, shape, x, y, nx, ny, separation, dynamic, and, where edges meet at a corner, nx_before, "
+        "ny_before, nx_after, ny_after. For characters of "
+        "your own; see cairn.physics.solve_planes and new_mover."),
     function<&explode>(
         "explode", "fields", "",
         "Pushes the dynamic bodies around a point, as a pressure on the outline that faces it.",

@@ -68,6 +68,10 @@ void set_more(lua_State* L, const physics::SurfacePoint& point) {
 }
 void set_more(lua_State* L, const physics::CollisionPlane& plane) {
     set_number(L, "separation", static_cast<double>(plane.separation_m));
+    set_number(L, "nx_before", static_cast<double>(plane.normal_before.x));
+    set_number(L, "ny_before", static_cast<double>(plane.normal_before.y));
+    set_number(L, "nx_after", static_cast<double>(plane.normal_after.x));
+    set_number(L, "ny_after", static_cast<double>(plane.normal_after.y));
     lua_pushboolean(L, plane.is_dynamic ? 1 : 0);
     lua_setfield(L, -2, "dynamic");
 }

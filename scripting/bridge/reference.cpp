@@ -231,7 +231,9 @@ std::string editor_annotations() {
         out += '\n';
         if (module->is_type) {
             out += std::string("---@class ") + module->name + '\n';
-            if (std::string_view(module->name) == "Body") out += "---@field data table\n";
+            for (const std::string_view owner : {"Body", "Shape", "Chain", "Joint"}) {
+                if (module->name == owner) out += "---@field data table\n";
+            }
             out += std::string("local ") + module->name + " = {}\n";
         } else {
             out += std::string(module->name) + " = {}\n";

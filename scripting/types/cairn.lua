@@ -43,6 +43,40 @@ function cairn.physics.new_world(fields) end
 ---@return Transforms transforms
 function cairn.physics.new_transforms() end
 
+---@class cairn.physics.new_recording.Fields
+---@field states_between_whole_ones? integer 1 to 10000; every so many states one is kept whole: seeking applies at most so many differences
+
+---Makes an empty recording, for the states of a world.
+---@param fields cairn.physics.new_recording.Fields?
+---@return Recording recording
+function cairn.physics.new_recording(fields) end
+
+---What turns the bytes of one snapshot into those of another, as a string: small when little differs, as from step to step. To be sent or saved.
+---@param base string
+---@param target string
+---@return string delta
+function cairn.physics.make_delta(base, target) end
+
+---The bytes of a snapshot from those of the one before it and what `make_delta` gave; an error when `base` is another one.
+---@param base string
+---@param delta string
+---@return string target
+function cairn.physics.apply_delta(base, delta) end
+
+---Whether this build of Cairn has a part of the physics that can be left out: "joints", "sensors", "chains", "fracture" and so on. Using one that is left out is an error that names it.
+---@param feature string
+---@return boolean built_in
+function cairn.physics.is_built_in(feature) end
+
+---The way nearest to a wanted one that stays `gap` in front of every plane that `world:collision_planes` told: for characters of your own. Where there is none, planes of dynamic bodies give way first.
+---@param dx number [m]
+---@param dy number [m]
+---@param planes table
+---@param gap number [m]
+---@return number dx [m]
+---@return number dy [m]
+function cairn.physics.solve_planes(dx, dy, planes, gap) end
+
 ---@class cairn.physics.new_mover.Fields
 ---@field x? number m; of the feet
 ---@field y? number m
@@ -358,6 +392,7 @@ function World:add_chain(fields) end
 ---@field stiffness_damping_ratio? number 1 is critical
 ---@field break_force? number N, the mean over a step; beyond it the joint breaks
 ---@field break_torque? number N m, likewise
+---@field data? table becomes joint.data
 
 ---Keeps two points at a distance: rigidly, as a spring or as a rope.
 ---@param fields World.add_distance_joint.Fields
@@ -384,6 +419,7 @@ function World:add_distance_joint(fields) end
 ---@field stiffness_damping_ratio? number 1 is critical
 ---@field break_force? number N, the mean over a step; beyond it the joint breaks
 ---@field break_torque? number N m, likewise
+---@field data? table becomes joint.data
 
 ---Pins two bodies together at a point about which they turn. Angle 0 is how they stand now; it counts whole turns.
 ---@param fields World.add_revolute_joint.Fields
@@ -413,6 +449,7 @@ function World:add_revolute_joint(fields) end
 ---@field stiffness_damping_ratio? number 1 is critical
 ---@field break_force? number N, the mean over a step; beyond it the joint breaks
 ---@field break_torque? number N m, likewise
+---@field data? table becomes joint.data
 
 ---Lets b slide along an axis of a, and not turn. Translation 0 is where they stand now; without an axis it is the world's x axis.
 ---@param fields World.add_prismatic_joint.Fields
@@ -433,6 +470,7 @@ function World:add_prismatic_joint(fields) end
 ---@field stiffness_damping_ratio? number 1 is critical
 ---@field break_force? number N, the mean over a step; beyond it the joint breaks
 ---@field break_torque? number N m, likewise
+---@field data? table becomes joint.data
 
 ---Holds b to a as they stand now: rigidly, or with springs.
 ---@param fields World.add_weld_joint.Fields
@@ -462,6 +500,7 @@ function World:add_weld_joint(fields) end
 ---@field stiffness_damping_ratio? number 1 is critical
 ---@field break_force? number N, the mean over a step; beyond it the joint breaks
 ---@field break_torque? number N m, likewise
+---@field data? table becomes joint.data
 
 ---Hangs a wheel b from a chassis a: its centre slides along an axis of a on a spring, and it turns freely or by a motor. Without an axis it is the world's y axis. Units of the limit: m; of the motor: rad/s.
 ---@param fields World.add_wheel_joint.Fields
@@ -488,6 +527,7 @@ function World:add_wheel_joint(fields) end
 ---@field collide_connected? boolean whether the two bodies collide
 ---@field break_force? number N, the mean over a step; beyond it the joint breaks
 ---@field break_torque? number N m, likewise
+---@field data? table becomes joint.data
 
 ---Draws b to a target place and angle in the frame of a, or drives it at a velocity, with a force and a torque that have caps. The target 0 is how they stand now.
 ---@param fields World.add_motor_joint.Fields
@@ -504,6 +544,7 @@ function World:add_motor_joint(fields) end
 ---@field collide_connected? boolean whether the two bodies collide
 ---@field break_force? number N, the mean over a step; beyond it the joint breaks
 ---@field break_torque? number N m, likewise
+---@field data? table becomes joint.data
 
 ---Draws a point of a body to a target in the world, which `joint:set_target(x, y)` moves: the hand of a player.
 ---@param fields World.add_mouse_joint.Fields
@@ -519,6 +560,7 @@ function World:add_mouse_joint(fields) end
 ---@field stiffness_damping_ratio? number 1 is critical
 ---@field break_force? number N, the mean over a step; beyond it the joint breaks
 ---@field break_torque? number N m, likewise
+---@field data? table becomes joint.data
 
 ---Ties the coordinates of two joints: angles (rad) of revolute ones, translations (m) of prismatic ones. It goes with either joint.
 ---@param fields World.add_gear_joint.Fields
@@ -543,6 +585,7 @@ function World:add_gear_joint(fields) end
 ---@field stiffness_damping_ratio? number 1 is critical
 ---@field break_force? number N, the mean over a step; beyond it the joint breaks
 ---@field break_torque? number N m, likewise
+---@field data? table becomes joint.data
 
 ---A rope from a over two fixed wheels to b. It pulls and never pushes.
 ---@param fields World.add_pulley_joint.Fields
@@ -557,6 +600,7 @@ function World:add_pulley_joint(fields) end
 ---@field max_force? number N
 ---@field max_torque? number N m
 ---@field collide_connected? boolean whether the two bodies collide
+---@field data? table becomes joint.data
 
 ---Friction between b and a, as of things on a table seen from above.
 ---@param fields World.add_friction_joint.Fields
@@ -566,11 +610,37 @@ function World:add_friction_joint(fields) end
 ---@class World.add_filter_joint.Fields
 ---@field body_a Body `world:ground()` for a joint to the world
 ---@field body_b Body
+---@field data? table becomes joint.data
 
 ---Keeps two bodies from colliding.
 ---@param fields World.add_filter_joint.Fields
 ---@return Joint joint
 function World:add_filter_joint(fields) end
+
+---Adds many bodies: a list of tables, each with `shape` ("box", "circle", "capsule", "polygon" or "segment"; absent: none) and the fields that `add_box` and its like take. Gives the list of the bodies; with an error, which names the place in the list, nothing is added.
+---@param descriptions table
+---@return table bodies
+function World:add_bodies(descriptions) end
+
+---A new list of all joints.
+---@return table joints
+function World:joints() end
+
+---A new list of the pairs of shapes that touch now: tables with `body_a`, `body_b`, `shape_a`, `shape_b`, `nx, ny` (unit, from a to b), `friction_impulse` (N s) and `points`, a list of tables with `x, y` (m), `separation` (m, negative where they overlap) and `impulse` (N s). Made for tools; in each step, `events` costs less.
+---@return table contacts
+function World:contacts() end
+
+---A new list of the groups of bodies that move and fall asleep together: tables with `bodies` and `awake`.
+---@return table islands
+function World:islands() end
+
+---A new list of the boxes of the broad phase: tables with `shape`, and `x1, y1`, `x2, y2` (m).
+---@return table boxes
+function World:boxes() end
+
+---Removes all bodies of a list; with an error, which names the place in the list, none.
+---@param bodies table
+function World:destroy_bodies(bodies) end
 
 ---A static body without shapes at the origin, for joints to the world. Made when it is first asked for.
 ---@return Body body
@@ -593,10 +663,11 @@ function World:breaks() end
 ---@return table hits
 function World:cuts_along(x1, y1, x2, y2, mask) end
 
----Iterates over the events of the last step: `for kind, a, b, impulse, x, y, nx, ny, speed in world:events("hit") do`. `kind` is "begin", "end" or "hit"; without an argument all come, begins first, then hits, then ends. `a` and `b` are the bodies, `x, y` the place, `nx, ny` the unit normal from a to b, `impulse` (N s) what the contact exchanged in the step and `speed` (m/s) how fast they met; what an event does not have is 0. A body destroyed since the step is still given: `is_valid()` tells, and its `data` can be read. Anything may be done in the loop; stepping the world ends it.
+---Iterates over the events of the last step: `for kind, a, b, impulse, x, y, nx, ny, speed in world:events("hit") do`. `kind` is "begin", "end" or "hit"; without an argument all come, begins first, then hits, then ends. `a` and `b` are the bodies, `x, y` the place, `nx, ny` the unit normal from a to b, `impulse` (N s) what the contact exchanged in the step and `speed` (m/s) how fast they met; what an event does not have is 0. A body destroyed since the step is still given: `is_valid()` tells, and its `data` can be read. With `with_shapes` the two shapes come last: `for kind, a, b, impulse, x, y, nx, ny, speed, shape_a, shape_b in world:events("hit", true) do`. Anything may be done in the loop; stepping the world ends it.
 ---@param kind string?
----@return fun(): string, Body, Body, number, number, number, number, number, number iterator
-function World:events(kind) end
+---@param with_shapes boolean?
+---@return fun(): string, Body, Body, number, number, number, number, number, number, Shape?, Shape? iterator
+function World:events(kind, with_shapes) end
 
 ---Iterates over what came to overlap sensors in the last step, and what ceased to: `for kind, sensor, visitor, sensor_shape, visitor_shape in world:sensor_events() do`. `kind` is "begin" or "end"; `sensor` and `visitor` are the bodies.
 ---@return fun(): string, Body, Body, Shape, Shape iterator
@@ -712,7 +783,7 @@ function World:closest_point(x, y, radius, mask, ignored) end
 ---@return table points
 function World:closest_points(x, y, radius, mask, ignored) end
 
----What limits a shape, described as for cast_shape: a line for each shape within reach, as tables with body, shape, x, y, nx, ny, separation, dynamic. For characters of your own; see cairn.physics.new_mover.
+---What limits a shape, described as for cast_shape: a line for each shape within reach, as tables with body, shape, x, y, nx, ny, separation, dynamic, and, where edges meet at a corner, nx_before, ny_before, nx_after, ny_after. For characters of your own; see cairn.physics.solve_planes and new_mover.
 ---@param shape table
 ---@param reach number [m]
 ---@param mask integer?
@@ -958,6 +1029,11 @@ function Body:mass() end
 ---@return number inertia [kg m^2]
 function Body:inertia() end
 
+---The centre of mass in the body's frame; (0, 0) unless dynamic.
+---@return number x [m]
+---@return number y [m]
+function Body:local_center() end
+
 ---@return number damping [1/s]
 function Body:linear_damping() end
 
@@ -1032,6 +1108,7 @@ function Body:set_sleep_speed(speed) end
 ---@field seen_by_sensors? boolean
 ---@field one_way_x? number not (0, 0): solid only for what comes from that side, as a platform is
 ---@field one_way_y? number in the body's frame, of any length
+---@field data? table becomes shape.data
 
 ---Adds a rectangle, placed in the body's frame.
 ---@param fields Body.add_box.Fields
@@ -1058,6 +1135,7 @@ function Body:add_box(fields) end
 ---@field seen_by_sensors? boolean
 ---@field one_way_x? number not (0, 0): solid only for what comes from that side, as a platform is
 ---@field one_way_y? number in the body's frame, of any length
+---@field data? table becomes shape.data
 
 ---Adds a disc.
 ---@param fields Body.add_circle.Fields
@@ -1085,6 +1163,7 @@ function Body:add_circle(fields) end
 ---@field seen_by_sensors? boolean
 ---@field one_way_x? number not (0, 0): solid only for what comes from that side, as a platform is
 ---@field one_way_y? number in the body's frame, of any length
+---@field data? table becomes shape.data
 
 ---Adds a capsule.
 ---@param fields Body.add_capsule.Fields
@@ -1112,6 +1191,7 @@ function Body:add_capsule(fields) end
 ---@field seen_by_sensors? boolean
 ---@field one_way_x? number not (0, 0): solid only for what comes from that side, as a platform is
 ---@field one_way_y? number in the body's frame, of any length
+---@field data? table becomes shape.data
 
 ---Adds a polygon. One with dents, or with more than eight corners, becomes several convex shapes, which are all returned.
 ---@param fields Body.add_polygon.Fields
@@ -1141,6 +1221,7 @@ function Body:add_polygon(fields) end
 ---@field seen_by_sensors? boolean
 ---@field one_way_x? number not (0, 0): solid only for what comes from that side, as a platform is
 ---@field one_way_y? number in the body's frame, of any length
+---@field data? table becomes shape.data
 
 ---Adds a line without thickness or mass, solid from both sides.
 ---@param fields Body.add_segment.Fields
@@ -1177,6 +1258,10 @@ function Body:shapes() end
 ---A new list.
 ---@return table joints
 function Body:joints() end
+
+---A new list of what touches it now, as `world:contacts()` tells it.
+---@return table contacts
+function Body:contacts() end
 
 ---@return World world
 function Body:world() end
@@ -1230,6 +1315,10 @@ function Body:clear_breakable() end
 ---@return boolean breakable
 function Body:is_breakable() end
 
+---A new table with the fields that `set_breakable` takes; nil unless it is.
+---@return table? fields
+function Body:breakable() end
+
 ---Removes the body with its shapes and joints. What rested on it wakes.
 function Body:destroy() end
 
@@ -1238,10 +1327,15 @@ function Body:destroy() end
 function Body:is_valid() end
 
 ---@class Shape
+---@field data table
 local Shape = {}
 
 ---@return Body body
 function Shape:body() end
+
+---nil unless it is a segment of a chain.
+---@return Chain? chain
+function Shape:chain() end
 
 ---"circle", "capsule", "polygon" (boxes are polygons), "segment" or "chain_segment".
 ---@return string kind
@@ -1333,6 +1427,7 @@ function Shape:destroy() end
 function Shape:is_valid() end
 
 ---@class Chain
+---@field data table
 local Chain = {}
 
 ---@return Body body
@@ -1410,6 +1505,7 @@ function Chain:destroy() end
 function Chain:is_valid() end
 
 ---@class Joint
+---@field data table
 local Joint = {}
 
 ---"distance", "revolute", "prismatic", "weld", "wheel", "motor", "mouse", "gear", "pulley", "friction" or "filter".
@@ -1540,6 +1636,11 @@ function Mover:ground_normal() end
 ---@return Body? body
 function Mover:ground_body(world) end
 
+---Likewise, which shape of it.
+---@param world World
+---@return Shape? shape
+function Mover:ground_shape(world) end
+
 ---@class Transforms
 local Transforms = {}
 
@@ -1563,6 +1664,38 @@ function Transforms:transform(index) end
 ---@param index integer
 ---@return Body? body
 function Transforms:body(index) end
+
+---@class Recording
+local Recording = {}
+
+---Appends the state of a world as it is now: call it after each step, and once before the first.
+---@param world World
+function Recording:record(world) end
+
+---How many states there are.
+---@return integer count
+function Recording:size() end
+
+---In memory, and about as much in a file.
+---@return integer bytes
+function Recording:byte_count() end
+
+---Puts a world into a state, from 1 to `size()`, bit for bit. Bodies that are there before and after keep their values and `data`; one that comes back is a new value with an empty table.
+---@param world World
+---@param index integer
+function Recording:seek(world, index) end
+
+---Forgets the states from `index` on: to record another future from there.
+---@param index integer
+function Recording:cut(index) end
+
+---All of it as a string with a version and a checksum, for `cairn.files.write`.
+---@return string bytes
+function Recording:save() end
+
+---Takes what `save` gave, here or on another machine, instead of what it holds. Bytes that are damaged or of another version are an error, and nothing changes.
+---@param bytes string
+function Recording:load(bytes) end
 
 cairn.prefab = {}
 
