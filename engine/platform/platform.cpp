@@ -7,11 +7,11 @@
 namespace cairn::engine {
 
 Result<std::unique_ptr<Platform>> Platform::create(const PlatformDef& def) {
-    constexpr int kMaxSide = 8192;
-    const auto [width, height] = def.window.size;
-    if (width < 1 || height < 1 || width > kMaxSide || height > kMaxSide)
-        return Error{"window: size " + std::to_string(width) + " x " + std::to_string(height) +
-                     " must be 1 to " + std::to_string(kMaxSide) + " on each side"};
+    for (const auto& [width, height] : {def.window.size, def.window.window_size.value_or(def.window.size)}) {
+        if (width < 1 || height < 1 || width > kMaxWindowSide || height > kMaxWindowSide)
+            return Error{"window: size " + std::to_string(width) + " x " + std::to_string(height) +
+                         " must be 1 to " + std::to_string(kMaxWindowSide) + " on each side"};
+    }
     if (def.headless) return make_headless_platform(def);
     return make_sdl_platform(def);
 }

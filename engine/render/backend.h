@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 
 #include <cairn/engine/image.h>
@@ -46,6 +47,9 @@ struct PixelRect {
 
     friend bool operator==(const PixelRect&, const PixelRect&) = default;
 };
+
+/// Where the picture lies now: asked for with each frame, because windows and games change it.
+using AskViewport = std::function<Viewport()>;
 
 /// 0 is no texture: plain colors.
 using BackendTexture = std::uint32_t;

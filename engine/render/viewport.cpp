@@ -14,10 +14,10 @@ Size at_least_one(Size size) {
 
 }  // namespace
 
-Viewport make_viewport(WindowScaling scaling, Size designed, Size window, Size output) {
+Viewport make_viewport(Size logical, Size output) {
     Viewport viewport;
     viewport.output = at_least_one(output);
-    viewport.logical = at_least_one(scaling == WindowScaling::Follow ? window : designed);
+    viewport.logical = at_least_one(logical);
     const auto width = static_cast<float>(viewport.logical.width);
     const auto height = static_cast<float>(viewport.logical.height);
     const auto output_width = static_cast<float>(viewport.output.width);

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cairn/engine/geometry.h>
-#include <cairn/engine/platform.h>
 
 namespace cairn::engine {
 
@@ -19,8 +18,8 @@ struct Viewport {
     bool has_bars() const { return offset.x > 0 || offset.y > 0; }
 };
 
-/// `designed` is the logical size that the game asked for, `window` the window's size in the desktop's
-/// points, `output` the same in pixels (more of them on a high-DPI screen). Sizes without area count as 1.
-Viewport make_viewport(WindowScaling scaling, Size designed, Size window, Size output);
+/// `output` is the window's size in pixels (more than it has points on a high-DPI screen). Sizes without area
+/// count as 1.
+Viewport make_viewport(Size logical, Size output);
 
 }  // namespace cairn::engine

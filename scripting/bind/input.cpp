@@ -1,4 +1,4 @@
-// cairn.input: what is held down, gamepads, fingers, actions; and cairn.window.
+// cairn.input: what is held down, gamepads, fingers, actions.
 #include <algorithm>
 
 #include "bind/context.h"
@@ -243,50 +243,11 @@ constexpr Function kInputFunctions[] = {
                                       "Where a finger is, or nil."),
 };
 
-// ---- Window
-
-std::tuple<std::int64_t, std::int64_t> size(lua_State* L) {
-    const engine::Size logical = context_of(L).services.window.logical_size();
-    return {logical.width, logical.height};
-}
-void set_title(lua_State* L, std::string_view title) {
-    context_of(L).services.window.set_title(std::string(title));
-}
-void set_fullscreen(lua_State* L, bool on) {
-    context_of(L).services.window.set_fullscreen(on);
-}
-bool is_fullscreen(lua_State* L) {
-    return context_of(L).services.window.is_fullscreen();
-}
-float pixel_scale(lua_State* L) {
-    return context_of(L).services.renderer.pixel_scale();
-}
-bool has_focus(lua_State* L) {
-    return context_of(L).input.has_focus();
-}
-
-constexpr Function kWindowFunctions[] = {
-    function<&size>("size", "", "width [px], height [px]",
-                    "Logical pixels, as conf.lua says, whatever the real window is."),
-    function<&set_title>("set_title", "title", "", ""),
-    function<&set_fullscreen>("set_fullscreen", "on", "", ""),
-    function<&is_fullscreen>("is_fullscreen", "", "on", ""),
-    function<&pixel_scale>(
-        "pixel_scale", "", "scale",
-        "How many pixels of the display a logical pixel is wide: more than 1 on dense displays and in large "
-        "windows. A canvas that is to look sharp has as many times its size, and is drawn as many times "
-        "smaller; text, shapes and fonts follow by themselves. It differs between machines, so nothing but "
-        "drawing may depend on it."),
-    function<&has_focus>("has_focus", "", "focus", ""),
-};
-
 }  // namespace
 
 const Module kInputModule = {
     "cairn.input",
     "What is held down. It follows the events of the callbacks, so it is the same in a replay.",
     kInputFunctions};
-const Module kWindowModule = {"cairn.window", "The window; headless runs pretend to have one.",
-                              kWindowFunctions};
 
 }  // namespace cairn::scripting

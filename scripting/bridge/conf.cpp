@@ -13,11 +13,14 @@ Schema schema_of(SchemaType type) {
     return schema;
 }
 
-Schema conf_schema() {
-    constexpr double kLargestSide = 8192;  // of a window, as the engine has it
+Schema side_schema() {
     Schema side = schema_of(SchemaType::Integer);
     side.min = 1;
-    side.max = kLargestSide;
+    side.max = engine::kMaxWindowSide;
+    return side;
+}
+
+Schema conf_schema() {
     Schema part = schema_of(SchemaType::Number);
     part.min = 0;
     part.max = 1;
@@ -26,20 +29,36 @@ Schema conf_schema() {
     color.items = std::make_unique<Schema>(std::move(part));
     Schema identity = schema_of(SchemaType::String);
     identity.min_length = 1;
+    Schema scaling = schema_of(SchemaType::String);
+    scaling.what = "scaling";
+    scaling.one_of = {"fit", "follow"};
 
     Schema conf = schema_of(SchemaType::Table);
     conf.has_fields = true;
     conf.fields.push_back({"background", std::move(color)});
     conf.fields.push_back({"developer_keys", schema_of(SchemaType::Boolean)});
-    Schema height = schema_of(SchemaType::Integer);
-    height.min = side.min;
-    height.max = side.max;
-    conf.fields.push_back({"height", std::move(height)});
+    conf.fields.push_back({"fullscreen", schema_of(SchemaType::Boolean)});
+    conf.fields.push_back({"height", side_schema()});
+    conf.fields.push_back({"high_dpi", schema_of(SchemaType::Boolean)});
     conf.fields.push_back({"identity", std::move(identity)});
     conf.fields.push_back({"resizable", schema_of(SchemaType::Boolean)});
+    conf.fields.push_back({"scaling", std::move(scaling)});
     conf.fields.push_back({"title", schema_of(SchemaType::String)});
-    conf.fields.push_back({"width", std::move(side)});
+    conf.fields.push_back({"vsync", schema_of(SchemaType::Boolean)});
+    conf.fields.push_back({"width", side_schema()});
+    conf.fields.push_back({"window_height", side_schema()});
+    conf.fields.push_back({"window_width", side_schema()});
     return conf;
+}
+
+void read(const Value& table, const char* name, bool& to) {
+    if (const Value* value = table.find(name)) to = std::get<bool>(value->content);
+}
+void read(const Value& table, const char* name, int& to) {
+    if (const Value* value = table.find(name)) to = static_cast<int>(value->number());
+}
+void read(const Value& table, const char* name, std::string& to) {
+    if (const Value* value = table.find(name)) to = value->text();
 }
 
 }  // namespace
@@ -68,14 +87,29 @@ engine::Result<Conf> parse_conf(std::string_view text, const std::string& path,
     if (const auto faults = check_data(*value, conf_schema(), path); !faults.empty())
         return engine::Error{faults.front()};
     Conf conf = default_conf(game_name);
-    if (const Value* title = value->find("title")) conf.title = title->text();
-    if (const Value* identity = value->find("identity")) conf.identity = identity->text();
-    if (const Value* width = value->find("width")) conf.size.width = static_cast<int>(width->number());
-    if (const Value* height = value->find("height")) conf.size.height = static_cast<int>(height->number());
-    if (const Value* resizable = value->find("resizable"))
-        conf.is_resizable = std::get<bool>(resizable->content);
-    if (const Value* keys = value->find("developer_keys"))
-        conf.has_developer_keys = std::get<bool>(keys->content);
+    read(*value, "title", conf.title);
+    read(*value, "identity", conf.identity);
+    read(*value, "width", conf.size.width);
+    read(*value, "height", conf.size.height);
+    read(*value, "resizable", conf.is_resizable);
+    read(*value, "fullscreen", conf.is_fullscreen);
+    read(*value, "high_dpi", conf.is_high_dpi);
+    read(*value, "vsync", conf.has_vsync);
+    read(*value, "developer_keys", conf.has_developer_keys);
+    engine::Size own = conf.size;
+    read(*value, "window_width", own.width);
+    read(*value, "window_height", own.height);
+    if (own != conf.size) conf.window_size = own;
+    std::string scaling;
+    read(*value, "scaling", scaling);
+    if (scaling == "follow") {
+        if (conf.window_size)
+            return engine::Error{
+                path +
+                ": window_width and window_height are without meaning when scaling = \"follow\": the picture "
+                "has the window's size, which width and height give"};
+        conf.scaling = engine::WindowScaling::Follow;
+    }
     if (const Value* background = value->find("background")) {
         float* const parts[] = {&conf.background.r, &conf.background.g, &conf.background.b};
         for (const Entry& entry : background->entries()) {
@@ -83,6 +117,17 @@ engine::Result<Conf> parse_conf(std::string_view text, const std::string& path,
         }
     }
     return conf;
+}
+
+engine::WindowDef Conf::window() const {
+    return {.title = title,
+            .size = size,
+            .scaling = scaling,
+            .window_size = window_size,
+            .is_resizable = is_resizable,
+            .is_fullscreen = is_fullscreen,
+            .has_vsync = has_vsync,
+            .is_high_dpi = is_high_dpi};
 }
 
 }  // namespace cairn::scripting

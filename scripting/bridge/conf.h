@@ -1,22 +1,31 @@
 // What a game says about itself in conf.lua: data, never run.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include <cairn/engine/geometry.h>
+#include <cairn/engine/platform.h>
 #include <cairn/engine/result.h>
 
 namespace cairn::scripting {
 
 struct Conf {
     std::string title;
-    std::string identity;  ///< names the save folder
-    engine::Size size{1280, 720};
+    std::string identity;          ///< names the save folder
+    engine::Size size{1280, 720};  ///< logical; at the start, when the picture follows the window
+    engine::WindowScaling scaling = engine::WindowScaling::Fit;
+    std::optional<engine::Size> window_size;  ///< of the window itself; absent: as `size`
     bool is_resizable = true;
+    bool is_fullscreen = false;
+    bool is_high_dpi = true;
+    bool has_vsync = true;
     bool has_developer_keys = true;  ///< F1, F2 ... open tools instead of reaching the game
     engine::Color background{0, 0, 0, 1};
+
+    [[nodiscard]] engine::WindowDef window() const;
 };
 
 /// Of a game without conf.lua.

@@ -1,6 +1,7 @@
 // Calls the callbacks of a game.
 #include "bridge/game.h"
 
+#include <algorithm>
 #include <functional>
 #include <string_view>
 #include <utility>
@@ -233,7 +234,7 @@ std::optional<ScriptError> Game::deliver_alone(const InputEvent& event) {
         case InputKind::TouchReleased:
             return call("touch_released", nullptr, event.number, p.x, p.y);
         case InputKind::WindowResized:
-            return std::nullopt;  // a game's logical size is that of its conf.lua, whatever the window's
+            return follow_window({static_cast<int>(event.delta.x), static_cast<int>(event.delta.y)});
         case InputKind::FocusGained:
             return call("focus", nullptr, true);
         case InputKind::FocusLost:
@@ -246,6 +247,15 @@ std::optional<ScriptError> Game::deliver_alone(const InputEvent& event) {
         }
     }
     return std::nullopt;
+}
+
+std::optional<ScriptError> Game::follow_window(engine::Size size) {
+    engine::Window& window = context_.services.window;
+    size = {std::clamp(size.width, 1, engine::kMaxWindowSide),
+            std::clamp(size.height, 1, engine::kMaxWindowSide)};
+    if (size == window.logical_size()) return std::nullopt;  // desktops repeat themselves
+    window.set_logical_size(size);
+    return call("window_resized", nullptr, size.width, size.height);
 }
 
 std::optional<ScriptError> Game::run_timers() {

@@ -72,6 +72,8 @@ class Game {
     /// Without what it means for actions.
     std::optional<ScriptError> deliver_alone(const engine::InputEvent& event);
     std::optional<ScriptError> tell_listener(const engine::InputSource& source);
+    /// The picture takes the window's size.
+    std::optional<ScriptError> follow_window(engine::Size size);
     std::optional<ScriptError> run_timers();
     template <class... Arguments>
     std::optional<ScriptError> call(const char* name, bool* result, const Arguments&... arguments);

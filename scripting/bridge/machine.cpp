@@ -57,9 +57,7 @@ engine::Result<std::unique_ptr<Machine>> make_machine(const GameSource& source, 
 
     auto platform = engine::Platform::create({.headless = kind != MachineKind::Window,
                                               .headless_drawing = kind == MachineKind::HeadlessDrawing,
-                                              .window = {.title = machine->conf.title,
-                                                         .size = machine->conf.size,
-                                                         .is_resizable = machine->conf.is_resizable}});
+                                              .window = machine->conf.window()});
     if (!platform) return platform.error();
     machine->platform = *std::move(platform);
     auto renderer = machine->platform->create_renderer(*machine->files);

@@ -24,6 +24,8 @@ struct Machine {
     std::unique_ptr<engine::Renderer> renderer;
     std::unique_ptr<engine::Audio> audio;
 
+    /// What a game may have changed of its picture is as conf.lua says again.
+    void reset_window() { platform->window().set_logical_size(conf.size); }
     [[nodiscard]] Services services() { return {*files, *renderer, *audio, platform->window(), *platform}; }
 };
 

@@ -87,6 +87,7 @@ class Session {
         tools_.set_can_change(options_.record.empty() && !replay_);
         keeps_game_ = false;
         if (reload_) reload_->forget();
+        machine_.reset_window();
         game_ = std::make_unique<Game>(machine_.services(),
                                        GameOptions{.seed = seed_,
                                                    .visual_seed = options_.headless ? 1 : seed_by_clock(),
@@ -105,12 +106,23 @@ class Session {
                  ++next_event_) {
                 events.push_back(recorded[next_event_].event);
             }
+        } else if (game_->frame() == 0) {
+            tell_window_size(events);
         }
         for (const InputEvent& event : events) recorded_.push_back({game_->frame() + 1, event});
         const FrameMeter::Scope scope(tools_.meter(), FramePart::Update);
         Outcome error = game_->update(events);
         events.clear();
         return error;
+    }
+
+    /// A window may have another size than conf.lua asked for from the start, as on a full screen.
+    void tell_window_size(std::vector<InputEvent>& events) const {
+        const engine::Size size = machine_.platform->window().size();
+        if (machine_.conf.scaling != engine::WindowScaling::Follow || size == machine_.conf.size) return;
+        InputEvent event{.kind = InputKind::WindowResized};
+        event.delta = {static_cast<float>(size.width), static_cast<float>(size.height)};
+        events.insert(events.begin(), event);
     }
 
     bool is_over() const { return game_->wants_quit() || (last_frame_ && game_->frame() >= *last_frame_); }
@@ -136,7 +148,8 @@ class Session {
     }
 
     Outcome start_video() {
-        auto video = engine::VideoWriter::create(options_.video, machine_.conf.size, kFramesPerSecond);
+        auto video =
+            engine::VideoWriter::create(options_.video, machine_.platform->window().size(), kFramesPerSecond);
         if (!video) return ScriptError{video.error().message, {}};
         video_ = *std::move(video);
         return std::nullopt;
@@ -173,6 +186,7 @@ class Session {
         constexpr std::uint64_t kFramesPerPicture = 60;
         std::vector<InputEvent> events;
         while (!is_over()) {
+            machine_.platform->poll_events(events);
             if (Outcome error = update(events)) return error;
             const bool captures = captures_now();
             const bool is_sample = options_.screenshot.empty() && game_->frame() % kFramesPerPicture == 1;

@@ -38,6 +38,7 @@ class Driver : public TestDriver {
         is_started_ = true;
         seed_ = seed;
         context_of(L).random = engine::Random(seed);
+        machine_.reset_window();
         rethrow(L, game_->load(machine_.main_path, {}));
     }
 
@@ -49,6 +50,7 @@ class Driver : public TestDriver {
     void run_frame(lua_State* L) override {
         require_main_thread(L);
         require_started(L);
+        machine_.platform->poll_events(waiting_);
         const std::vector<engine::InputEvent> events = std::move(waiting_);
         waiting_.clear();
         for (const engine::InputEvent& event : events) recorded_.push_back({game_->frame() + 1, event});
@@ -65,6 +67,7 @@ class Driver : public TestDriver {
         if (!text) return text.error();
         const auto replay = parse_replay(*text, path);
         if (!replay) return replay.error();
+        machine_.reset_window();
         Game game(machine_.services(), {.seed = replay->seed, .plays_saves = true});
         if (const auto error = game.load(machine_.main_path, {})) return engine::Error{error->to_text()};
         auto next = replay->events.begin();

@@ -2739,7 +2739,7 @@ local Ui = {}
 ---@field text? string what stands on it
 ---@field same_row? boolean stands beside the widget before it
 
----Adds a text. Widgets are numbered from 1, from the top.
+---Adds a text, which may take several lines; those of other widgets are shortened where there is no room for them. Widgets are numbered from 1, from the top.
 ---@param fields Ui.add_label.Fields
 ---@return integer widget
 function Ui:add_label(fields) end
@@ -3089,19 +3089,42 @@ function cairn.input.touch_position(touch) end
 
 cairn.window = {}
 
----Logical pixels, as conf.lua says, whatever the real window is.
+---Logical pixels: what the game draws in and where the mouse is. As conf.lua says, until `set_logical_size` or, with `scaling = "follow"`, the window changes it.
 ---@return integer width [px]
 ---@return integer height [px]
 function cairn.window.size() end
 
+---From the next picture on the game draws in so many pixels, 1 to 8192 a side, scaled to fit the window.
+---@param width integer [px]
+---@param height integer [px]
+function cairn.window.set_logical_size(width, height) end
+
+---Of the window itself, in the desktop's points. The desktop decides it, so nothing but drawing may depend on it. Headless: as conf.lua or `set_window_size` said.
+---@return integer width
+---@return integer height
+function cairn.window.window_size() end
+
+---Points of the desktop, 1 to 8192 a side; leaves full screen. With `scaling = "follow"` the picture follows, and `cairn.window_resized` is called.
+---@param width integer
+---@param height integer
+function cairn.window.set_window_size(width, height) end
+
 ---@param title string
 function cairn.window.set_title(title) end
 
+---Over the whole display, in its own resolution.
 ---@param on boolean
 function cairn.window.set_fullscreen(on) end
 
 ---@return boolean on
 function cairn.window.is_fullscreen() end
+
+---Whether the player can change the window's size.
+---@param on boolean
+function cairn.window.set_resizable(on) end
+
+---@return boolean on
+function cairn.window.is_resizable() end
 
 ---How many pixels of the display a logical pixel is wide: more than 1 on dense displays and in large windows. A canvas that is to look sharp has as many times its size, and is drawn as many times smaller; text, shapes and fonts follow by themselves. It differs between machines, so nothing but drawing may depend on it.
 ---@return number scale

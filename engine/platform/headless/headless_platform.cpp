@@ -16,19 +16,44 @@ namespace {
 class HeadlessWindow final : public Window {
   public:
     explicit HeadlessWindow(const WindowDef& def)
-        : title_(def.title), size_(def.size), is_fullscreen_(def.is_fullscreen) {}
+        : def_(def), title_(def.title), logical_(def.size), size_(own_size(def)) {}
 
     const std::string& title() const override { return title_; }
     void set_title(const std::string& title) override { title_ = title; }
-    Size logical_size() const override { return size_; }
-    bool is_fullscreen() const override { return is_fullscreen_; }
-    void set_fullscreen(bool fullscreen) override { is_fullscreen_ = fullscreen; }
+    Size logical_size() const override { return logical_; }
+    void set_logical_size(Size size) override { logical_ = size; }
+    Size size() const override { return size_; }
+    void set_size(Size size) override {
+        def_.is_fullscreen = false;
+        if (size != size_ && def_.scaling == WindowScaling::Follow) has_new_size_ = true;
+        size_ = size;
+    }
+    bool is_resizable() const override { return def_.is_resizable; }
+    void set_resizable(bool resizable) override { def_.is_resizable = resizable; }
+    bool is_fullscreen() const override { return def_.is_fullscreen; }
+    void set_fullscreen(bool fullscreen) override { def_.is_fullscreen = fullscreen; }
     bool is_visible() const override { return true; }
 
+    /// Pictures keep the size that they have at the start, because a video cannot change its own.
+    Viewport viewport() const { return make_viewport(logical_, own_size(def_)); }
+
+    /// As a desktop tells a game what it did to its window.
+    void poll_events(std::vector<InputEvent>& events) {
+        if (!std::exchange(has_new_size_, false)) return;
+        InputEvent event;
+        event.kind = InputKind::WindowResized;
+        event.delta = {static_cast<float>(size_.width), static_cast<float>(size_.height)};
+        events.push_back(event);
+    }
+
   private:
+    static Size own_size(const WindowDef& def) { return def.window_size.value_or(def.size); }
+
+    WindowDef def_;
     std::string title_;
+    Size logical_;
     Size size_;
-    bool is_fullscreen_;
+    bool has_new_size_ = false;
 };
 
 class HeadlessPlatform final : public Platform {
@@ -39,12 +64,12 @@ class HeadlessPlatform final : public Platform {
     Window& window() override { return window_; }
 
     Result<std::unique_ptr<Renderer>> create_renderer(const Files& files) override {
-        const Size size = window_.logical_size();
+        AskViewport viewport = [this] { return window_.viewport(); };
         std::unique_ptr<RenderBackend> backend;
         if (draws_)
-            backend = std::make_unique<SurfaceBackend>(make_viewport(WindowScaling::Fit, size, size, size));
+            backend = std::make_unique<SurfaceBackend>(std::move(viewport));
         else
-            backend = make_null_backend(size);
+            backend = make_null_backend(std::move(viewport));
         return std::make_unique<Renderer>(files, std::move(backend));
     }
 
@@ -52,7 +77,7 @@ class HeadlessPlatform final : public Platform {
         return std::make_unique<Audio>(files, make_null_audio());
     }
 
-    void poll_events(std::vector<InputEvent>&) override {}
+    void poll_events(std::vector<InputEvent>& events) override { window_.poll_events(events); }
     double now_s() const override { return 0; }
     void sleep_s(double) override {}
     void rumble(int, float, float, double) override {}

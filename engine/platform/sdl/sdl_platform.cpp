@@ -53,8 +53,7 @@ class SdlPlatform final : public Platform {
     Window& window() override { return *window_; }
 
     Result<std::unique_ptr<Renderer>> create_renderer(const Files& files) override {
-        Result<std::unique_ptr<RenderBackend>> backend =
-            make_window_backend(window_->native(), window_->def());
+        Result<std::unique_ptr<RenderBackend>> backend = make_window_backend(*window_);
         if (!backend) return backend.error();
         return std::make_unique<Renderer>(files, std::move(*backend));
     }

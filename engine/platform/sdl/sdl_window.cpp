@@ -5,8 +5,6 @@
 #include <SDL.h>
 #include <algorithm>
 
-#include "render/sdl/window_backend.h"
-
 namespace cairn::engine {
 
 void SdlWindow::Destroy::operator()(SDL_Window* window) const {
@@ -14,11 +12,13 @@ void SdlWindow::Destroy::operator()(SDL_Window* window) const {
 }
 
 Result<std::unique_ptr<SdlWindow>> SdlWindow::create(const WindowDef& def) {
-    Uint32 flags = SDL_WINDOW_ALLOW_HIGHDPI;
+    Uint32 flags = 0;
+    if (def.is_high_dpi) flags |= SDL_WINDOW_ALLOW_HIGHDPI;
     if (def.is_resizable) flags |= SDL_WINDOW_RESIZABLE;
     if (def.is_fullscreen) flags |= SDL_WINDOW_FULLSCREEN_DESKTOP;
+    const Size points = def.window_size.value_or(def.size);
     SDL_Window* window = SDL_CreateWindow(def.title.c_str(), SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED,
-                                          def.size.width, def.size.height, flags);
+                                          points.width, points.height, flags);
     if (!window) return Error{std::string("cannot open a window: ") + SDL_GetError()};
     return std::unique_ptr<SdlWindow>(new SdlWindow(def, window));
 }
@@ -36,6 +36,25 @@ void SdlWindow::set_fullscreen(bool fullscreen) {
     SDL_SetWindowFullscreen(native(), fullscreen ? SDL_WINDOW_FULLSCREEN_DESKTOP : 0);
 }
 
+Size SdlWindow::size() const {
+    Size points;
+    SDL_GetWindowSize(native(), &points.width, &points.height);
+    return points;
+}
+
+void SdlWindow::set_size(Size size) {
+    if (is_fullscreen()) set_fullscreen(false);
+    SDL_SetWindowSize(native(), size.width, size.height);
+}
+
+bool SdlWindow::is_resizable() const {
+    return (SDL_GetWindowFlags(native()) & SDL_WINDOW_RESIZABLE) != 0;
+}
+
+void SdlWindow::set_resizable(bool resizable) {
+    SDL_SetWindowResizable(native(), resizable ? SDL_TRUE : SDL_FALSE);
+}
+
 bool SdlWindow::is_visible() const {
     return (SDL_GetWindowFlags(native()) & (SDL_WINDOW_MINIMIZED | SDL_WINDOW_HIDDEN)) == 0;
 }
@@ -43,13 +62,12 @@ bool SdlWindow::is_visible() const {
 Viewport SdlWindow::viewport() const {
     Size output;
     SDL_GetWindowSizeInPixels(native(), &output.width, &output.height);
-    return window_viewport(native(), def_, output);
+    return make_viewport(logical_, output);
 }
 
 Vec2 SdlWindow::pixels_per_point() const {
-    Size points;
+    const Size points = size();
     Size pixels;
-    SDL_GetWindowSize(native(), &points.width, &points.height);
     SDL_GetWindowSizeInPixels(native(), &pixels.width, &pixels.height);
     return {static_cast<float>(pixels.width) / static_cast<float>(std::max(points.width, 1)),
             static_cast<float>(pixels.height) / static_cast<float>(std::max(points.height, 1))};

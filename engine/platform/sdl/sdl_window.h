@@ -18,7 +18,12 @@ class SdlWindow final : public Window {
 
     const std::string& title() const override { return title_; }
     void set_title(const std::string& title) override;
-    Size logical_size() const override { return viewport().logical; }
+    Size logical_size() const override { return logical_; }
+    void set_logical_size(Size size) override { logical_ = size; }
+    Size size() const override;
+    void set_size(Size size) override;
+    bool is_resizable() const override;
+    void set_resizable(bool resizable) override;
     bool is_fullscreen() const override;
     void set_fullscreen(bool fullscreen) override;
     bool is_visible() const override;
@@ -37,13 +42,15 @@ class SdlWindow final : public Window {
         void operator()(SDL_Window* window) const;
     };
 
-    SdlWindow(const WindowDef& def, SDL_Window* window) : def_(def), title_(def.title), window_(window) {}
+    SdlWindow(const WindowDef& def, SDL_Window* window)
+        : def_(def), title_(def.title), logical_(def.size), window_(window) {}
     Viewport viewport() const;
     /// Output pixels per point: above 1 on high-DPI screens.
     Vec2 pixels_per_point() const;
 
     WindowDef def_;
     std::string title_;
+    Size logical_;
     std::unique_ptr<SDL_Window, Destroy> window_;
 };
 

@@ -1,15 +1,16 @@
 // The null back-end. Invariant: no pixel is kept.
 #include "render/null/null_backend.h"
 
+#include <utility>
+
 namespace cairn::engine {
 namespace {
 
 class NullBackend final : public RenderBackend {
   public:
-    explicit NullBackend(Size logical)
-        : viewport_(make_viewport(WindowScaling::Fit, logical, logical, logical)) {}
+    explicit NullBackend(AskViewport viewport) : viewport_(std::move(viewport)) {}
 
-    Viewport viewport() const override { return viewport_; }
+    Viewport viewport() const override { return viewport_(); }
     bool keeps_pixels() const override { return false; }
     Result<BackendTexture> create_texture(const Image&, TextureFilter) override { return ++last_texture_; }
     Result<BackendTexture> create_canvas(Size, TextureFilter) override { return ++last_texture_; }
@@ -25,14 +26,14 @@ class NullBackend final : public RenderBackend {
     void present() override {}
 
   private:
-    Viewport viewport_;
+    AskViewport viewport_;
     BackendTexture last_texture_ = 0;
 };
 
 }  // namespace
 
-std::unique_ptr<RenderBackend> make_null_backend(Size logical) {
-    return std::make_unique<NullBackend>(logical);
+std::unique_ptr<RenderBackend> make_null_backend(AskViewport viewport) {
+    return std::make_unique<NullBackend>(std::move(viewport));
 }
 
 }  // namespace cairn::engine

@@ -9,6 +9,6 @@
 
 namespace cairn::engine {
 
-std::unique_ptr<RenderBackend> make_null_backend(Size logical);
+std::unique_ptr<RenderBackend> make_null_backend(AskViewport viewport);
 
 }  // namespace cairn::engine

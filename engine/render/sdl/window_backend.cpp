@@ -93,11 +93,11 @@ bool is_imitated_by_processor() {
 /// SDL's renderer on a graphics driver draws the triangles.
 class AcceleratedBackend final : public RenderBackend {
   public:
-    AcceleratedBackend(SDL_Window* window, const WindowDef& def, RendererPtr renderer, bool has_vsync)
-        : window_(window), def_(def), renderer_(std::move(renderer)), has_vsync_(has_vsync) {}
+    AcceleratedBackend(const SdlWindow& window, RendererPtr renderer, bool has_vsync)
+        : window_(window), renderer_(std::move(renderer)), has_vsync_(has_vsync) {}
 
     Viewport viewport() const override {
-        return window_viewport(window_, def_, output_size(renderer_.get()));
+        return make_viewport(window_.logical_size(), output_size(renderer_.get()));
     }
     bool keeps_pixels() const override { return true; }
 
@@ -187,8 +187,7 @@ class AcceleratedBackend final : public RenderBackend {
         return static_cast<BackendTexture>(textures_.size());
     }
 
-    SDL_Window* window_;
-    WindowDef def_;
+    const SdlWindow& window_;
     RendererPtr renderer_;
     std::vector<TexturePtr> textures_;  ///< texture id - 1; empty: free
     bool has_vsync_;
@@ -198,12 +197,12 @@ class AcceleratedBackend final : public RenderBackend {
 /// Our rasterizer draws; SDL shows the picture.
 class UnacceleratedBackend final : public RenderBackend {
   public:
-    UnacceleratedBackend(SDL_Window* window, const WindowDef& def, RendererPtr renderer)
-        : window_(window), def_(def), renderer_(std::move(renderer)), surface_(viewport()) {}
+    UnacceleratedBackend(const SdlWindow& window, RendererPtr renderer)
+        : renderer_(std::move(renderer)), surface_([&window, sdl = renderer_.get()] {
+              return make_viewport(window.logical_size(), output_size(sdl));
+          }) {}
 
-    Viewport viewport() const override {
-        return window_viewport(window_, def_, output_size(renderer_.get()));
-    }
+    Viewport viewport() const override { return surface_.viewport(); }
     bool keeps_pixels() const override { return true; }
     Result<BackendTexture> create_texture(const Image& image, TextureFilter filter) override {
         return surface_.create_texture(image, filter);
@@ -211,19 +210,13 @@ class UnacceleratedBackend final : public RenderBackend {
     Result<BackendTexture> create_canvas(Size size, TextureFilter filter) override {
         return surface_.create_canvas(size, filter);
     }
-    void set_target(BackendTexture canvas) override {
-        surface_.set_target(canvas);
-        draws_output_ = canvas == 0;
-    }
+    void set_target(BackendTexture canvas) override { surface_.set_target(canvas); }
     void update_texture(BackendTexture texture, int x, int y, const Image& part) override {
         surface_.update_texture(texture, x, y, part);
     }
     void destroy_texture(BackendTexture texture) override { surface_.destroy_texture(texture); }
 
-    void clear(Color color) override {
-        if (draws_output_) surface_.set_viewport(viewport());
-        surface_.clear(color);
-    }
+    void clear(Color color) override { surface_.clear(color); }
 
     void draw(std::span<const RenderVertex> vertices, std::span<const int> indices, BackendTexture texture,
               BlendMode blend, const PixelRect& scissor) override {
@@ -247,44 +240,35 @@ class UnacceleratedBackend final : public RenderBackend {
     }
 
   private:
-    SDL_Window* window_;
-    WindowDef def_;
     RendererPtr renderer_;
     SurfaceBackend surface_;
-    bool draws_output_ = true;
     TexturePtr screen_;
     Size screen_size_;
 };
 
 }  // namespace
 
-Viewport window_viewport(SDL_Window* window, const WindowDef& def, Size output) {
-    Size size;
-    SDL_GetWindowSize(window, &size.width, &size.height);
-    return make_viewport(def.scaling, def.size, size, output);
-}
-
-Result<std::unique_ptr<RenderBackend>> make_window_backend(SDL_Window* window, const WindowDef& def) {
+Result<std::unique_ptr<RenderBackend>> make_window_backend(const SdlWindow& window) {
     // Else the software renderer would hand its picture to the imitated driver that it stands in for.
     SDL_SetHint(SDL_HINT_FRAMEBUFFER_ACCELERATION, "0");
     const bool is_chosen = SDL_GetHint(SDL_HINT_RENDER_DRIVER) != nullptr;
     const Uint32 wanted = !is_chosen && !may_be_accelerated() ? SDL_RENDERER_SOFTWARE
-                          : def.has_vsync                     ? SDL_RENDERER_PRESENTVSYNC
+                          : window.def().has_vsync            ? SDL_RENDERER_PRESENTVSYNC
                                                               : 0;
-    RendererPtr renderer(SDL_CreateRenderer(window, -1, wanted));
+    RendererPtr renderer(SDL_CreateRenderer(window.native(), -1, wanted));
     SDL_RendererInfo info{};
     if (renderer) SDL_GetRendererInfo(renderer.get(), &info);
     if (!is_chosen && !(info.flags & SDL_RENDERER_SOFTWARE) && is_imitated_by_processor()) {
         renderer.reset();
-        renderer.reset(SDL_CreateRenderer(window, -1, SDL_RENDERER_SOFTWARE));
+        renderer.reset(SDL_CreateRenderer(window.native(), -1, SDL_RENDERER_SOFTWARE));
         info.flags = SDL_RENDERER_SOFTWARE;
     }
     if (!renderer) return sdl_error("cannot draw into the window");
     if (info.flags & SDL_RENDERER_SOFTWARE)
         return std::unique_ptr<RenderBackend>(
-            std::make_unique<UnacceleratedBackend>(window, def, std::move(renderer)));
+            std::make_unique<UnacceleratedBackend>(window, std::move(renderer)));
     return std::unique_ptr<RenderBackend>(std::make_unique<AcceleratedBackend>(
-        window, def, std::move(renderer), (info.flags & SDL_RENDERER_PRESENTVSYNC) != 0));
+        window, std::move(renderer), (info.flags & SDL_RENDERER_PRESENTVSYNC) != 0));
 }
 
 }  // namespace cairn::engine

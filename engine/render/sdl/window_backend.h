@@ -5,18 +5,12 @@
 
 #include <memory>
 
-#include <cairn/engine/platform.h>
-
+#include "platform/sdl/sdl_window.h"
 #include "render/backend.h"
-
-struct SDL_Window;
 
 namespace cairn::engine {
 
 /// The window must outlive the back-end.
-Result<std::unique_ptr<RenderBackend>> make_window_backend(SDL_Window* window, const WindowDef& def);
-
-/// The viewport of a window that has `output` pixels.
-Viewport window_viewport(SDL_Window* window, const WindowDef& def, Size output);
+Result<std::unique_ptr<RenderBackend>> make_window_backend(const SdlWindow& window);
 
 }  // namespace cairn::engine

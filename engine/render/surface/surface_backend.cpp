@@ -5,6 +5,7 @@
 #include <array>
 #include <cassert>
 #include <cstring>
+#include <utility>
 
 #include "render/surface/rasterizer.h"
 
@@ -48,15 +49,16 @@ bool may_meet(const PixelRect& rows, float a_y, float b_y, float c_y) {
 
 }  // namespace
 
-SurfaceBackend::SurfaceBackend(const Viewport& viewport, int threads) : workers_(threads) {
-    set_viewport(viewport);
+SurfaceBackend::SurfaceBackend(AskViewport viewport, int threads)
+    : workers_(threads), viewport_(std::move(viewport)) {
+    fit_picture();
 }
 
-void SurfaceBackend::set_viewport(const Viewport& viewport) {
-    viewport_ = viewport;
-    if (picture_.size == viewport.output) return;
-    picture_.size = viewport.output;
-    picture_.rgba.resize(4 * static_cast<std::size_t>(viewport.output.width) * viewport.output.height);
+void SurfaceBackend::fit_picture() {
+    const Size output = viewport_().output;
+    if (picture_.size == output) return;
+    picture_.size = output;
+    picture_.rgba.resize(4 * static_cast<std::size_t>(output.width) * output.height);
     fill(picture_, {0, 0, 0, 255});
 }
 
@@ -89,6 +91,7 @@ void SurfaceBackend::destroy_texture(BackendTexture texture) {
 }
 
 void SurfaceBackend::clear(Color color) {
+    if (target_ == 0) fit_picture();
     fill(target(), to_rgba8(color));
 }
 

@@ -14,20 +14,19 @@ namespace cairn::engine {
 
 class SurfaceBackend final : public RenderBackend {
   public:
-    explicit SurfaceBackend(const Viewport& viewport, int threads = BandWorkers::threads_of_machine());
+    explicit SurfaceBackend(AskViewport viewport, int threads = BandWorkers::threads_of_machine());
 
-    /// Throws the picture away when the output's size changes.
-    void set_viewport(const Viewport& viewport);
     /// Its alpha means nothing: the picture counts as opaque.
     const Image& picture() const { return picture_; }
 
-    Viewport viewport() const override { return viewport_; }
+    Viewport viewport() const override { return viewport_(); }
     bool keeps_pixels() const override { return true; }
     Result<BackendTexture> create_texture(const Image& image, TextureFilter filter) override;
     Result<BackendTexture> create_canvas(Size size, TextureFilter filter) override;
     void set_target(BackendTexture canvas) override { target_ = canvas; }
     void update_texture(BackendTexture texture, int x, int y, const Image& part) override;
     void destroy_texture(BackendTexture texture) override;
+    /// The picture is thrown away first when the output has another size now.
     void clear(Color color) override;
     void draw(std::span<const RenderVertex> vertices, std::span<const int> indices, BackendTexture texture,
               BlendMode blend, const PixelRect& scissor) override;
@@ -39,10 +38,11 @@ class SurfaceBackend final : public RenderBackend {
         Image image;  ///< without area: the place is free
         TextureFilter filter = TextureFilter::Linear;
     };
+    void fit_picture();
     Image& target() { return target_ ? textures_[target_ - 1].image : picture_; }
 
     BandWorkers workers_;
-    Viewport viewport_;
+    AskViewport viewport_;
     Image picture_;
     BackendTexture target_ = 0;
     std::vector<Texture> textures_;  ///< texture id - 1

@@ -27,10 +27,36 @@ TEST_CASE("a window without area or beyond all screens is an error that names th
     for (const Size size : {Size{0, 10}, {10, -1}, {100000, 10}}) {
         PlatformDef def;
         def.headless = true;
-        def.window.size = size;
+        for (const bool is_own : {false, true}) {
+            def.window.size = is_own ? Size{10, 10} : size;
+            if (is_own) def.window.window_size = size;
+            const auto platform = Platform::create(def);
+            REQUIRE_FALSE(platform);
+            CHECK_THAT(platform.error().message, Catch::Contains(std::to_string(size.width)));
+        }
+    }
+}
+
+TEST_CASE("a headless window tells of a size that its game gave it, when the picture is to follow") {
+    for (const WindowScaling scaling : {WindowScaling::Fit, WindowScaling::Follow}) {
+        PlatformDef def;
+        def.headless = true;
+        def.window.size = {320, 200};
+        def.window.scaling = scaling;
         const auto platform = Platform::create(def);
-        REQUIRE_FALSE(platform);
-        CHECK_THAT(platform.error().message, Catch::Contains(std::to_string(size.width)));
+        REQUIRE(platform);
+        Window& window = (*platform)->window();
+        window.set_size({320, 200});  // as it is
+        std::vector<InputEvent> events;
+        (*platform)->poll_events(events);
+        CHECK(events.empty());
+        window.set_size({500, 300});
+        (*platform)->poll_events(events);
+        (*platform)->poll_events(events);
+        CHECK(window.size() == Size{500, 300});
+        CHECK(window.logical_size() == Size{320, 200});
+        REQUIRE(events.size() == (scaling == WindowScaling::Follow ? 1 : 0));
+        if (!events.empty()) CHECK(to_text(events[0]) == "window_resized 500 300");
     }
 }
 

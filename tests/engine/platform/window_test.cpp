@@ -21,13 +21,15 @@ bool has_display() {
 }
 
 struct WindowGame {
-    explicit WindowGame(WindowScaling scaling = WindowScaling::Fit) {
+    explicit WindowGame(WindowScaling scaling = WindowScaling::Fit,
+                        std::optional<Size> window_size = std::nullopt) {
         files = std::move(*Files::create({}));
         REQUIRE(files->mount(CAIRN_SOURCE_DIR "/assets"));
         PlatformDef def;
         def.window.title = "window test";
         def.window.size = {320, 200};
         def.window.scaling = scaling;
+        def.window.window_size = window_size;
         def.window.has_vsync = false;
         auto made = Platform::create(def);
         if (!made) FAIL(made.error().message);
@@ -198,7 +200,32 @@ TEST_CASE("a picture that follows the window tells its new size") {
     const auto resized = game.events_of(InputKind::WindowResized);
     REQUIRE_FALSE(resized.empty());
     CHECK(resized.back().delta == Vec2{500, 300});
-    CHECK(game.platform->window().logical_size() == Size{500, 300});
+    CHECK(game.platform->window().size() == Size{500, 300});
+    CHECK(game.platform->window().logical_size() == Size{320, 200});  // until the game is told
+    game.platform->window().set_logical_size({500, 300});
+    CHECK(game.renderer->logical_size() == Size{500, 300});
+}
+
+TEST_CASE("a window can be made with a size of its own, resized and given another picture") {
+    if (!has_display()) return;
+    WindowGame game(WindowScaling::Fit, Size{640, 400});
+    Window& window = game.platform->window();
+    CHECK(window.size() == Size{640, 400});
+    CHECK(window.logical_size() == Size{320, 200});
+    CHECK(game.renderer->pixel_scale() == 2);
+    window.set_size({800, 500});
+    CHECK(window.size() == Size{800, 500});
+    window.set_logical_size({400, 250});
+    CHECK(game.renderer->logical_size() == Size{400, 250});
+    CHECK(game.events_of(InputKind::WindowResized).empty());
+    window.set_resizable(false);
+    CHECK_FALSE(window.is_resizable());
+    window.set_resizable(true);
+    CHECK(window.is_resizable());
+    window.set_fullscreen(true);
+    CHECK(window.is_fullscreen());
+    window.set_size({640, 400});
+    CHECK_FALSE(window.is_fullscreen());
 }
 
 TEST_CASE("a gamepad that is plugged in, used and pulled out again is seen") {

@@ -50,7 +50,7 @@ Image checkered() {
 }
 
 std::vector<std::uint8_t> picture_by(int threads) {
-    SurfaceBackend backend({.output = {kWidth, kHeight}, .logical = {kWidth, kHeight}}, threads);
+    SurfaceBackend backend([] { return make_viewport({kWidth, kHeight}, {kWidth, kHeight}); }, threads);
     const BackendTexture texture = *backend.create_texture(checkered(), TextureFilter::Linear);
     const BackendTexture canvas = *backend.create_canvas({kWidth, kHeight}, TextureFilter::Nearest);
     Random random(7);

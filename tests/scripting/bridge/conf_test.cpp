@@ -25,6 +25,26 @@ TEST_CASE("conf.lua is read as data") {
     CHECK(conf->background == engine::Color{0, 0.5f, 1, 1});
 }
 
+TEST_CASE("conf.lua says all that a window can be made with") {
+    const auto conf = parse_conf(
+        "return { width = 320, height = 180, window_width = 1280, window_height = 720, fullscreen = true, "
+        "high_dpi = false, vsync = false }",
+        "conf.lua", "x");
+    REQUIRE(conf);
+    const engine::WindowDef window = conf->window();
+    CHECK(window.size == engine::Size{320, 180});
+    CHECK(window.window_size == engine::Size{1280, 720});
+    CHECK(window.is_fullscreen);
+    CHECK_FALSE(window.is_high_dpi);
+    CHECK_FALSE(window.has_vsync);
+    CHECK(window.is_resizable);
+    CHECK(window.scaling == engine::WindowScaling::Fit);
+    const auto following = parse_conf("return { scaling = 'follow' }", "conf.lua", "x");
+    REQUIRE(following);
+    CHECK(following->window().scaling == engine::WindowScaling::Follow);
+    CHECK_FALSE(following->window().window_size);
+}
+
 TEST_CASE("slips in conf.lua are named with line and rule") {
     const auto error_of = [](const char* text) {
         const auto conf = parse_conf(text, "conf.lua", "x");
@@ -35,6 +55,11 @@ TEST_CASE("slips in conf.lua are named with line and rule") {
     CHECK(error_of("return { width = 0 }") == "conf.lua:1: width = 0: must be at least 1");
     CHECK(error_of("return { width = 1e9 }").find("must be an integer") != std::string::npos);
     CHECK(error_of("return { background = { 1, 2 } }").find("conf.lua:1: background") == 0);
+    CHECK(error_of("return { scaling = 'folow' }").find("did you mean \"follow\"?") != std::string::npos);
+    CHECK(error_of("return { window_height = 9000 }") ==
+          "conf.lua:1: window_height = 9000: must be at most 8192");
+    CHECK(error_of("return { scaling = 'follow', window_width = 5 }").find("conf.lua: window_width and") ==
+          0);
     CHECK(error_of("return { title = os.getenv('HOME') }").find("this file is data") != std::string::npos);
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,17 +20,22 @@ class Renderer;
 
 /// What the window's own size does to the game's logical size.
 enum class WindowScaling {
-    Fit,     ///< the logical size stays; the picture is scaled to fit, with black bars at two sides
-    Follow,  ///< the logical size is the window's size; a change arrives as InputKind::WindowResized
+    Fit,  ///< the logical size stays; the picture is scaled to fit, with black bars at two sides
+    /// The logical size is to be the window's own. A change arrives as InputKind::WindowResized and takes
+    /// effect when Window::set_logical_size is given it: so a recording can do the same.
+    Follow,
 };
 
 struct WindowDef {
     std::string title = "Cairn";
     Size size = {1280, 720};  ///< logical pixels, each side in 1 .. 8192
     WindowScaling scaling = WindowScaling::Fit;
+    /// Of the window itself, in the desktop's points, each side in 1 .. 8192; absent: as `size`.
+    std::optional<Size> window_size = {};
     bool is_resizable = true;
     bool is_fullscreen = false;
     bool has_vsync = true;
+    bool is_high_dpi = true;  ///< all pixels of a dense display are drawn; else one for each point
 };
 
 struct PlatformDef {
@@ -48,11 +54,22 @@ class Window {
     virtual void set_title(const std::string& title) = 0;
     /// What the game draws into and what mouse positions are measured in.
     virtual Size logical_size() const = 0;
+    /// From the next frame on. The picture is scaled to fit the window. Each side in 1 .. 8192.
+    virtual void set_logical_size(Size size) = 0;
+    /// Of the window itself, in the desktop's points.
+    virtual Size size() const = 0;
+    /// What the desktop allows of it. Leaves full screen. Each side in 1 .. 8192.
+    virtual void set_size(Size size) = 0;
+    virtual bool is_resizable() const = 0;
+    virtual void set_resizable(bool resizable) = 0;
     virtual bool is_fullscreen() const = 0;
     virtual void set_fullscreen(bool fullscreen) = 0;
     /// False while minimised or hidden: a frame drawn then is seen by nobody.
     virtual bool is_visible() const = 0;
 };
+
+/// Of windows and of logical pictures.
+inline constexpr int kMaxWindowSide = 8192;
 
 /// Audio and renderers must be destroyed before the platform that made them, and before the Files they read.
 class Platform {
@@ -67,7 +84,8 @@ class Platform {
     virtual Result<std::unique_ptr<Renderer>> create_renderer(const Files& files) = 0;
     virtual std::unique_ptr<Audio> create_audio(const Files& files) = 0;
 
-    /// Appends what happened since the last call, in order. Headless: nothing ever happens.
+    /// Appends what happened since the last call, in order. Headless: nothing but what the game itself did to
+    /// the size of its window.
     virtual void poll_events(std::vector<InputEvent>& events) = 0;
 
     /// Seconds since the platform was made; only differences mean something. Headless: 0 for ever.
