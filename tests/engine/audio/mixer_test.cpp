@@ -36,6 +36,22 @@ std::vector<std::int16_t> heard(const std::vector<std::int16_t>& samples, float 
     return out;
 }
 
+/// A game with one sound, "tone.wav", on one of SDL's audio drivers.
+struct SoundGame {
+    explicit SoundGame(const char* driver) : chosen(driver) {
+        drawing.folder.put("tone.wav", tone_wav(0.5));
+        const auto loaded = audio.load_sound("tone.wav");
+        REQUIRE(loaded);
+        tone = *loaded;
+        audio.set_limit(tone, {.min_interval_s = 0, .max_voices = 8});
+    }
+
+    AudioDriver chosen;
+    Drawing drawing{{8, 8}, false};
+    Audio audio{*drawing.files, make_mixer_audio()};
+    SoundId tone;
+};
+
 }  // namespace
 
 TEST_CASE("a voice at twice the pitch reads every second frame, at half of it one in between") {
@@ -70,34 +86,25 @@ TEST_CASE("a voice changes its pitch where it is") {
 }
 
 TEST_CASE("the audio device is opened by the first sound that plays, not before") {
-    const AudioDriver dummy("dummy");
-    Drawing game({8, 8}, false);
-    game.folder.put("tone.wav", tone_wav(0.5));
-    Audio audio(*game.files, make_mixer_audio());
-    const auto tone = audio.load_sound("tone.wav");
-    REQUIRE(tone);
+    SoundGame game("dummy");
+    Audio& audio = game.audio;
     audio.set_group_volume(AudioGroup::Sound, 0.5f);
     audio.stop_all_sounds();
     audio.stop_music();
     audio.set_music_volume(0.5f);
     CHECK_FALSE(audio.stats().device_open);
-    CHECK_FALSE(audio.play(*tone, {.volume = 0.5f, .pan = -1, .pitch = 1.5f}).is_null());
+    CHECK_FALSE(audio.play(game.tone, {.volume = 0.5f, .pan = -1, .pitch = 1.5f}).is_null());
     CHECK(audio.stats().device_open);
     CHECK(audio.play_music("tone.wav"));
 }
 
 TEST_CASE("without an audio device a game goes on silently after one warning") {
-    const AudioDriver missing("no-such-driver");
-    Drawing game({8, 8}, false);
-    game.folder.put("tone.wav", tone_wav(0.5));
-    Audio audio(*game.files, make_mixer_audio());
-    const auto tone = audio.load_sound("tone.wav");
-    REQUIRE(tone);
-    audio.set_limit(*tone, {.min_interval_s = 0, .max_voices = 8});
+    SoundGame game("no-such-driver");
+    Audio& audio = game.audio;
     int warnings = 0;
     const LogSink before = set_log_sink([&](LogLevel, std::string_view) { ++warnings; });
-    const VoiceId voice = audio.play(*tone);
-    (void)audio.play(*tone);
+    const VoiceId voice = audio.play(game.tone);
+    (void)audio.play(game.tone);
     const bool music_plays = static_cast<bool>(audio.play_music("tone.wav"));
     set_log_sink(before);
     CHECK(warnings == 1);
@@ -110,13 +117,8 @@ TEST_CASE("without an audio device a game goes on silently after one warning") {
 TEST_CASE(
     "after the audio device was pulled out, the next sound plays on the one that there is, and music goes "
     "on") {
-    const AudioDriver dummy("dummy");
-    Drawing game({8, 8}, false);
-    game.folder.put("tone.wav", tone_wav(0.5));
-    Audio audio(*game.files, make_mixer_audio());
-    const auto tone = audio.load_sound("tone.wav");
-    REQUIRE(tone);
-    audio.set_limit(*tone, {.min_interval_s = 0, .max_voices = 8});
+    SoundGame game("dummy");
+    Audio& audio = game.audio;
     const auto tell = [](SDL_EventType type) {
         SDL_Event event;
         SDL_zero(event);
@@ -124,11 +126,11 @@ TEST_CASE(
         SDL_PushEvent(&event);
         SDL_FlushEvent(type);
     };
-    CHECK_FALSE(audio.play(*tone, {.loop = true}).is_null());
+    CHECK_FALSE(audio.play(game.tone, {.loop = true}).is_null());
     CHECK(audio.play_music("tone.wav"));
     REQUIRE(Mix_PlayingMusic() != 0);
     tell(SDL_AUDIODEVICEREMOVED);
-    CHECK_FALSE(audio.play(*tone).is_null());
+    CHECK_FALSE(audio.play(game.tone).is_null());
     CHECK(audio.stats().device_open);
     CHECK(Mix_PlayingMusic() != 0);
     CHECK(Mix_Playing(-1) == 1);  // the looping one ended with its device
@@ -137,12 +139,12 @@ TEST_CASE(
     const LogSink before = set_log_sink([&](LogLevel, std::string_view) { ++warnings; });
     tell(SDL_AUDIODEVICEREMOVED);
     SDL_AudioQuit();  // so that none can be opened
-    for (int i = 0; i < 3; ++i) (void)audio.play(*tone);
+    for (int i = 0; i < 3; ++i) (void)audio.play(game.tone);
     CHECK(warnings == 1);
     CHECK_FALSE(audio.stats().device_open);
     SDL_AudioInit(nullptr);
     tell(SDL_AUDIODEVICEADDED);
-    (void)audio.play(*tone);
+    (void)audio.play(game.tone);
     set_log_sink(before);
     CHECK(audio.stats().device_open);
 }
