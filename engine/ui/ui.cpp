@@ -85,10 +85,13 @@ void Ui::set_enabled(int place, bool enabled) {
 std::vector<Ui::Row> Ui::rows() const {
     std::vector<Row> rows;
     for (int i = 0; i < static_cast<int>(widgets_.size()); ++i) {
-        if (widgets_[i].shares_row && !rows.empty())
+        if (widgets_[i].shares_row && !rows.empty()) {
             ++rows.back().count;
-        else
-            rows.push_back({i, 1});
+        } else {
+            const float top = rows.empty() ? 0 : rows.back().top + rows.back().height + style_.gap;
+            rows.push_back({i, 1, top, style_.row_height});
+        }
+        rows.back().height = std::max(rows.back().height, widgets_[i].height);
     }
     return rows;
 }
@@ -100,8 +103,25 @@ int Ui::row_of(const std::vector<Row>& rows, int place) const {
 }
 
 float Ui::rows_height() const {
-    const auto count = static_cast<float>(rows().size());
-    return count > 0 ? count * (style_.row_height + style_.gap) - style_.gap : 0;
+    const std::vector<Row> all = rows();
+    return all.empty() ? 0 : all.back().top + all.back().height;
+}
+
+float Ui::widget_width(const Row& row) const {
+    const auto count = static_cast<float>(row.count);
+    return (row_width() - (count - 1) * style_.gap) / count;
+}
+
+void Ui::fit_text(const Renderer& renderer, FontId font, int place) {
+    // A little air, so that lines of neighbouring rows do not touch.
+    constexpr float kLinesPerRow = 1.2f;
+    style_.row_height = std::max(style_.row_height, kLinesPerRow * renderer.line_height(font));
+    const std::vector<Row> all = rows();
+    const Row& row = all[row_of(all, place)];
+    for (int i = row.first; i < row.first + row.count; ++i) {
+        Widget& w = widgets_[i];
+        if (w.kind == WidgetKind::Label) w.height = renderer.measure_text(font, w.text, widget_width(row)).y;
+    }
 }
 
 Rect Ui::panel() const {
@@ -121,27 +141,34 @@ Rect Ui::area(int place) const {
     const Rect outer = panel();
     const float top = outer.y + style_.padding + title_height();
     const float bottom = outer.y + outer.height - style_.padding;
-    const float inner = style_.width - 2 * style_.padding;
-    const auto count = static_cast<float>(row.count);
-    const float width = (inner - (count - 1) * style_.gap) / count;
+    const float width = widget_width(row);
     const Rect area = {
         outer.x + style_.padding + static_cast<float>(place - row.first) * (width + style_.gap),
-        top + static_cast<float>(index) * (style_.row_height + style_.gap) - scroll_, width,
-        style_.row_height};
+        top + row.top - scroll_, width, row.height};
     const bool is_visible = area.y + area.height > top && area.y < bottom;
     return is_visible ? area : Rect{};
 }
 
 void Ui::scroll_to_focus() {
-    const int row = row_of(rows(), focus_);
+    const std::vector<Row> all = rows();
+    int row = row_of(all, focus_);
     if (row < 0) return;
-    const float top = static_cast<float>(row) * (style_.row_height + style_.gap);
+    const float bottom = all[row].top + all[row].height;
     const float room = panel().height - title_height() - 2 * style_.padding;
-    scroll_ = std::clamp(scroll_, top + style_.row_height - room, top);
+    // What stands above it and cannot have the focus belongs to it, as far as there is room.
+    while (row > 0 && !has_usable(all[row - 1]) && bottom - all[row - 1].top <= room) --row;
+    const float top = all[row].top;
+    scroll_ = std::clamp(scroll_, std::min(bottom - room, top), top);
     scroll_ = std::clamp(scroll_, 0.0f, scroll_limit());
 }
 
 // ---- Focus
+
+bool Ui::has_usable(const Row& row) const {
+    for (int i = row.first; i < row.first + row.count; ++i)
+        if (can_focus(i)) return true;
+    return false;
+}
 
 bool Ui::can_focus(int place) const {
     return place >= 0 && place < static_cast<int>(widgets_.size()) && is_usable(widgets_[place]);

@@ -5,10 +5,14 @@
 
 #include <cairn/engine/ui.h>
 
+#include "ui/shortened_text.h"
+
 namespace cairn::engine {
 namespace {
 
 constexpr float kCornerRadius = 10;
+/// Logical pixels between a text and what stands beside it.
+constexpr float kTextGap = 16;
 
 std::vector<Vec2> rounded(const Rect& r, float radius) {
     constexpr int kSteps = 8;
@@ -40,8 +44,10 @@ Color mixed(Color a, Color b, float share) {
 
 /// As few digits as the steps of a slider need.
 std::string number_text(double value, double step) {
-    const int digits = step >= 1 ? 0 : step >= 0.1 ? 1 : 2;
-    char text[48];
+    constexpr int kMostDigits = 6;
+    int digits = 0;
+    for (double unit = 1; step < 0.999 * unit && digits < kMostDigits; unit /= 10) ++digits;
+    char text[400];  // the largest double has 309 digits
     std::snprintf(text, sizeof text, "%.*f", digits, value);
     return text;
 }
@@ -52,19 +58,31 @@ class Painter {
     Painter(Renderer& renderer, FontId font, const UiStyle& style)
         : renderer_(renderer), font_(font), style_(style), line_(renderer.line_height(font)) {}
 
-    void text(const std::string& text, const Rect& in, TextAlign align, Color color) {
+    /// One line, shortened to what fits.
+    void text(const std::string& text, const Rect& in, TextAlign align, Color color,
+              KeptEnd kept = KeptEnd::Front) {
         float x = in.x;
         if (align == TextAlign::Center) x += 0.5f * in.width;
         if (align == TextAlign::Right) x += in.width;
         renderer_.draw_text(
-            font_, text,
+            font_, shortened_text(renderer_, font_, text, in.width, kept),
             {.position = {x, in.y + 0.5f * (in.height - line_)}, .color = color, .align = align});
+    }
+
+    /// As many lines as it takes; Ui::fit_text has made room for them.
+    void paragraph(const std::string& text, const Rect& in, Color color) {
+        const float height = renderer_.measure_text(font_, text, in.width).y;
+        renderer_.draw_text(font_, text,
+                            {.position = {in.x, in.y + 0.5f * (in.height - height)},
+                             .color = color,
+                             .align = TextAlign::Center,
+                             .wrap_width = in.width});
     }
 
     void widget(const Widget& w, const Rect& r, const Rect& track, bool is_focused, bool is_pressed,
                 bool is_editing) {
         const Color text_color = faded(style_.text, w.is_enabled ? 1 : 0.4f);
-        if (w.kind == WidgetKind::Label) return text(w.text, r, TextAlign::Center, faded(style_.text, 0.75f));
+        if (w.kind == WidgetKind::Label) return paragraph(w.text, r, faded(style_.text, 0.75f));
         Color fill =
             is_focused ? mixed(style_.widget, style_.accent, is_pressed ? 0.45f : 0.2f) : style_.widget;
         if (!w.is_enabled) fill = faded(fill, 0.5f);
@@ -73,33 +91,42 @@ class Painter {
         const float margin = 0.35f * style_.row_height;
         const Rect inner = {r.x + margin, r.y, r.width - 2 * margin, r.height};
         const Rect right = {track.x, r.y, inner.x + inner.width - track.x, r.height};
+        const Rect left = {inner.x, r.y, track.x - kTextGap - inner.x, r.height};
         switch (w.kind) {
             case WidgetKind::Button:
                 return text(w.text, inner, TextAlign::Center, text_color);
-            case WidgetKind::Toggle:
-                text(w.text, inner, TextAlign::Left, text_color);
-                return toggle(w, inner);
-            case WidgetKind::Slider:
-                text(w.text, inner, TextAlign::Left, text_color);
-                return slider(w, track);
-            case WidgetKind::Choice:
-                text(w.text, inner, TextAlign::Left, text_color);
+            case WidgetKind::Toggle: {
+                const Rect knob = toggle(w, inner);
+                return text(w.text, {inner.x, r.y, knob.x - kTextGap - inner.x, r.height}, TextAlign::Left,
+                            text_color);
+            }
+            case WidgetKind::Slider: {
+                const float taken = slider(w, track, left.width);
+                return text(w.text, {left.x, r.y, left.width - taken, r.height}, TextAlign::Left, text_color);
+            }
+            case WidgetKind::Choice: {
+                text(w.text, left, TextAlign::Left, text_color);
                 arrow({right.x + 6, r.y + 0.5f * r.height}, -1);
                 arrow({right.x + right.width - 6, r.y + 0.5f * r.height}, 1);
+                constexpr float kArrow = 6 + 9 + 4;
                 if (!w.choices.empty())
-                    text(w.choices[static_cast<std::size_t>(w.value)], right, TextAlign::Center,
+                    text(w.choices[static_cast<std::size_t>(w.value)],
+                         {right.x + kArrow, r.y, right.width - 2 * kArrow, r.height}, TextAlign::Center,
                          style_.accent);
                 return;
+            }
             case WidgetKind::TextField:
-                text(w.text, inner, TextAlign::Left, text_color);
-                return text(w.entry + (is_editing ? "|" : ""), right, TextAlign::Right, style_.accent);
+                text(w.text, left, TextAlign::Left, text_color);
+                return text(w.entry + (is_editing ? "|" : ""), right, TextAlign::Right, style_.accent,
+                            KeptEnd::Back);
             case WidgetKind::Label:
                 return;
         }
     }
 
   private:
-    void toggle(const Widget& w, const Rect& inner) {
+    /// Gives where it is.
+    Rect toggle(const Widget& w, const Rect& inner) {
         const float height = 0.5f * style_.row_height;
         const Rect r = {inner.x + inner.width - 1.8f * height, inner.y + 0.5f * (inner.height - height),
                         1.8f * height, height};
@@ -107,9 +134,11 @@ class Painter {
         renderer_.fill_convex_polygon(rounded(r, height), is_on ? style_.accent : faded(style_.text, 0.25f));
         const float x = is_on ? r.x + r.width - 0.5f * height : r.x + 0.5f * height;
         renderer_.fill_circle({x, r.y + 0.5f * height}, 0.38f * height, style_.text);
+        return r;
     }
 
-    void slider(const Widget& w, const Rect& track) {
+    /// Gives how much of the place before its track its number takes, which is no more than `room`.
+    float slider(const Widget& w, const Rect& track, float room) {
         const float y = track.y + 0.5f * track.height;
         const auto share = static_cast<float>(w.high > w.low ? (w.value - w.low) / (w.high - w.low) : 0);
         const Vec2 left = {track.x, y};
@@ -117,8 +146,14 @@ class Painter {
         renderer_.draw_line(left, {track.x + track.width, y}, 6, faded(style_.text, 0.25f));
         if (share > 0) renderer_.draw_line(left, knob, 6, style_.accent);
         renderer_.fill_circle(knob, 0.2f * style_.row_height, style_.text);
-        text(number_text(w.value, w.step), {track.x - 64, track.y, 48, track.height}, TextAlign::Right,
-             faded(style_.text, 0.75f));
+        // Always as wide as the widest that it can show, so that the text beside it stays.
+        const auto width_of = [&](double value) {
+            return renderer_.measure_text(font_, number_text(value, w.step)).x;
+        };
+        const float width = std::min(room, std::max({48.0f, width_of(w.low), width_of(w.high)}));
+        text(number_text(w.value, w.step), {track.x - kTextGap - width, track.y, width, track.height},
+             TextAlign::Right, faded(style_.text, 0.75f));
+        return width + kTextGap;
     }
 
     void arrow(Vec2 tip, int direction) {
@@ -139,7 +174,8 @@ void Ui::draw(Renderer& renderer, FontId font) const {
     const Rect outer = panel();
     renderer.fill_convex_polygon(rounded(outer, 1.6f * kCornerRadius), style_.panel);
     Painter painter(renderer, font, style_);
-    const Rect head = {outer.x, outer.y + 0.5f * style_.padding, outer.width, style_.row_height};
+    const Rect head = {outer.x + style_.padding, outer.y + 0.5f * style_.padding, row_width(),
+                       style_.row_height};
     if (!title.empty()) painter.text(title, head, TextAlign::Center, style_.accent);
 
     const std::optional<Rect> scissor = renderer.scissor();

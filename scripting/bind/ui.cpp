@@ -1,5 +1,6 @@
 // cairn.ui and the methods of Ui. Invariant: what the author gave for a widget is called once for each thing
 // that the player does to it, from ui:update and from nowhere else.
+#include <algorithm>
 #include <cmath>
 
 #include <cairn/engine/ui.h>
@@ -107,7 +108,7 @@ Pushed new_ui(lua_State* L, std::optional<TableArgument> fields) {
     const Services& services = context_of(L).services;
     const engine::Size screen = services.window.logical_size();
     engine::UiStyle style;
-    style.width = reader.real(kWidth);
+    style.width = std::min(reader.real(kWidth), static_cast<float>(screen.width));
     style.max_height = std::min(reader.real(kMaxHeight), static_cast<float>(screen.height));
     style.row_height = reader.real(kRowHeight);
     if (reader.push(kAccent)) {
@@ -149,12 +150,17 @@ Widget common(const FieldReader& reader, WidgetKind kind) {
     return widget;
 }
 
+void fit_text(lua_State* L, UiObject& self, int place) {
+    self.ui.fit_text(context_of(L).services.renderer, self.font, place);
+}
+
 std::int64_t add(lua_State* L, UiObject& self, Widget widget, const FieldReader& reader,
                  const Field* function) {
     if (self.ui.widgets().size() >= kMaxWidgets)
         call_error(L, std::to_string(kMaxWidgets) + " widgets are there already; is a clear missing?");
     const double value = widget.value;
     const int place = self.ui.add(std::move(widget));
+    fit_text(L, self, place);
     self.ui.set_value(place, value);
     if (function != nullptr && reader.push(*function)) keep_function(L, 1, place + 1);
     return place + 1;
@@ -288,7 +294,9 @@ void set_value(lua_State* L, UiObject* self, std::int64_t number, AnyArgument va
 }
 
 void set_text(lua_State* L, UiObject* self, std::int64_t number, std::string_view text) {
-    self->ui.set_text(to_place(L, *self, number), std::string(text));
+    const int place = to_place(L, *self, number);
+    self->ui.set_text(place, std::string(text));
+    fit_text(L, *self, place);
 }
 void set_enabled(lua_State* L, UiObject* self, std::int64_t number, bool enabled) {
     self->ui.set_enabled(to_place(L, *self, number), enabled);
@@ -356,8 +364,11 @@ constexpr Function kModuleFunctions[] = {
     function_pushing<&new_ui>("new", "fields = {}", "ui", kReturnsUi, "Makes an empty panel.", &kUiFields),
 };
 constexpr Function kMethods[] = {
-    function<&add_label>("add_label", "fields", "widget",
-                         "Adds a text. Widgets are numbered from 1, from the top.", &kLabelFields),
+    function<&add_label>(
+        "add_label", "fields", "widget",
+        "Adds a text, which may take several lines; those of other widgets are shortened where "
+        "there is no room for them. Widgets are numbered from 1, from the top.",
+        &kLabelFields),
     function<&add_button>("add_button", "fields", "widget", "Adds a button.", &kButtonFields),
     function<&add_toggle>("add_toggle", "fields", "widget", "Adds a switch that is on or off.",
                           &kToggleFields),

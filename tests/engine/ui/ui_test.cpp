@@ -4,6 +4,7 @@
 #include <cairn/engine/ui.h>
 
 #include "engine/support/drawing.h"
+#include "ui/shortened_text.h"
 
 using namespace cairn::engine;
 
@@ -255,4 +256,89 @@ TEST_CASE("a menu is drawn with its focus, and leaves scissor and transform as t
     CHECK(d.renderer->scissor() == Rect{0, 0, 600, 480});
     CHECK(d.renderer->transform_depth() == 0);
     d.renderer->end_frame();
+}
+
+TEST_CASE(
+    "a text that is too long for its place is shortened with an ellipsis, at the end that is asked for") {
+    const Drawing d({64, 48}, false);
+    const auto font = d.renderer->load_font("fonts/default.ttf", 20);
+    REQUIRE(font);
+    const auto width = [&](const std::string& text) { return d.renderer->measure_text(*font, text).x; };
+    const std::string text = "Stra\u00dfe nach N\u00fcrnberg";
+    CHECK(shortened_text(*d.renderer, *font, text, width(text)) == text);
+    const std::string front = shortened_text(*d.renderer, *font, text, width("Stra\u00dfe\u2026") + 0.5f);
+    CHECK(front == "Stra\u00dfe\u2026");
+    CHECK(shortened_text(*d.renderer, *font, text, width("\u2026\u00fcrnberg") + 0.5f, KeptEnd::Back) ==
+          "\u2026\u00fcrnberg");
+    CHECK(shortened_text(*d.renderer, *font, text, 1) == "");
+    CHECK(shortened_text(*d.renderer, *font, "", 0) == "");
+    for (float room = 0; room < width(text); room += 3)
+        for (const KeptEnd kept : {KeptEnd::Front, KeptEnd::Back})
+            CHECK(width(shortened_text(*d.renderer, *font, text, room, kept)) <= room);
+}
+
+TEST_CASE("no widget paints outside of its place, however long its texts and large its font") {
+    const std::string text = "A text that nobody would ever write on a widget of this width";
+    const float size = GENERATE(20.0f, 60.0f);
+    for (const WidgetKind kind : {WidgetKind::Label, WidgetKind::Button, WidgetKind::Toggle,
+                                  WidgetKind::Slider, WidgetKind::Choice, WidgetKind::TextField}) {
+        CAPTURE(size, kind);
+        Drawing d({640, 700});
+        const FontId font = d.font(size);
+        Ui ui({320, 350}, {.width = 300, .row_height = 40, .padding = 20});
+        ui.title = text;
+        const int place = ui.add({.kind = kind,
+                                  .text = text,
+                                  .value = 1234567.125,
+                                  .low = -1e6,
+                                  .high = 1e9,
+                                  .step = 0.001,
+                                  .choices = {},
+                                  .entry = text});
+        if (kind == WidgetKind::Choice) {
+            ui.clear();
+            ui.add({.kind = kind, .text = text, .choices = {text}});
+        }
+        ui.fit_text(*d.renderer, font, place);
+        const Rect area = ui.area(place);
+        CHECK(area.height >= d.renderer->line_height(font));
+        d.renderer->begin_frame({0, 0, 0, 1});
+        ui.draw(*d.renderer, font);
+        const Image image = d.capture();
+        d.renderer->end_frame();
+        // Between the widgets' rows and the panel's sides there is nothing but the panel.
+        const Rect panel = ui.panel();
+        const unsigned color = rgb(image, static_cast<int>(panel.x) + 6, static_cast<int>(area.y) + 20);
+        int others = 0;
+        for (int y = static_cast<int>(panel.y) + 20; y < static_cast<int>(panel.y + panel.height) - 20; ++y)
+            for (const int x :
+                 {static_cast<int>(panel.x) + 4, static_cast<int>(area.x) - 3,
+                  static_cast<int>(area.x + area.width) + 3, static_cast<int>(panel.x + panel.width) - 4})
+                others += rgb(image, x, y) != color;
+        CHECK(others == 0);
+        if (area.y + area.height + 8 > panel.y + panel.height) continue;  // the list is scrolled
+        int below = 0;
+        for (int x = static_cast<int>(area.x); x < static_cast<int>(area.x + area.width); ++x)
+            below += rgb(image, x, static_cast<int>(area.y + area.height) + 4) != color;
+        CHECK(below == 0);
+    }
+}
+
+TEST_CASE("a label takes as many lines as it needs, and what follows moves down") {
+    const Drawing d({640, 480}, false);
+    const auto font = d.renderer->load_font("fonts/default.ttf", 20);
+    REQUIRE(font);
+    Ui ui({320, 240}, {.width = 300, .row_height = 40, .gap = 8, .padding = 20});
+    ui.add({.kind = WidgetKind::Label, .text = "one line"});
+    ui.add({.kind = WidgetKind::Button, .text = "OK"});
+    ui.fit_text(*d.renderer, *font, 0);
+    CHECK(ui.area(0).height == 40);
+    ui.set_text(0, "as many words as take three lines or more in a panel that is as narrow as this one is");
+    ui.fit_text(*d.renderer, *font, 0);
+    CHECK(ui.area(0).height >= 3 * d.renderer->line_height(*font));
+    CHECK(ui.area(1).y == Approx(ui.area(0).y + ui.area(0).height + 8));
+    CHECK(ui.area(1).height == 40);
+    ui.apply(
+        {.kind = InputKind::MousePressed, .button = MouseButton::Left, .position = {320, ui.area(1).y + 20}});
+    CHECK(ui.focus() == 1);
 }

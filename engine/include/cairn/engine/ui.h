@@ -34,6 +34,7 @@ struct Widget {
     std::vector<std::string> choices;
     std::string entry;
     int max_length = 32;  ///< of the entry, in characters
+    float height = 0;     ///< logical pixels that its row has at least; fit_text sets it for labels
 };
 
 struct UiStyle {
@@ -72,6 +73,10 @@ class Ui {
     void set_entry(int place, std::string entry);
     void set_text(int place, std::string text) { widgets_[place].text = std::move(text); }
     void set_enabled(int place, bool enabled);
+    /// Makes rows high enough for a font, and the row of a widget for labels that take several lines. To be
+    /// called for what is new or has another text; other texts that are too long are shortened where they are
+    /// drawn.
+    void fit_text(const Renderer& renderer, FontId font, int place);
     void set_center(Vec2 center) { center_ = center; }
     const UiStyle& style() const { return style_; }
 
@@ -100,14 +105,19 @@ class Ui {
     struct Row {
         int first;
         int count;
+        float top;  ///< below that of the first row
+        float height;
     };
     std::vector<Row> rows() const;
     int row_of(const std::vector<Row>& rows, int place) const;
+    float row_width() const { return style_.width - 2 * style_.padding; }
+    float widget_width(const Row& row) const;
     float title_height() const { return title.empty() ? 0 : style_.row_height; }
     float rows_height() const;
     float scroll_limit() const;
     void scroll_to_focus();
     bool can_focus(int place) const;
+    bool has_usable(const Row& row) const;
     void keep_focus();
 
     int widget_at(Vec2 point) const;
