@@ -190,7 +190,7 @@ class Session {
             if (Outcome error = update(events)) return error;
             const bool captures = captures_now();
             const bool is_sample = options_.screenshot.empty() && game_->frame() % kFramesPerPicture == 1;
-            if (captures || is_sample || video_) {
+            if (captures || is_sample || video_ || tools_.needs_every_picture()) {
                 if (Outcome error = draw(1, captures)) return error;
             } else {
                 tools_.end_frame(*game_);

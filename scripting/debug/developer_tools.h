@@ -48,6 +48,8 @@ class DeveloperTools {
     [[nodiscard]] bool take_restart();
 
     /// Over the game's picture, before the frame ends.
+    /// The profiler tells what pictures cost, so a headless run draws them all for it.
+    [[nodiscard]] bool needs_every_picture() const { return shows_profiler_; }
     void draw(const Game& game);
     /// The game is about to be made anew.
     void forget_game();
