@@ -15,7 +15,7 @@
 namespace cairn::scripting {
 namespace {
 
-constexpr std::array<std::string_view, 27> kCallbacks = {"load",
+constexpr std::array<std::string_view, 28> kCallbacks = {"load",
                                                          "update",
                                                          "draw",
                                                          "key_pressed",
@@ -39,6 +39,7 @@ constexpr std::array<std::string_view, 27> kCallbacks = {"load",
                                                          "after_reload",
                                                          "level_reloaded",
                                                          "focus",
+                                                         "window_resized",
                                                          "save_state",
                                                          "load_state",
                                                          "quit_requested"};
