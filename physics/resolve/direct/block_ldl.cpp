@@ -7,11 +7,16 @@
 #include <cstddef>
 #include <functional>
 #include <type_traits>
+#include <utility>
 
 #include "resolve/direct/numbers.h"
 
 namespace cairn::physics {
 namespace {
+
+std::size_t index(int i) {
+    return static_cast<std::size_t>(i);
+}
 
 void add_sorted(std::vector<int>& list, int item) {
     const auto at = std::lower_bound(list.begin(), list.end(), item);
@@ -54,8 +59,8 @@ void factor_dense(double* a) {
         double pivot = a[i * N + i];
         for (int j = 0; j < i; ++j) {
             double sum = a[i * N + j];
-            for (int k = 0; k < j; ++k) sum -= scaled[static_cast<std::size_t>(k)] * a[j * N + k];
-            scaled[static_cast<std::size_t>(j)] = sum;
+            for (int k = 0; k < j; ++k) sum -= scaled[index(k)] * a[j * N + k];
+            scaled[index(j)] = sum;
             a[i * N + j] = sum * a[j * N + j];
             pivot -= a[i * N + j] * sum;
         }
@@ -75,14 +80,26 @@ void solve_dense(const double* a, double* b) {
     }
 }
 
-// c -= a b^T, with a of m x N and b of n x N, all row by row.
-template <int N, class M, class Rows>
-void subtract(double* c, const double* a, const double* b, M m, Rows n) {
+// c -= a b^T, with a of m x inner and b of N x inner, all row by row.
+template <int N, class Rows, class Inner>
+void subtract(double* c, const double* a, const double* b, Rows m, Inner inner) {
     for (int i = 0; i < m; ++i) {
-        for (int j = 0; j < n; ++j) {
+        for (int j = 0; j < N; ++j) {
             double sum = 0;
-            for (int k = 0; k < N; ++k) sum += a[i * N + k] * b[j * N + k];
-            c[i * n + j] -= sum;
+            for (int k = 0; k < inner; ++k) sum += a[i * inner + k] * b[j * inner + k];
+            c[i * N + j] -= sum;
+        }
+    }
+}
+
+// The same for a block on the diagonal, of which the lower triangle counts.
+template <int N, class Inner>
+void subtract_lower(double* c, const double* a, const double* b, Inner inner) {
+    for (int i = 0; i < N; ++i) {
+        for (int j = 0; j <= i; ++j) {
+            double sum = 0;
+            for (int k = 0; k < inner; ++k) sum += a[i * inner + k] * b[j * inner + k];
+            c[i * N + j] -= sum;
         }
     }
 }
@@ -99,38 +116,32 @@ void BlockLdl::analyze(std::span<const Node> nodes, std::span<const Edge> edges)
     if (neighbours_.size() < nodes_.size()) neighbours_.resize(nodes_.size());
     for (std::size_t i = 0; i < nodes_.size(); ++i) neighbours_[i].clear();
     for (const Edge& edge : edges) {
-        add_sorted(neighbours_[static_cast<std::size_t>(edge.a)], edge.b);
-        add_sorted(neighbours_[static_cast<std::size_t>(edge.b)], edge.a);
+        add_sorted(neighbours_[index(edge.a)], edge.b);
+        add_sorted(neighbours_[index(edge.b)], edge.a);
     }
     eliminate();
-    const std::vector<int>& order = order_;
-    std::vector<int>& rank = rank_;
-    rank.resize(nodes_.size());
-    for (std::size_t i = 0; i < order.size(); ++i)
-        rank[static_cast<std::size_t>(order[i])] = static_cast<int>(i);
-    const auto size_of = [&](int node) { return nodes_[static_cast<std::size_t>(node)].size; };
+    const auto size_of = [&](int node) { return nodes_[index(node)].size; };
     offsets_.assign(nodes_.size(), 0);
-    diagonals_.assign(nodes_.size(), 0);
+    of_nodes_.assign(nodes_.size(), {});
+    of_edges_.clear();
     columns_.clear();
     blocks_.clear();
-    updates_.clear();
-    places_.clear();
     size_ = 0;
-    for (const int node : order) {
-        offsets_[static_cast<std::size_t>(node)] = size_;
+    for (const int node : order_) {
+        offsets_[index(node)] = size_;
         size_ += size_of(node);
     }
     // Blocks of each column in the order of their rows' elimination.
     int values = 0;
-    for (const int node : order) {
-        std::vector<int>& later = neighbours_[static_cast<std::size_t>(node)];
-        std::sort(later.begin(), later.end(), [&](int a, int b) {
-            return rank[static_cast<std::size_t>(a)] < rank[static_cast<std::size_t>(b)];
-        });
+    for (const int node : order_) {
+        std::vector<int>& later = neighbours_[index(node)];
+        std::sort(later.begin(), later.end(),
+                  [&](int a, int b) { return rank_[index(a)] < rank_[index(b)]; });
         Column column;
         column.size = size_of(node);
         column.offset = offset(node);
-        column.diagonal = diagonals_[static_cast<std::size_t>(node)] = values;
+        column.diagonal = values;
+        of_nodes_[index(node)] = {rank_[index(node)], values, column.size, 1};
         values += column.size * column.size;
         column.first_block = static_cast<int>(blocks_.size());
         for (const int row : later) {
@@ -138,42 +149,66 @@ void BlockLdl::analyze(std::span<const Node> nodes, std::span<const Edge> edges)
             values += size_of(row) * column.size;
         }
         column.last_block = static_cast<int>(blocks_.size());
+        column.end = values;
+        if (!later.empty()) column.parent = rank_[index(later.front())];
         columns_.push_back(column);
     }
-    const auto find_block = [&](int row, int column) -> const Block& {
-        const Column& c = columns_[static_cast<std::size_t>(rank[static_cast<std::size_t>(column)])];
-        const auto first = blocks_.begin() + c.first_block;
-        return *std::lower_bound(first, blocks_.begin() + c.last_block, offset(row),
-                                 [](const Block& block, int offset) { return block.offset < offset; });
-    };
-    for (std::size_t c = 0; c < order.size(); ++c) {
-        columns_[c].first_update = static_cast<int>(updates_.size());
-        const std::vector<int>& later = neighbours_[static_cast<std::size_t>(order[c])];
-        for (std::size_t i = 0; i < later.size(); ++i) {
-            for (std::size_t j = 0; j <= i; ++j) {
-                const int target = i == j ? diagonals_[static_cast<std::size_t>(later[i])]
-                                          : find_block(later[i], later[j]).at;
-                updates_.push_back({columns_[c].first_block + static_cast<int>(i),
-                                    columns_[c].first_block + static_cast<int>(j), target});
+    for (const Edge& edge : edges) {
+        const bool a_is_first = offset(edge.a) < offset(edge.b);
+        const int row = a_is_first ? edge.b : edge.a;
+        const int column = a_is_first ? edge.a : edge.b;
+        const int stride = size_of(column);
+        of_edges_.push_back({rank_[index(column)], find_block(row, column).at, a_is_first ? stride : 1,
+                             a_is_first ? 1 : stride});
+    }
+    list_updates();
+    source_.assign(index(values), 0);
+    values_.assign(index(values), 0);
+    scaled_.assign(index(values), 0);
+    changed_.assign(columns_.size(), 1);
+}
+
+const BlockLdl::Block& BlockLdl::find_block(int row, int column) const {
+    const Column& c = columns_[index(rank_[index(column)])];
+    const auto first = blocks_.begin() + c.first_block;
+    return *std::lower_bound(first, blocks_.begin() + c.last_block, offset(row),
+                             [](const Block& block, int offset) { return block.offset < offset; });
+}
+
+// For each column, what is subtracted from it.
+void BlockLdl::list_updates() {
+    // Counted, then filled in: last_update is where the next one goes.
+    for (const int node : order_) {
+        const std::vector<int>& later = neighbours_[index(node)];
+        for (std::size_t i = 0; i < later.size(); ++i)
+            columns_[index(rank_[index(later[i])])].last_update += static_cast<int>(later.size() - i);
+    }
+    int updates = 0;
+    for (Column& column : columns_) {
+        column.first_update = updates;
+        updates += std::exchange(column.last_update, updates);
+    }
+    updates_.resize(index(updates));
+    for (const int node : order_) {
+        const Column& from = columns_[index(rank_[index(node)])];
+        const std::vector<int>& later = neighbours_[index(node)];
+        for (std::size_t j = 0; j < later.size(); ++j) {
+            Column& to = columns_[index(rank_[index(later[j])])];
+            const int right = blocks_[index(from.first_block) + j].at;
+            for (std::size_t i = j; i < later.size(); ++i) {
+                const Block& left = blocks_[index(from.first_block) + i];
+                const int target = i == j ? to.diagonal : find_block(later[i], later[j]).at;
+                updates_[index(to.last_update++)] = {left.at, right, target,
+                                                     static_cast<std::int16_t>(left.rows),
+                                                     static_cast<std::int16_t>(from.size)};
             }
         }
-        columns_[c].last_update = static_cast<int>(updates_.size());
     }
-    for (const Edge& edge : edges) {
-        if (offset(edge.b) > offset(edge.a)) {
-            places_.push_back({find_block(edge.b, edge.a).at, size_of(edge.a), 1});
-        } else {
-            places_.push_back({find_block(edge.a, edge.b).at, 1, size_of(edge.b)});
-        }
-    }
-    values_.assign(static_cast<std::size_t>(values), 0);
-    scaled_.assign(static_cast<std::size_t>(values), 0);
 }
 
 // By least degree, ties by number, what may be eliminated. Leaves the order, and of each node the neighbours
 // that are eliminated after it.
 void BlockLdl::eliminate() {
-    const auto index = [](int i) { return static_cast<std::size_t>(i); };
     const auto degree = [&](int i) { return static_cast<int>(neighbours_[index(i)].size()); };
     order_.clear();
     waiting_.clear();
@@ -206,16 +241,24 @@ void BlockLdl::eliminate() {
     }
 }
 
-void BlockLdl::clear() {
-    std::fill(values_.begin(), values_.end(), 0.0);
-}
-
 template <int N>
 void BlockLdl::factor_column(const Column& column) {
+    std::copy(source_.begin() + column.diagonal, source_.begin() + column.end,
+              values_.begin() + column.diagonal);
+    for (int u = column.first_update; u < column.last_update; ++u) {
+        const Update& update = updates_[index(u)];
+        double* target = values_.data() + update.target;
+        const double* a = values_.data() + update.left;
+        const double* b = scaled_.data() + update.right;
+        with_count(update.inner, [=](auto inner) {
+            if (update.left == update.right) return subtract_lower<N>(target, a, b, inner);
+            with_count(update.rows, [=](auto rows) { subtract<N>(target, a, b, rows, inner); });
+        });
+    }
     double* diagonal = values_.data() + column.diagonal;
     factor_dense<N>(diagonal);
     for (int b = column.first_block; b < column.last_block; ++b) {
-        const Block& block = blocks_[static_cast<std::size_t>(b)];
+        const Block& block = blocks_[index(b)];
         double* values = values_.data() + block.at;
         double* scaled = scaled_.data() + block.at;
         with_count(block.rows, [=](auto rows) {
@@ -223,23 +266,13 @@ void BlockLdl::factor_column(const Column& column) {
             for (int row = 0; row < rows; ++row) solve_dense<N>(diagonal, values + row * N);
         });
     }
-    for (int u = column.first_update; u < column.last_update; ++u) {
-        const Update& update = updates_[static_cast<std::size_t>(u)];
-        const Block& left = blocks_[static_cast<std::size_t>(update.left)];
-        const Block& right = blocks_[static_cast<std::size_t>(update.right)];
-        double* target = values_.data() + update.target;
-        const double* a = values_.data() + left.at;
-        const double* b = scaled_.data() + right.at;
-        with_count(left.rows,
-                   [=](auto m) { with_count(right.rows, [=](auto n) { subtract<N>(target, a, b, m, n); }); });
-    }
 }
 
 template <int N>
 void BlockLdl::forward(const Column& column, double* x) const {
     const double* from = x + column.offset;
     for (int b = column.first_block; b < column.last_block; ++b) {
-        const Block& block = blocks_[static_cast<std::size_t>(b)];
+        const Block& block = blocks_[index(b)];
         const double* values = values_.data() + block.at;
         double* to = x + block.offset;
         with_count(block.rows, [=](auto rows) {
@@ -257,7 +290,7 @@ void BlockLdl::backward(const Column& column, double* x) const {
     double* to = x + column.offset;
     solve_dense<N>(values_.data() + column.diagonal, to);
     for (int b = column.first_block; b < column.last_block; ++b) {
-        const Block& block = blocks_[static_cast<std::size_t>(b)];
+        const Block& block = blocks_[index(b)];
         const double* values = values_.data() + block.at;
         const double* from = x + block.offset;
         with_count(block.rows, [=](auto rows) {
@@ -269,8 +302,12 @@ void BlockLdl::backward(const Column& column, double* x) const {
 }
 
 void BlockLdl::factor() {
-    for (const Column& column : columns_) {
+    for (std::size_t c = 0; c < columns_.size(); ++c) {
+        if (changed_[c] == 0) continue;
+        changed_[c] = 0;
+        const Column& column = columns_[c];
         with_size(column.size, [&](auto size) { factor_column<size>(column); });
+        if (column.parent >= 0) changed_[index(column.parent)] = 1;
     }
 }
 

@@ -121,25 +121,25 @@ void DirectSystem::push(int member, int equation, double impulse) {
 }
 
 void DirectSystem::factor(BlockLdl& factors) const {
-    factors.clear();
     for (std::size_t b = 0; b < bodies.size(); ++b) {
-        double* diagonal = factors.diagonal(static_cast<int>(b));
-        diagonal[0] = diagonal[4] = bodies[b].mass;
-        diagonal[8] = bodies[b].inertia;
+        const BlockLdl::BlockValues diagonal = factors.diagonal(static_cast<int>(b));
+        diagonal.set(0, 0, bodies[b].mass);
+        diagonal.set(1, 1, bodies[b].mass);
+        diagonal.set(2, 2, bodies[b].inertia);
     }
     int node = static_cast<int>(bodies.size());
     for (const Member& m : members) {
-        double* diagonal = factors.diagonal(node++);
+        const BlockLdl::BlockValues diagonal = factors.diagonal(node++);
         const DirectEquation* const own = equations.data() + m.first_equation;
         with_count(m.equations(), [&](auto n) {
             for (int row = 0; row < n; ++row)
-                diagonal[row * n + row] = own[row].state == State::Acts ? -own[row].give : -1;
+                diagonal.set(row, row, own[row].state == State::Acts ? -own[row].give : -1);
             const double* j = j_.data() + m.first_j;
             for (int l = m.first_link; l < m.last_link; ++l) {
-                const BlockLdl::EdgeBlock edge = factors.edge(links[at(l)].edge);
+                const BlockLdl::BlockValues edge = factors.edge(links[at(l)].edge);
                 for (int row = 0; row < n; ++row, j += 3) {
-                    if (own[row].state != State::Acts) continue;
-                    for (int column = 0; column < 3; ++column) edge.set(row, column, j[column]);
+                    const bool acts = own[row].state == State::Acts;
+                    for (int column = 0; column < 3; ++column) edge.set(row, column, acts ? j[column] : 0);
                 }
             }
         });
