@@ -67,6 +67,13 @@ void activate_if_awake(Stores& stores, int joint) {
     }
 }
 
+// The angle to frames that were put elsewhere: of all those whole turns apart, the nearest to what it was.
+void turn_frames(const BodyStore& bodies, JointRecord& record, const JointFrames& before) {
+    const JointFrames now = frames_of(record.def);
+    if (now.angle_a_rad == before.angle_a_rad && now.angle_b_rad == before.angle_b_rad) return;
+    record.angle_rad = joint_angle(bodies, record);
+}
+
 }  // namespace
 
 int create_joint(WorldState& world, JointDef def) {
@@ -97,7 +104,9 @@ void redefine_joint(WorldState& world, int joint, JointDef def) {
     const bool collided = record.collide_connected;
     record.collide_connected = collides_connected(def);
     record.user_data = std::visit([](const auto& d) { return d.user_data; }, def);
+    const JointFrames before = frames_of(record.def);
     record.def = std::move(def);
+    turn_frames(stores.bodies, record, before);
     settle_pulley(stores, record);
     settle_gear(stores, record);
     wake_joint_bodies(stores, joint);

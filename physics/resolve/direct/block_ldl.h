@@ -4,9 +4,9 @@
 // so any order works; an order in which a joint comes after one of its bodies keeps pivots of ordinary size,
 // whatever E. Nodes are eliminated by least degree, so a tree has no fill, and a chain is block-tridiagonal.
 // A column is factored from its own values and from what columns before it left for it, so those below which
-// nothing changed are kept: states of contacts that change over, and structures that stand still, cost little.
-// Invariant: values and unknowns stand in the order of elimination, so that all passes stream through them.
-// Sources: Vanderbei, "Symmetric Quasidefinite Matrices" (1995); George and Liu, "The Evolution of the
+// nothing changed are kept: states of contacts that change over, and structures that stand still, cost
+// little. Invariant: values and unknowns stand in the order of elimination, so that all passes stream through
+// them. Sources: Vanderbei, "Symmetric Quasidefinite Matrices" (1995); George and Liu, "The Evolution of the
 // Minimum Degree Ordering Algorithm" (1989); Baraff, "Linear-Time Dynamics using Lagrange Multipliers"
 // (1996).
 #pragma once

@@ -27,6 +27,14 @@ struct Bench {
         return add(world, {.position_m = at, .angle_rad = angle_rad}, Box{half_m, half_m});
     }
     JointId join(const JointDef& def) { return world.create_joint(def).value(); }
+    std::vector<JointBreak> breaks_of_2_s() {
+        std::vector<JointBreak> breaks;
+        for (int i = 0; i < 120; ++i) {
+            world.step(kStep_s).value();
+            for (const JointBreak& event : world.joint_breaks()) breaks.push_back(event);
+        }
+        return breaks;
+    }
     [[nodiscard]] double mass(BodyId body) const { return d(world.body(body)->mass()); }
     [[nodiscard]] double inertia(BodyId body) const { return d(world.body(body)->mass_data().inertia_kg_m2); }
 };
@@ -330,20 +338,54 @@ TEST_CASE("a joint breaks when it bears more than its strength, and says so") {
                                         .length_m = 2,
                                         .strength = {.break_force_n = static_cast<float>(share * weight)},
                                         .user_data = 7});
-        int breaks = 0;
-        for (int i = 0; i < 120; ++i) {
-            bench.world.step(kStep_s).value();
-            for (const JointBreak& event : bench.world.joint_breaks()) {
-                ++breaks;
-                CHECK(event.joint == joint);
-                CHECK(event.body_b == box);
-                CHECK(event.user_data == 7);
-                CHECK(d(event.force_n.y) == Approx(weight).epsilon(0.01));
-            }
+        const std::vector<JointBreak> breaks = bench.breaks_of_2_s();
+        REQUIRE(breaks.size() == (share < 1 ? 1 : 0));
+        for (const JointBreak& event : breaks) {
+            CHECK(event.joint == joint);
+            CHECK(event.body_b == box);
+            CHECK(event.user_data == 7);
+            CHECK(d(event.force_n.y) == Approx(weight).epsilon(0.01));
         }
-        CHECK(breaks == (share < 1 ? 1 : 0));
         CHECK(bench.world.contains(joint) == (share > 1));
     }
+}
+
+TEST_CASE("a joint breaks when it bears more torque than its strength, and says so") {
+    for (const double share : {0.9, 1.1}) {
+        Bench bench;
+        const BodyId arm = add(bench.world, {.position_m = {1, 0}}, Box{1, 0.1f});
+        const double moment = 10 * bench.mass(arm);
+        const JointId joint =
+            bench.join(WeldJointDef{.body_a = bench.ground,
+                                    .body_b = arm,
+                                    .local_anchor_b_m = {-1, 0},
+                                    .strength = {.break_torque_nm = static_cast<float>(share * moment)}});
+        const std::vector<JointBreak> breaks = bench.breaks_of_2_s();
+        REQUIRE(breaks.size() == (share < 1 ? 1 : 0));
+        for (const JointBreak& event : breaks) {
+            CHECK(event.joint == joint);
+            CHECK(d(length(event.point_m - Position{})) < 1e-3);
+            CHECK(d(event.torque_nm) == Approx(moment).epsilon(0.1));
+        }
+        CHECK(bench.world.contains(joint) == (share > 1));
+    }
+}
+
+TEST_CASE("frames that are turned step by step carry the angle of the joint along, over whole turns") {
+    Bench bench({0, 0});
+    const BodyId wheel = add(bench.world, {}, Circle{});
+    const JointId joint = bench.join(RevoluteJointDef{.body_a = bench.ground, .body_b = wheel});
+    auto def = std::get<RevoluteJointDef>(bench.world.joint(joint)->definition());
+    for (int i = 0; i < 24; ++i) {
+        def.local_angle_b_rad += 0.5f;
+        bench.world.joint(joint)->redefine(def).value();
+        step_times(bench.world, 2);
+    }
+    CHECK(d(bench.world.joint(joint)->joint_angle()) == Approx(12));
+    // The same direction said otherwise is no turn.
+    def.local_angle_b_rad = static_cast<float>(12 - 2 * kPiD);
+    bench.world.joint(joint)->redefine(def).value();
+    CHECK(d(bench.world.joint(joint)->joint_angle()) == Approx(12));
 }
 
 TEST_CASE("every parameter of a joint can be changed while it lives") {
