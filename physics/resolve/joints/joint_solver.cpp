@@ -88,7 +88,8 @@ void with_bodies(const JointConstraint& c, const Motions& motions, Work&& work) 
     }
 }
 
-// One law with its directions.
+// One law with its directions, of which there are so many.
+template <int kCount>
 struct Task {
     JointConstraint& c;
     JointLaw& law;
@@ -102,8 +103,17 @@ struct Task {
     [[nodiscard]] float error(int i) const { return sign * (directions[i].q - law.target); }
 };
 
-Task task_of(JointConstraint& c, JointLaw& law, const JointPlace& place) {
+template <int kCount>
+Task<kCount> task_of(JointConstraint& c, JointLaw& law, const JointPlace& place) {
     return {c, law, place, &place.directions[law.direction], law.kind == LawKind::Upper ? -1.0f : 1.0f};
+}
+
+// Calls work(task) with the law's directions counted when this is compiled.
+template <class Work>
+void with_task(JointConstraint& c, JointLaw& law, const JointPlace& place, Work&& work) {
+    if (law.count == 1) return work(task_of<1>(c, law, place));
+    if (law.count == 2) return work(task_of<2>(c, law, place));
+    work(task_of<3>(c, law, place));
 }
 
 void place_joint(const JointConstraint& c, std::span<const JointConstraint> all, const Motions& motions,
@@ -111,10 +121,12 @@ void place_joint(const JointConstraint& c, std::span<const JointConstraint> all,
     place(c, all, motions, at.directions);
     with_bodies(c, motions, [&](const auto& bodies) {
         at.least_mobility = bodies.least_mobility();
+        for (int i = 0; i < c.directions; ++i)
+            at.inverse_mass[i][i] = bodies.coupling(at.directions[i], at.directions[i]);
         for (int l = 0; l < c.law_count; ++l) {
             const int first = c.laws[l].direction;
-            for (int i = first; i < first + c.laws[l].count; ++i) {
-                for (int j = first; j <= i; ++j)
+            for (int i = first + 1; i < first + c.laws[l].count; ++i) {
+                for (int j = first; j < i; ++j)
                     at.inverse_mass[i][j] = bodies.coupling(at.directions[i], at.directions[j]);
             }
         }
@@ -122,14 +134,14 @@ void place_joint(const JointConstraint& c, std::span<const JointConstraint> all,
 }
 
 // K x = b.
-Values solve(const Task& task, const Values& b) {
-    return solve_small(task.place.inverse_mass, task.law.direction, task.law.count, b,
-                       task.place.least_mobility);
+template <int kCount>
+Values solve(const Task<kCount>& task, const Values& b) {
+    return solve_small<kCount>(task.place.inverse_mass, task.law.direction, b, task.place.least_mobility);
 }
 
-template <int kMany>
-void apply(const Task& task, Bodies<kMany>& bodies, const Values& wanted) {
-    for (int i = 0; i < task.law.count; ++i) {
+template <int kCount, int kMany>
+void apply(const Task<kCount>& task, Bodies<kMany>& bodies, const Values& wanted) {
+    for (int i = 0; i < kCount; ++i) {
         bodies.push(task.directions[i], task.sign * (wanted[i] - task.impulse(i)));
         task.impulse(i) = wanted[i];
     }
@@ -147,37 +159,41 @@ void clamp(const JointLaw& law, Values& wanted) {
     }
 }
 
-template <int kMany>
-Values solve_soft(const Task& task, const Bodies<kMany>& bodies, const Softness& soft) {
+template <int kCount, int kMany>
+Values solve_soft(const Task<kCount>& task, const Bodies<kMany>& bodies, const Softness& soft) {
     Values rhs{};
-    for (int i = 0; i < task.law.count; ++i) {
+    for (int i = 0; i < kCount; ++i) {
         rhs[i] = -(bodies.speed(task.directions[i]) * task.sign + soft.bias_rate * task.error(i));
     }
     Values change = solve(task, rhs);
-    for (int i = 0; i < task.law.count; ++i) {
+    for (int i = 0; i < kCount; ++i) {
         change[i] = soft.mass_scale * change[i] + (1 - soft.impulse_scale) * task.impulse(i);
     }
     return change;
 }
 
-template <int kMany>
-void solve_hold(const Task& task, Bodies<kMany>& bodies, Pass pass) {
+template <int kCount, int kMany>
+void solve_hold(const Task<kCount>& task, Bodies<kMany>& bodies, Pass pass) {
     apply(task, bodies, solve_soft(task, bodies, pass == Pass::Biased ? task.law.softness : kRigid));
 }
 
 // A gap may close, but no further.
-template <int kMany>
-void solve_limit(const Task& task, Bodies<kMany>& bodies, float h_s, Pass pass) {
+template <int kCount, int kMany>
+void solve_limit(const Task<kCount>& task, Bodies<kMany>& bodies, float h_s, Pass pass) {
     const float gap = task.error(0);
     Softness soft = pass == Pass::Biased ? task.law.softness : kRigid;
     if (gap > 0) soft = {1 / h_s, 1, 0};
+    // Most limits have nothing to do: they bear nothing, and nothing comes to them within the substep.
+    const bool comes = bodies.speed(task.directions[0]) * task.sign + soft.bias_rate * gap <= 0;
+    if (!comes && task.impulse(0) == 0) return;
     Values wanted = solve_soft(task, bodies, soft);
     wanted[0] = std::max(wanted[0], 0.0f);
     apply(task, bodies, wanted);
 }
 
 // At limits it stops: one that pushed on would hold them open, by as much as they are soft.
-float motor_speed(const Task& task, int part, float h_s, Pass pass) {
+template <int kCount>
+float motor_speed(const Task<kCount>& task, int part, float h_s, Pass pass) {
     float speed = task.law.speed[part];
     for (int l = 0; l < task.c.law_count; ++l) {
         const JointLaw& limit = task.c.laws[l];
@@ -191,82 +207,88 @@ float motor_speed(const Task& task, int part, float h_s, Pass pass) {
     return speed;
 }
 
-template <int kMany>
-void solve_motor(const Task& task, Bodies<kMany>& bodies, float h_s, Pass pass) {
+template <int kCount, int kMany>
+void solve_motor(const Task<kCount>& task, Bodies<kMany>& bodies, float h_s, Pass pass) {
     Values rhs{};
-    for (int i = 0; i < task.law.count; ++i)
+    for (int i = 0; i < kCount; ++i)
         rhs[i] = motor_speed(task, i, h_s, pass) - bodies.speed(task.directions[i]);
     Values wanted = solve(task, rhs);
-    for (int i = 0; i < task.law.count; ++i) wanted[i] += task.impulse(i);
+    for (int i = 0; i < kCount; ++i) wanted[i] += task.impulse(i);
     clamp(task.law, wanted);
     apply(task, bodies, wanted);
 }
 
-Values spring_impulse(const Task& task, const Values& speed) {
+template <int kCount>
+Values spring_impulse(const Task<kCount>& task, const Values& speed) {
     const ExactSpring& spring = task.law.spring;
     Values rhs{};
-    for (int i = 0; i < task.law.count; ++i) {
+    for (int i = 0; i < kCount; ++i) {
         rhs[i] = -(spring.d1 * speed[i] + spring.d0 * task.law.speed_before[i] +
                    spring.stiffness_per_s * task.error(i));
     }
     return solve(task, rhs);
 }
 
-template <int kMany>
-void solve_spring(const Task& task, Bodies<kMany>& bodies) {
+template <int kCount, int kMany>
+void solve_spring(const Task<kCount>& task, Bodies<kMany>& bodies) {
     Values speed{};
-    for (int i = 0; i < task.law.count; ++i) speed[i] = bodies.speed(task.directions[i]);
+    for (int i = 0; i < kCount; ++i) speed[i] = bodies.speed(task.directions[i]);
     Values wanted = spring_impulse(task, speed);
     const float d1 = task.law.spring.d1;
-    for (int i = 0; i < task.law.count; ++i) wanted[i] = (wanted[i] + d1 * task.impulse(i)) / (1 + d1);
+    for (int i = 0; i < kCount; ++i) wanted[i] = (wanted[i] + d1 * task.impulse(i)) / (1 + d1);
     clamp(task.law, wanted);
     apply(task, bodies, wanted);
 }
 
+template <int kCount, int kMany>
+void warm_start_law(const Task<kCount>& task, Bodies<kMany>& bodies) {
+    if (task.law.kind == LawKind::Spring && !task.law.spring.damped) {
+        // The impulse of the last substep is a quarter of a period late for what swings freely.
+        Values guess = spring_impulse(task, {task.law.speed_before[0], task.law.speed_before[1]});
+        clamp(task.law, guess);
+        for (int i = 0; i < kCount; ++i) task.impulse(i) = guess[i];
+    }
+    for (int i = 0; i < kCount; ++i) {
+        if (task.impulse(i) != 0) bodies.push(task.directions[i], task.sign * task.impulse(i));
+    }
+}
+
 template <int kMany>
 void warm_start(JointConstraint& c, const JointPlace& at, Bodies<kMany>& bodies) {
-    for (int l = 0; l < c.law_count; ++l) {
-        const Task task = task_of(c, c.laws[l], at);
-        if (task.law.kind == LawKind::Spring && !task.law.spring.damped) {
-            // The impulse of the last substep is a quarter of a period late for what swings freely.
-            Values guess = spring_impulse(task, {task.law.speed_before[0], task.law.speed_before[1]});
-            clamp(task.law, guess);
-            for (int i = 0; i < task.law.count; ++i) task.impulse(i) = guess[i];
-        }
-        for (int i = 0; i < task.law.count; ++i) bodies.push(task.directions[i], task.sign * task.impulse(i));
+    for (int l = 0; l < c.law_count; ++l)
+        with_task(c, c.laws[l], at, [&](const auto& task) { warm_start_law(task, bodies); });
+}
+
+template <int kCount, int kMany>
+void solve_law(const Task<kCount>& task, Bodies<kMany>& bodies, float h_s, Pass pass) {
+    switch (task.law.kind) {
+        case LawKind::Hold:
+            return solve_hold(task, bodies, pass);
+        case LawKind::Spring:
+            if (pass == Pass::Biased) solve_spring(task, bodies);
+            return;
+        case LawKind::Motor:
+            return solve_motor(task, bodies, h_s, pass);
+        case LawKind::Lower:
+        case LawKind::Upper:
+            return solve_limit(task, bodies, h_s, pass);
     }
 }
 
 template <int kMany>
 void solve_laws(JointConstraint& c, const JointPlace& at, Bodies<kMany>& bodies, float h_s, Pass pass) {
-    for (int l = 0; l < c.law_count; ++l) {
-        const Task task = task_of(c, c.laws[l], at);
-        switch (task.law.kind) {
-            case LawKind::Hold:
-                solve_hold(task, bodies, pass);
-                break;
-            case LawKind::Spring:
-                if (pass == Pass::Biased) solve_spring(task, bodies);
-                break;
-            case LawKind::Motor:
-                solve_motor(task, bodies, h_s, pass);
-                break;
-            case LawKind::Lower:
-            case LawKind::Upper:
-                solve_limit(task, bodies, h_s, pass);
-                break;
-        }
-    }
+    for (int l = 0; l < c.law_count; ++l)
+        with_task(c, c.laws[l], at, [&](const auto& task) { solve_law(task, bodies, h_s, pass); });
 }
 
 // What the joint gave body b in this substep, as a force at its anchor and a torque.
 void add_reaction(JointConstraint& c, const Directions& directions, const Motions& motions) {
+    const Vec2 arm = rotate(motions.turned[c.anchors.b], c.anchors.r_b);
     for (int d = 0; d < c.directions; ++d) {
         const auto p = [&](Role role) { return c.impulse[static_cast<std::size_t>(impulse_index(d, role))]; };
         const float sum = p(Role::HoldOrSpring) + p(Role::Motor) + p(Role::Lower) - p(Role::Upper);
         const Jacobian& j = directions[static_cast<std::size_t>(d)].j[static_cast<std::size_t>(c.b)];
         c.total_impulse += sum * j.linear;
-        const Vec2 arm = rotate(motions.turned[c.anchors.b], c.anchors.r_b);
         c.total_angular_impulse += sum * (j.angular - cross(arm, j.linear));
     }
 }

@@ -56,5 +56,40 @@ TEST_CASE("a ragdoll on the ground, a blob, a wall and a loaded elevator do not 
     CHECK(way_at_rest_m(world) < kStill_m);
 }
 
+TEST_CASE(
+    "within ten minutes a ragdoll hung by a hand, a bridge under load and a vehicle that nothing brakes "
+    "sleep") {
+    // One stands, one sways until its load has settled, one swings on a hook without friction.
+    const auto asleep_after_s = [](World& world) {
+        for (int step = 0; step < 36000; ++step) {
+            world.step(kStep_s).value();
+            if (world.counts().awake_bodies == 0) return step / 60.0;
+        }
+        return 600.0;
+    };
+    World road;
+    add_ground(road);
+    create_vehicle(road, {.position_m = {0, 1}}).value();
+    CHECK(asleep_after_s(road) < 5);
+
+    World gorge;
+    create_bridge(gorge, {}).value();
+    for (int i = 0; i < 6; ++i)
+        add(gorge, {.position_m = {2.0 + i, 1.5}}, Box{0.4f, 0.4f}, {.density_kg_m2 = 20});
+    CHECK(asleep_after_s(gorge) < 30);
+
+    World gallows;
+    const BodyId hook = gallows.create_body({.type = BodyType::Static}).value();
+    const Ragdoll ragdoll = create_ragdoll(gallows, {}).value();
+    const BodyId hand = ragdoll.bodies[static_cast<std::size_t>(Bone::LowerArmLeft)];
+    const Vec2 palm{0, -0.125f};
+    const Vec2 at = gallows.body(hand)->position() + palm - Position{};
+    gallows
+        .create_joint(RevoluteJointDef{
+            .body_a = hook, .body_b = hand, .local_anchor_a_m = at, .local_anchor_b_m = palm})
+        .value();
+    CHECK(asleep_after_s(gallows) < 600);
+}
+
 }  // namespace
 }  // namespace cairn::physics
