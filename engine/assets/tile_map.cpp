@@ -2,93 +2,22 @@
 // reading, with the place at which it was found.
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
+#include <functional>
 #include <numbers>
 
 #include <cairn/engine/tile_map.h>
 
 #include "assets/staggered_grid.h"
 #include "assets/tile_data.h"
+#include "assets/tiled_node.h"
 #include "assets/tiled_xml.h"
 
 namespace cairn::engine {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 /// Sides of maps, in tiles; with 16 million cells in all, what fits into memory and into a picture.
 constexpr int kMaxSide = 10000;
 constexpr std::size_t kMaxCells = 16u << 20;
-
-/// Thrown by the reading below and caught in load_tile_map, which makes an Error of it: a fault can lie deep.
-struct Fault {
-    std::string message;
-};
-
-/// A value of the file with the way to it, "layers[2].objects[5]", for messages.
-class Node {
-  public:
-    Node(const Json& json, std::string place) : json_(json), place_(std::move(place)) {
-        if (!json_.is_object()) fail("must be an object");
-    }
-
-    [[noreturn]] void fail(const std::string& rule) const { throw Fault{place_ + ": " + rule}; }
-    [[noreturn]] void fail(const char* field, const std::string& rule) const {
-        const auto found = json_.find(field);
-        const std::string value = found == json_.end() ? "missing" : found->dump().substr(0, 40);
-        throw Fault{(place_.empty() ? "" : place_ + '.') + field + " is " + value + ", but " + rule};
-    }
-
-    bool has(const char* field) const { return json_.contains(field) && !json_[field].is_null(); }
-    const Json& at(const char* field) const { return json_[field]; }
-
-    double number(const char* field, double otherwise) const {
-        return has(field) ? number(field) : otherwise;
-    }
-    double number(const char* field) const {
-        if (!has(field) || !json_[field].is_number() || !std::isfinite(json_[field].get<double>()))
-            fail(field, "must be a number");
-        return json_[field].get<double>();
-    }
-    int whole(const char* field, int low, int high) const {
-        const double value = number(field);
-        if (value != std::floor(value) || value < low || value > high)
-            fail(field, "must be a whole number from " + std::to_string(low) + " to " + std::to_string(high));
-        return static_cast<int>(value);
-    }
-    int whole(const char* field, int low, int high, int otherwise) const {
-        return has(field) ? whole(field, low, high) : otherwise;
-    }
-    std::uint32_t tile_bits(const char* field) const {
-        const double value = number(field);
-        if (value != std::floor(value) || value < 0 || value > 4294967295.0)
-            fail(field, "must be a tile number");
-        return static_cast<std::uint32_t>(value);
-    }
-    std::string text(const char* field, const std::string& otherwise = "") const {
-        if (!has(field)) return otherwise;
-        if (!json_[field].is_string()) fail(field, "must be a text");
-        return json_[field].get<std::string>();
-    }
-    bool flag(const char* field, bool otherwise) const {
-        if (!has(field)) return otherwise;
-        if (!json_[field].is_boolean()) fail(field, "must be true or false");
-        return json_[field].get<bool>();
-    }
-    std::vector<Node> list(const char* field) const {
-        std::vector<Node> nodes;
-        if (!has(field)) return nodes;
-        if (!json_[field].is_array()) fail(field, "must be a list");
-        const std::string place = (place_.empty() ? "" : place_ + '.') + field + '[';
-        for (std::size_t i = 0; i < json_[field].size(); ++i)
-            nodes.emplace_back(json_[field][i], place + std::to_string(i) + ']');
-        return nodes;
-    }
-
-  private:
-    const Json& json_;
-    std::string place_;
-};
 
 /// The path of what a file names, which is relative to that file; "a/../b" is written as "b".
 std::string beside(std::string_view path, const std::string& name) {
@@ -203,13 +132,16 @@ class MapReader {
         const Json json = read_json(files_, path_);
         const Node node(json, "");
         map_.grid = read_grid(node);
-        if (node.flag("infinite", false))
-            node.fail("infinite", "must be false: give the map a fixed size in the editor");
-        map_.columns = node.whole("width", 1, kMaxSide);
-        map_.rows = node.whole("height", 1, kMaxSide);
-        if (cells() > kMaxCells) node.fail("width", "width times height must be at most 16777216");
         map_.tile_size = {node.whole("tilewidth", 1, 4096), node.whole("tileheight", 1, 4096)};
         if (map_.grid == MapGrid::Staggered) read_stagger(node);
+        is_infinite_ = node.flag("infinite", false);
+        if (is_infinite_) {
+            find_extent(node);
+        } else {
+            map_.columns = node.whole("width", 1, kMaxSide);
+            map_.rows = node.whole("height", 1, kMaxSide);
+        }
+        if (cells() > kMaxCells) node.fail("width", "width times height must be at most 16777216");
         map_.properties = read_properties(node);
         map_.background = read_color(node, "backgroundcolor");
         for (const Node& set : node.list("tilesets")) add_set(set);
@@ -220,6 +152,63 @@ class MapReader {
   private:
     std::size_t cells() const {
         return static_cast<std::size_t>(map_.columns) * static_cast<std::size_t>(map_.rows);
+    }
+
+    /// A block of the tiles of an infinite map; where it begins may be below 0.
+    struct Chunk {
+        int column, row, columns, rows;
+    };
+    static Chunk read_chunk(const Node& node) {
+        constexpr int kFarthest = 1 << 24;
+        return {node.whole("x", -kFarthest, kFarthest), node.whole("y", -kFarthest, kFarthest),
+                node.whole("width", 1, kMaxSide), node.whole("height", 1, kMaxSide)};
+    }
+
+    /// An infinite map is as large as what was drawn in it.
+    void find_extent(const Node& map) {
+        Chunk all{0, 0, 0, 0};  // the least corner, and behind the greatest
+        bool has_any = false;
+        const std::function<void(const Node&)> add_layers = [&](const Node& parent) {
+            for (const Node& layer : parent.list("layers")) {
+                add_layers(layer);
+                for (const Node& node : layer.list("chunks")) {
+                    const Chunk chunk = read_chunk(node);
+                    const int right = chunk.column + chunk.columns, bottom = chunk.row + chunk.rows;
+                    all = has_any ? Chunk{std::min(all.column, chunk.column), std::min(all.row, chunk.row),
+                                          std::max(all.columns, right), std::max(all.rows, bottom)}
+                                  : Chunk{chunk.column, chunk.row, right, bottom};
+                    has_any = true;
+                }
+            }
+        };
+        add_layers(map);
+        if (!has_any) all = {0, 0, 1, 1};
+        if (map_.grid == MapGrid::Staggered) {  // the same rows and columns stay moved
+            all.column -= all.column & 1;
+            all.row -= all.row & 1;
+        }
+        first_column_ = all.column;
+        first_row_ = all.row;
+        map_.columns = all.columns - all.column;
+        map_.rows = all.rows - all.row;
+        if (map_.columns > kMaxSide || map_.rows > kMaxSide) {
+            map.fail("what is drawn in the map is " + std::to_string(map_.columns) + " x " +
+                     std::to_string(map_.rows) + " tiles large, but must be at most " +
+                     std::to_string(kMaxSide) + " either way; is there a stray tile far out?");
+        }
+    }
+
+    /// Where the first cell lies, as objects have it.
+    [[nodiscard]] Vec2 first_place() const {
+        const auto column = static_cast<float>(first_column_), row = static_cast<float>(first_row_);
+        auto width = static_cast<float>(map_.tile_size.width),
+             height = static_cast<float>(map_.tile_size.height);
+        if (map_.grid == MapGrid::Isometric) width = height;
+        if (map_.grid == MapGrid::Staggered) {
+            float& moved = map_.stagger.moves_columns ? width : height;
+            moved = 0.5f * (moved + static_cast<float>(map_.stagger.side_length));
+        }
+        return {column * width, row * height};
     }
 
     static MapGrid read_grid(const Node& node) {
@@ -292,8 +281,8 @@ class MapReader {
         }
     }
 
-    void read_tiles(const Node& node, MapLayer& layer) const {
-        if (node.has("chunks")) node.fail("chunks", "the map must have a fixed size");
+    /// The numbers of `cells` tiles out of `node`; how they are written stands in the layer.
+    static std::vector<std::uint32_t> read_bits(const Node& node, const Node& layer, std::size_t cells) {
         if (!node.has("data")) node.fail("data", "must hold the tiles");
         const Json& data = node.at("data");
         std::vector<std::uint32_t> bits;
@@ -302,18 +291,49 @@ class MapReader {
                 if (!value.is_number_unsigned()) node.fail("data", "must hold tile numbers");
                 bits.push_back(value.get<std::uint32_t>());
             }
-            if (bits.size() != cells())
-                node.fail("data has " + std::to_string(bits.size()) + " tiles, but the map has " +
-                          std::to_string(cells()) + " cells");
+            if (bits.size() != cells)
+                node.fail("data has " + std::to_string(bits.size()) + " tiles, but there are " +
+                          std::to_string(cells) + " cells");
+            return bits;
+        }
+        const std::string encoding = layer.text("encoding", "csv");
+        if (encoding != "csv" && encoding != "base64") layer.fail("encoding", "must be csv or base64");
+        const std::string text = node.text("data");
+        Result<std::vector<std::uint32_t>> read =
+            encoding == "csv" ? tiles_from_csv(text, cells)
+                              : tiles_from_base64(text, layer.text("compression"), cells);
+        if (!read) node.fail(read.error().message);
+        return std::move(*read);
+    }
+
+    /// Whether a layer has its tiles outside of chunks.
+    static bool part_of_fixed_map(const Node& layer) {
+        if (!layer.has("data")) return false;
+        const Json& data = layer.at("data");
+        return data.is_array() ? !data.empty()
+                               : layer.text("data").find_first_not_of(" \n\r\t") != std::string::npos;
+    }
+
+    void read_tiles(const Node& node, MapLayer& layer) const {
+        std::vector<std::uint32_t> bits;
+        if (is_infinite_) {
+            bits.resize(cells());
+            for (const Node& part : node.list("chunks")) {
+                const Chunk chunk = read_chunk(part);
+                const auto width = static_cast<std::size_t>(chunk.columns);
+                const std::vector<std::uint32_t> read =
+                    read_bits(part, node, width * static_cast<std::size_t>(chunk.rows));
+                for (std::size_t i = 0; i < read.size(); ++i) {
+                    const auto column = static_cast<std::size_t>(chunk.column - first_column_) + i % width;
+                    const auto row = static_cast<std::size_t>(chunk.row - first_row_) + i / width;
+                    bits[row * static_cast<std::size_t>(map_.columns) + column] = read[i];
+                }
+            }
+            if (part_of_fixed_map(node))
+                node.fail("data", "must stand in chunks: the map says that it is infinite");
         } else {
-            const std::string encoding = node.text("encoding", "csv");
-            if (encoding != "csv" && encoding != "base64") node.fail("encoding", "must be csv or base64");
-            const std::string text = node.text("data");
-            Result<std::vector<std::uint32_t>> read =
-                encoding == "csv" ? tiles_from_csv(text, cells())
-                                  : tiles_from_base64(text, node.text("compression"), cells());
-            if (!read) node.fail(read.error().message);
-            bits = std::move(*read);
+            if (node.has("chunks")) node.fail("chunks", "only a map that says infinite has them");
+            bits = read_bits(node, node, cells());
         }
         layer.tiles.reserve(bits.size());
         for (const std::uint32_t value : bits) {
@@ -328,7 +348,8 @@ class MapReader {
         object.id = node.whole("id", 0, 1 << 30, 0);
         object.name = node.text("name");
         object.kind = node.text("class", node.text("type"));
-        object.position = {static_cast<float>(node.number("x")), static_cast<float>(node.number("y"))};
+        object.position =
+            Vec2{static_cast<float>(node.number("x")), static_cast<float>(node.number("y"))} - first_place();
         object.size = {static_cast<float>(node.number("width", 0)),
                        static_cast<float>(node.number("height", 0))};
         object.rotation_rad =
@@ -360,6 +381,9 @@ class MapReader {
     const Files& files_;
     std::string_view path_;
     TileMap map_;
+    bool is_infinite_ = false;
+    int first_column_ = 0;  ///< as the file counts, where the map's first cell is
+    int first_row_ = 0;
 };
 
 }  // namespace

@@ -124,7 +124,11 @@ Json layers(const pugi::xml_node& parent) {
             for (const char* field : {"encoding", "compression"})
                 if (data.attribute(field)) json[field] = data.attribute(field).value();
             json["data"] = data.child_value();
-            if (data.child("chunk")) json["chunks"] = Json::array();
+            for (const pugi::xml_node& part : data.children("chunk")) {
+                Json chunk = attributes(part);
+                chunk["data"] = part.child_value();
+                json["chunks"].push_back(std::move(chunk));
+            }
         }
         if (name == "objectgroup") {
             Json objects = Json::array();

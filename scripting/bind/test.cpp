@@ -1,4 +1,5 @@
 // cairn.test: a small test API over a game that runs frame by frame.
+#include <algorithm>
 #include <cmath>
 
 #include "bind/fields.h"
@@ -66,6 +67,17 @@ void press(lua_State* L, std::string_view key) {
 }
 void release(lua_State* L, std::string_view key) {
     driver(L).send(L, {.kind = InputKind::KeyReleased, .key = to_key(L, key)});
+}
+void type_text(lua_State* L, std::string_view text) {
+    // Refused before the first is sent.
+    if (std::any_of(text.begin(), text.end(), [](char c) { return c >= 0 && c < ' '; }))
+        argument_error(L, 1, "text without control characters; press(\"return\") presses a key");
+    while (!text.empty()) {
+        std::size_t length = 1;  // of a character in UTF-8, with the bytes that go on with it
+        while (length < text.size() && (static_cast<unsigned char>(text[length]) & 0xc0u) == 0x80u) ++length;
+        driver(L).send(L, {.kind = InputKind::TextEntered, .text = std::string(text.substr(0, length))});
+        text.remove_prefix(length);
+    }
 }
 void mouse_move(lua_State* L, float x, float y) {
     const engine::Vec2 from = context_of(L).input.mouse_position();
@@ -235,6 +247,10 @@ constexpr Function kFunctions[] = {
                          "Runs updates until `condition()` is true; false when it never was."),
     function<&press>("press", "key", "", "Input of the next frame."),
     function<&release>("release", "key", "", ""),
+    function<&type_text>(
+        "type_text", "text", "",
+        "Enters text as a keyboard does, character by character (UTF-8): for `cairn.text_input` and "
+        "text fields. Keys such as \"backspace\" are pressed with `press`."),
     function<&mouse_move>("mouse_move", "x [px], y [px]", "", ""),
     function<&mouse_press>("mouse_press", "x [px], y [px], button = \"left\"", "", ""),
     function<&mouse_release>("mouse_release", "x [px], y [px], button = \"left\"", "", ""),

@@ -338,13 +338,15 @@ constexpr std::array<std::string_view, 1> kReturnsTable = {"table"};
 constexpr std::array<std::string_view, 1> kReturnsNames = {"string[]"};
 
 constexpr Function kModuleFunctions[] = {
-    function_pushing<&load>("load", "path, fields = {}", "map", kReturnsMap,
-                            "Loads an orthogonal, isometric, staggered or hexagonal map of fixed size, .tmx "
-                            "or .tmj, with its tile "
-                            "sets and pictures. Layer data may be CSV or base64, plain or packed with zlib "
-                            "or gzip. Places are those "
-                            "of the picture, in which a cell may be a diamond or a hexagon.",
-                            &kLoadFields),
+    function_pushing<&load>(
+        "load", "path, fields = {}", "map", kReturnsMap,
+        "Loads an orthogonal, isometric, staggered or hexagonal map, .tmx "
+        "or .tmj, with its tile "
+        "sets and pictures. An infinite one is as large as what was drawn in it: its upper "
+        "left corner is that of the first tile. Layer data may be CSV or base64, plain or packed with zlib "
+        "or gzip. Places are those "
+        "of the picture, in which a cell may be a diamond or a hexagon.",
+        &kLoadFields),
 };
 constexpr Function kMethods[] = {
     function<&draw>(

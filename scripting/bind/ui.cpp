@@ -69,7 +69,8 @@ constexpr Field kToggleChanged = optional_field("changed", FieldType::Function, 
 constexpr Field kLow = number_field("low", 0, "0", "");
 constexpr Field kHigh = number_field("high", 1, "1", "above low");
 constexpr Field kStep = above(number_field("step", 0.1, "0.1", "what one press changes"), 0);
-constexpr Field kSliderValue = number_field("value", 0, "0", "");
+constexpr Field kSliderValue =
+    optional_field("value", FieldType::Number, "from low to high; absent: 0, or the end next to it");
 constexpr Field kSliderChanged = optional_field("changed", FieldType::Function, "called with the number");
 constexpr Field kChoices = required_field("choices", FieldType::Table, "a list of strings");
 constexpr Field kChoiceValue = integer_field("value", 1, "1", "counts from 1");
@@ -183,14 +184,24 @@ std::int64_t add_toggle(lua_State* L, UiObject* self, TableArgument fields) {
     widget.value = reader.boolean(kToggleValue) ? 1 : 0;
     return add(L, *self, std::move(widget), reader, &kToggleChanged);
 }
+/// "from 0 to 1".
+std::string slider_rule(const Widget& slider) {
+    char text[80];
+    std::snprintf(text, sizeof text, "from %.7g to %.7g", slider.low, slider.high);
+    return text;
+}
+
 std::int64_t add_slider(lua_State* L, UiObject* self, TableArgument fields) {
     const FieldReader reader(L, fields.index, kSliderFields);
     Widget widget = common(reader, WidgetKind::Slider);
     widget.low = reader.number(kLow);
     widget.high = reader.number(kHigh);
     widget.step = reader.number(kStep);
-    widget.value = reader.number(kSliderValue);
     if (!(widget.high > widget.low)) reader.fail(kHigh, "must be above low");
+    const auto value = reader.optional_number(kSliderValue);
+    if (value && !(*value >= widget.low && *value <= widget.high))
+        reader.fail(kSliderValue, "must be " + slider_rule(widget));
+    widget.value = value.value_or(std::clamp(0.0, widget.low, widget.high));
     return add(L, *self, std::move(widget), reader, &kSliderChanged);
 }
 std::int64_t add_choice(lua_State* L, UiObject* self, TableArgument fields) {

@@ -6,6 +6,7 @@
 
 #include "data/source_text.h"
 #include "lua/sandbox.h"
+#include "lua/state.h"
 
 namespace cairn::scripting {
 namespace {
@@ -74,6 +75,8 @@ std::string without_repeated_place(std::string message) {
     return message;
 }
 
+constexpr const char* kOutOfMemory = "not enough memory: the script used up what a game may have";
+
 /// Where handle_error puts what it finds: the error of the innermost protected call on this thread. A closure
 /// over it would need memory, which is what a script may just have used up.
 thread_local ScriptError* current_error = nullptr;
@@ -129,7 +132,11 @@ std::optional<ScriptError> protected_call(lua_State* L, int arguments, int resul
     current_error = outer_error;
     lua_remove(L, handler);
     if (status == LUA_OK) return std::nullopt;
-    if (status == LUA_ERRMEM) error.message = "not enough memory: the script used up what a game may have";
+    if (status == LUA_ERRMEM) {
+        const std::string place = State::place_of_refusal(L);
+        error.message = place + (place.empty() ? "" : ": ") + kOutOfMemory;
+        error.traceback.clear();
+    }
     if (status == LUA_ERRERR) error.message = "an error happened while another one was handled";
     if (status < 0)
         error.message = "the program ran out of memory";  // a C++ exception: only allocations throw

@@ -2,6 +2,7 @@
 // memory" error.
 #include "lua/state.h"
 
+#include <cstdio>
 #include <cstdlib>
 #include <new>
 
@@ -14,6 +15,7 @@ State::State(std::size_t memory_cap) {
     lua_ = lua_newstate(&State::allocate, &memory_);
     if (lua_ == nullptr)
         throw std::bad_alloc();  // the machine has no 20 kB left: nothing sensible can follow
+    memory_.lua = lua_;
     set_context(nullptr);
     open_safe_libraries(lua_);
 }
@@ -28,6 +30,25 @@ void State::set_context(Context* context) {
     *static_cast<Context**>(lua_getextraspace(lua_)) = context;
 }
 
+// Lua calls no message handler for an error of memory, so the place is taken down before it is raised.
+// Looking at the stack allocates nothing.
+void State::note_place(Memory& memory) {
+    memory.place[0] = '\0';
+    if (memory.lua == nullptr) return;
+    lua_Debug frame;
+    for (int level = 0; lua_getstack(memory.lua, level, &frame) != 0; ++level) {
+        if (lua_getinfo(memory.lua, "Sl", &frame) == 0 || frame.currentline <= 0) continue;
+        std::snprintf(memory.place, sizeof memory.place, "%s:%d", frame.short_src, frame.currentline);
+        return;
+    }
+}
+
+std::string State::place_of_refusal(lua_State* L) {
+    void* memory = nullptr;
+    lua_getallocf(L, &memory);
+    return static_cast<const Memory*>(memory)->place;
+}
+
 void* State::allocate(void* memory_pointer, void* block, std::size_t old_size, std::size_t new_size) {
     auto& memory = *static_cast<Memory*>(memory_pointer);
     if (block == nullptr) old_size = 0;  // then it tells the kind of object instead
@@ -36,9 +57,12 @@ void* State::allocate(void* memory_pointer, void* block, std::size_t old_size, s
         memory.used -= old_size;
         return nullptr;
     }
-    if (new_size > old_size && memory.used - old_size + new_size > memory.cap) return nullptr;
-    void* moved = std::realloc(block, new_size);
-    if (moved == nullptr) return nullptr;
+    const bool is_too_much = new_size > old_size && memory.used - old_size + new_size > memory.cap;
+    void* moved = is_too_much ? nullptr : std::realloc(block, new_size);
+    if (moved == nullptr) {
+        note_place(memory);
+        return nullptr;
+    }
     memory.used += new_size - old_size;
     if (new_size > old_size) memory.allocated += new_size - old_size;
     return moved;

@@ -29,6 +29,10 @@ class State {
     /// All that was ever asked for, whether it has been freed since or not.
     [[nodiscard]] std::uint64_t allocated_bytes() const { return memory_.allocated; }
 
+    /// Where the script was when it was last refused memory, "main.lua:12"; empty if that is not known. A
+    /// coroutine counts as the place that resumed it.
+    static std::string place_of_refusal(lua_State* L);
+
     /// What bindings find with context_of(); null until it is set. Must outlive the state.
     void set_context(Context* context);
 
@@ -37,7 +41,10 @@ class State {
         std::size_t used = 0;
         std::size_t cap = 0;
         std::uint64_t allocated = 0;
+        lua_State* lua = nullptr;
+        char place[LUA_IDSIZE + 16] = "";  ///< of the last refusal
     };
+    static void note_place(Memory& memory);
     static void* allocate(void* memory, void* block, std::size_t old_size, std::size_t new_size);
 
     Memory memory_;

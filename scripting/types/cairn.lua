@@ -2635,7 +2635,7 @@ cairn.tilemap = {}
 ---@field y_up? boolean whether y points up, as under a camera
 ---@field filter? string of its pictures: "linear", or "nearest" for pixel art
 
----Loads an orthogonal, isometric, staggered or hexagonal map of fixed size, .tmx or .tmj, with its tile sets and pictures. Layer data may be CSV or base64, plain or packed with zlib or gzip. Places are those of the picture, in which a cell may be a diamond or a hexagon.
+---Loads an orthogonal, isometric, staggered or hexagonal map, .tmx or .tmj, with its tile sets and pictures. An infinite one is as large as what was drawn in it: its upper left corner is that of the first tile. Layer data may be CSV or base64, plain or packed with zlib or gzip. Places are those of the picture, in which a cell may be a diamond or a hexagon.
 ---@param path string
 ---@param fields cairn.tilemap.load.Fields?
 ---@return TileMap map
@@ -2768,7 +2768,7 @@ function Ui:add_button(fields) end
 function Ui:add_toggle(fields) end
 
 ---@class Ui.add_slider.Fields
----@field value? number
+---@field value? number from low to high; absent: 0, or the end next to it
 ---@field low? number
 ---@field high? number above low
 ---@field step? number what one press changes
@@ -3498,6 +3498,10 @@ function cairn.test.press(key) end
 
 ---@param key string
 function cairn.test.release(key) end
+
+---Enters text as a keyboard does, character by character (UTF-8): for `cairn.text_input` and text fields. Keys such as "backspace" are pressed with `press`.
+---@param text string
+function cairn.test.type_text(text) end
 
 ---@param x number [px]
 ---@param y number [px]

@@ -123,6 +123,72 @@ TEST_CASE_METHOD(Maps, "JSON says the same as XML") {
     CHECK(json->background == xml->background);
 }
 
+TEST_CASE_METHOD(Maps, "an infinite map is as large as what was drawn in it, and objects move along") {
+    const auto infinite = [](const std::string& grid, const std::string& layers) {
+        return "<map version=\"1.10\" " + grid +
+               " width=\"30\" height=\"20\" tilewidth=\"16\" tileheight=\"8\" infinite=\"1\">"
+               "<tileset firstgid=\"1\" source=\"sets/ground.tsx\"/>" +
+               layers + "</map>";
+    };
+    const std::string layers = R"(<layer id="1" name="ground" width="30" height="20"><data encoding="csv">
+        <chunk x="-2" y="-3" width="2" height="2">1,2,3,4</chunk>
+        <chunk x="1" y="-2" width="1" height="3">5,6,7</chunk></data></layer>
+        <layer id="2" name="empty" width="30" height="20"><data encoding="csv"></data></layer>
+        <group name="g"><layer id="3" name="base" width="30" height="20"><data encoding="base64">
+        <chunk x="-2" y="-3" width="3" height="2">AQAAAAAAAAADAAAAAgAAAAUAAAAIAAAA</chunk></data></layer></group>
+        <objectgroup name="things"><object id="1" x="5" y="7"><point/></object></objectgroup>)";
+    const auto map = load("i.tmx", infinite("orientation=\"orthogonal\"", layers));
+    if (!map) FAIL(map.error().message);
+    CHECK(map->columns == 4);
+    CHECK(map->rows == 4);
+    CHECK(ids(map->layers[0]) == std::vector<std::uint32_t>{1, 2, 0, 0, 3, 4, 0, 5, 0, 0, 0, 6, 0, 0, 0, 7});
+    CHECK(ids(map->layers[1]) == std::vector<std::uint32_t>(16));
+    CHECK(ids(map->layers[2]) == std::vector<std::uint32_t>{1, 0, 3, 0, 2, 5, 8, 0, 0, 0, 0, 0, 0, 0, 0, 0});
+    // The tile of the editor's (0, 0) is the third of the fourth row, and the object lies in it.
+    CHECK(map->layers[3].objects[0].position == Vec2{5 + 2 * 16, 7 + 3 * 8});
+
+    const auto diamonds = load("d.tmx", infinite("orientation=\"isometric\"", layers));
+    REQUIRE(diamonds);
+    CHECK(diamonds->layers[3].objects[0].position == Vec2{5 + 2 * 8, 7 + 3 * 8});
+
+    // A staggered one begins at an even row and column, so that the same rows stay half a cell behind.
+    const auto staggered =
+        load("s.tmx", infinite("orientation=\"staggered\" staggeraxis=\"y\" staggerindex=\"odd\"", layers));
+    REQUIRE(staggered);
+    CHECK(staggered->columns == 4);
+    CHECK(staggered->rows == 5);
+    CHECK(staggered->layers[0].tiles[4].id == 1);
+    const Vec2 place = staggered->layers[3].objects[0].position;
+    CHECK(place == Vec2{5 + 2 * 16, 7 + 4 * 4});
+    CHECK(staggered->cell_at(place + Vec2{3, -3}) == TileMap::Cell{2, 4});  // the middle of (0, 0)
+
+    const auto json =
+        load("i.tmj", R"({"orientation": "orthogonal", "infinite": true, "width": 1, "height": 1,
+        "tilewidth": 16, "tileheight": 8, "tilesets": [{"firstgid": 1, "source": "sets/ground.tsx"}], "layers": [
+        {"type": "tilelayer", "name": "ground", "chunks": [{"x": -2, "y": -3, "width": 2, "height": 2, "data": [1, 2, 3, 4]},
+        {"x": 1, "y": -2, "width": 1, "height": 3, "data": [5, 6, 7]}]}]})");
+    if (!json) FAIL(json.error().message);
+    CHECK(json->layers[0].tiles == map->layers[0].tiles);
+}
+
+TEST_CASE_METHOD(Maps, "what is wrong with the chunks of an infinite map is told with its place") {
+    const auto fault = [&](const std::string& chunks) {
+        const auto map =
+            load("w.tmj", R"({"orientation": "orthogonal", "infinite": true, "width": 1, "height": 1,
+            "tilewidth": 16, "tileheight": 8, "layers": [{"type": "tilelayer", "name": "a", "chunks": [)" +
+                              chunks + "]}]}");
+        return map ? std::string() : map.error().message;
+    };
+    CHECK(fault("").empty());
+    CHECK_THAT(fault(R"({"x": 0.5, "y": 0, "width": 1, "height": 1, "data": [0]})"),
+               Catch::Contains("layers[0].chunks[0].x is 0.5, but must be a whole number"));
+    CHECK_THAT(fault(R"({"x": 0, "y": 0, "width": 2, "height": 1, "data": [0]})"),
+               Catch::Contains("layers[0].chunks[0]: data has 1 tiles, but there are 2 cells"));
+    CHECK_THAT(fault(R"({"x": 0, "y": 0, "width": 1, "height": 1, "data": [0]},
+                        {"x": 99999, "y": 0, "width": 1, "height": 1, "data": [0]})"),
+               Catch::Contains("100000 x 1 tiles large, but must be at most 10000"));
+}
+
 TEST_CASE_METHOD(Maps, "objects of every shape, in groups too") {
     const auto map = load(
         "o.tmx",
@@ -190,7 +256,7 @@ TEST_CASE_METHOD(Maps, "a wrong map is an error that names the file, the place a
     CHECK_THAT(without("orthogonal", "oblique"),
                Catch::Contains("orientation is \"oblique\", but must be orthogonal, isometric, staggered or "
                                "hexagonal"));
-    CHECK_THAT(without("infinite=\"0\"", "infinite=\"1\""), Catch::Contains("a fixed size"));
+    CHECK_THAT(without("infinite=\"0\"", "infinite=\"1\""), Catch::Contains("must stand in chunks"));
     CHECK_THAT(without("width=\"3\"", "width=\"0\""),
                Catch::Contains("width is 0.0, but must be a whole number from 1"));
     CHECK_THAT(without("width=\"3\"", "width=\"x\""),

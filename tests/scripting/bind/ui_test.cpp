@@ -89,13 +89,17 @@ TEST_CASE_METHOD(Menus, "a menu is drawn in screen pixels, also under a camera")
 TEST_CASE_METHOD(Menus, "wrong widgets name the field, the value and the rule") {
     CHECK(run("menu:add_slider{ low = 3, high = 3 }") ==
           "test.lua:1: Ui:add_slider: high = 3: must be above low");
+    CHECK(run("menu:add_slider{ low = 3, high = 5, value = 5.5 }") ==
+          "test.lua:1: Ui:add_slider: value = 5.5: must be from 3 to 5");
+    CHECK(run("assert(menu:value(menu:add_slider{ low = 3, high = 5 }) == 3)") == "");
+    CHECK(run("assert(menu:value(menu:add_slider{ low = -1, high = 5 }) == 0)") == "");
     CHECK(run("menu:add_choice{ choices = {} }").find("must not be empty") != std::string::npos);
     CHECK(run("menu:add_choice{ choices = { 'a', 3 } }").find("choices[2] is 3; expected a string") !=
           std::string::npos);
     CHECK(run("menu:add_choice{ choices = { 'a' }, value = 2 }").find("value = 2: must be from 1 to 1") !=
           std::string::npos);
     CHECK(run("menu:add_button{ acton = print }").find("did you mean \"action\"?") != std::string::npos);
-    CHECK(run("menu:value(9)") == "test.lua:1: Ui:value: widget is 9; expected a widget, from 1 to 6");
+    CHECK(run("menu:value(9)") == "test.lua:1: Ui:value: widget is 9; expected a widget, from 1 to 8");
     CHECK(run("menu:set_value(play, 1)").find("labels and buttons have no value") != std::string::npos);
     CHECK(run("menu:set_value(sound, 1)").find("value is 1; expected true or false") != std::string::npos);
     CHECK(run("menu:set_value(detail, 3)").find("the number of a choice") != std::string::npos);

@@ -51,9 +51,22 @@ test.test("nonsense", function()
             call(name, f, nil, nil, value)
         end
     end
-    test.expect(called >= 3 * #nonsense * 27)
+    test.expect(called >= 3 * #nonsense * 28)
 end)
 )") == 0);
+}
+
+TEST_CASE("a test types text, character by character") {
+    const std::string main = "typed = {} function cairn.text_input(text) typed[#typed + 1] = text end";
+    CHECK(status_of(R"(
+cairn.test.test("types", function()
+    cairn.test.start{}
+    cairn.test.type_text("Ann \u{e4}\u{20ac}")
+    cairn.test.run(1)
+    cairn.test.expect_equal(table.concat(typed, "|"), "A|n|n| |\u{e4}|\u{20ac}")
+    cairn.test.expect_error(function() cairn.test.type_text("a\n") end, "cairn.test.type_text: text is")
+end))",
+                    main) == 0);
 }
 
 TEST_CASE("a recording made by a test plays again to the same end") {

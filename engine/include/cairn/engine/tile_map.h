@@ -141,8 +141,10 @@ struct TileMap {
     std::uint32_t shown(std::uint32_t id, double time_s) const;
 };
 
-/// Orthogonal, isometric, staggered and hexagonal maps of fixed size; layer data as CSV or base64, plain or
-/// compressed with zlib or gzip. Errors name the file, the place in it, the value and the rule.
+/// Orthogonal, isometric, staggered and hexagonal maps. An infinite one is as large as what was drawn in it:
+/// its first cell is at the upper left corner of that, and objects are counted from there. Layer data as CSV
+/// or base64, plain or compressed with zlib or gzip. Errors name the file, the place in it, the value and the
+/// rule.
 Result<TileMap> load_tile_map(const Files& files, std::string_view path);
 
 /// Covers the cells that `is_solid` says with few rectangles (in cells), so that bodies slide over no joints:
