@@ -420,7 +420,8 @@ constexpr Function kFunctions[] = {
         "Draws the body's shapes between the last two steps: with `body.data.image`, an Image spread "
         "over each shape, or `body.data.color`, {r, g, b, a?}, or a default. Not when "
         "`body.data.visible` is false."),
-    function<&draw_world>("draw_world", "world", "", "Draws every body, in the order of `world:bodies()`."),
+    function<&draw_world>("draw_world", "world", "",
+                          "Draws every body, in the order of `world:bodies()`, without its sensors."),
     function<&draw_debug_world>(
         "draw_debug", "world, options = {}", "",
         "Draws what the physics works with, under the present camera: `draw_debug(world, { islands = true "

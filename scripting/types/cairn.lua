@@ -2402,7 +2402,7 @@ function cairn.graphics.print(text, x, y, align, wrap_width) end
 ---@param body Body
 function cairn.graphics.draw_body(body) end
 
----Draws every body, in the order of `world:bodies()`.
+---Draws every body, in the order of `world:bodies()`, without its sensors.
 ---@param world World
 function cairn.graphics.draw_world(world) end
 
