@@ -20,6 +20,7 @@ constexpr int kBodies = 1000;
 constexpr int kRounds = 1000;  // of all bodies: a million calls
 constexpr int kRepeats = 7;
 constexpr int kFrames = 300;
+constexpr int kManyBodies = 5000;
 
 constexpr const char* kScript = R"(
 local bodies, transforms, batch, quads = {}, cairn.physics.new_transforms(), nil, {}
@@ -46,6 +47,21 @@ function transform(rounds)
     local sum = 0
     for _ = 1, rounds do for i = 1, #bodies do local x, y, angle = transforms:transform(i) sum = sum + x + y end end
     return sum
+end
+
+-- Half boxes, half circles.
+function show(count)
+    local many, camera = cairn.physics.new_world{}, cairn.camera.new{ x = 50, y = count / 200, height = 1.2 * count / 100 }
+    for i = 1, count do
+        local x, y = i % 100, i // 100
+        if i % 2 == 0 then many:add_box{ x = x, y = y, width = 0.5, height = 0.5 }
+        else many:add_circle{ x = x, y = y, radius = 0.3 } end
+    end
+    function cairn.draw()
+        camera:attach()
+        cairn.graphics.draw_world(many)
+        camera:detach()
+    end
 end
 
 local canvas = cairn.graphics.new_canvas(16, 16)
@@ -138,6 +154,16 @@ engine::Result<LuaCost> measure_lua_cost(const std::string& program_path, const 
     cost.frame_ms =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() / kFrames * 1e3;
     cost.allocated_bytes = static_cast<double>(game.state().allocated_bytes() - allocated_before) / kFrames;
+
+    lua_getglobal(game.lua(), "show");
+    lua_pushinteger(game.lua(), kManyBodies);
+    auto error = protected_call(game.lua(), 1, 0);
+    renderer.begin_frame({});
+    if (!error) error = game.draw(1);
+    renderer.end_frame();
+    if (error) return engine::Error{error->to_text()};
+    cost.many_bodies = kManyBodies;
+    cost.many_draw_calls = renderer.stats().draw_calls;
     return cost;
 }
 

@@ -215,7 +215,9 @@ void DeveloperTools::draw_help(engine::Renderer& renderer, engine::FontId font) 
     const auto screen = renderer.logical_size();
     const Vec2 corner{0.5f * (static_cast<float>(screen.width) - width - key_width - line),
                       0.5f * (static_cast<float>(screen.height) - height)};
-    renderer.fill_rectangle({corner.x, corner.y, width + key_width + line, height}, panel::kGround);
+    Color ground = panel::kGround;
+    ground.a = 1;  // it may lie over the profiler, whose lines would shine through
+    renderer.fill_rectangle({corner.x, corner.y, width + key_width + line, height}, ground);
     float y = corner.y + line / 2;
     for (const KeyHelp& key : kKeys) {
         renderer.draw_text(font, key.name, {.position = {corner.x + line, y}, .color = panel::kText});

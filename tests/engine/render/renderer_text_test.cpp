@@ -177,6 +177,29 @@ TEST_CASE_METHOD(Drawing, "text that is not UTF-8, or has no glyphs, or lies at 
     renderer->end_frame();
 }
 
+TEST_CASE_METHOD(
+    Drawing, "a font that is cut off anywhere is refused by name, or what is left of it can be drawn with") {
+    const auto whole = files->read_bytes("fonts/default.ttf");
+    REQUIRE(whole);
+    int refused = 0;
+    constexpr std::size_t kParts = 16;
+    for (std::size_t part = 0; part < kParts; ++part) {
+        const std::string name = "cut" + std::to_string(part) + ".ttf";
+        folder.put(name, std::string_view(reinterpret_cast<const char*>(whole->data()),
+                                          whole->size() * part / kParts));
+        const auto cut = renderer->load_font(name, 16);
+        if (!cut) {
+            CHECK_THAT(cut.error().message, Catch::Contains(name));
+            ++refused;
+            continue;
+        }
+        renderer->begin_frame({0, 0, 0, 1});
+        renderer->draw_text(*cut, "Cairn \u00e4\u03a9\u2026", {.position = {2, 2}});
+        renderer->end_frame();
+    }
+    CHECK(refused > 1);
+}
+
 TEST_CASE_METHOD(Drawing, "a missing or damaged font, and a size out of range, are errors that say so") {
     folder.put("broken.ttf", "this is no font");
     CHECK_THAT(renderer->load_font("nosuch.ttf", 16).error().message,

@@ -44,6 +44,33 @@ TEST_CASE("under a camera lengths are metres and y is up") {
     is_color(image, 5, 5, 255, 255, 255);
 }
 
+TEST_CASE("five thousand bodies take one draw call, as shapes, as sprites and as both one by one") {
+    LuaBench bench(kSmall);
+    REQUIRE(
+        bench.run(
+            "w = cairn.physics.new_world{} bodies, quads = {}, {} "
+            "for i = 1, 5000 do local fields = { x = i % 100, y = i // 100, width = 0.5, height = 0.5, "
+            "radius = 0.3, data = { color = { 1, 0, i % 2 } } } "
+            "bodies[i] = i % 2 == 0 and w:add_box{ x = fields.x, y = fields.y, width = 0.5, height = 0.5, "
+            "data = fields.data } or w:add_circle{ x = fields.x, y = fields.y, radius = 0.3, "
+            "data = fields.data } quads[bodies[i]] = true end "
+            "batch = cairn.graphics.new_batch(cairn.graphics.new_canvas(8, 8)) "
+            "camera = cairn.camera.new{ x = 50, y = 25, height = 60 }") == "");
+    const auto calls_of = [&](const std::string& drawing) {
+        REQUIRE(bench.run("function cairn.draw() camera:attach() " + drawing + " camera:detach() end") == "");
+        engine::Renderer& renderer = *bench.machine().renderer;
+        renderer.begin_frame({0, 0, 0, 1});
+        REQUIRE_FALSE(bench.game().draw(1));
+        renderer.end_frame();
+        CHECK(renderer.stats().triangles >= 2 * 5000);
+        return renderer.stats().draw_calls;
+    };
+    CHECK(calls_of("cairn.graphics.draw_world(w)") == 1);
+    CHECK(calls_of("batch:clear() batch:add_bodies(w, quads, 0.1) batch:draw()") == 1);
+    CHECK(calls_of("for _, body in ipairs(bodies) do local x, y = body:position() "
+                   "cairn.graphics.circle('fill', x, y, 0.3) end") == 1);
+}
+
 TEST_CASE("state starts anew with each picture") {
     LuaBench bench(kSmall, MachineKind::HeadlessDrawing);
     picture_of(bench,

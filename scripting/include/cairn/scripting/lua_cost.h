@@ -14,6 +14,8 @@ struct LuaCost {
     double transform_ns = 0;        ///< transforms:transform(i)
     double frame_ms = 0;         ///< a step of moving bodies and a batch of their sprites, drawn into memory
     double allocated_bytes = 0;  ///< asked for by Lua in such a frame, the mean
+    int many_bodies = 0;
+    int many_draw_calls = 0;  ///< of a picture of so many bodies; the same for each renderer
 };
 
 /// Takes a few seconds. `program_path` is argv[0].
