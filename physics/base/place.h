@@ -15,6 +15,7 @@ inline constexpr std::uint32_t kDirect =
     8;  ///< is solved with what it is joined to and touches (world/direct_groups.h)
 inline constexpr std::uint32_t kBoxesMoved = 4;  ///< a box of the broad phase was made anew
 inline constexpr std::uint32_t kRouses = 16;     ///< could reach something that sleeps before it is seen
+inline constexpr std::uint32_t kPushed = 64;     ///< is being moved out of what it was put into
 inline constexpr std::uint32_t kWhirls = 32;     ///< turns so far that no straight way tells what it meets
 }  // namespace place_flag
 

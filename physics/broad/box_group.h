@@ -54,8 +54,15 @@ inline LaneMask overlapping(const BoxGroup& group, const Aabb& box) {
         return (load(&group.lower_x[i]) <= box.upper.x) & (load(&group.upper_x[i]) >= box.lower.x) &
                (load(&group.lower_y[i]) <= box.upper.y) & (load(&group.upper_y[i]) >= box.lower.y);
     };
+#if defined(__SSE2__)
+    const auto bits = [](Bits lanes) {
+        return static_cast<LaneMask>(__builtin_ia32_movmskps(reinterpret_cast<Four>(lanes)));
+    };
+    return bits(overlap(0)) | bits(overlap(4)) << 4;
+#else
     const Bits lanes = (overlap(0) & Bits{1, 2, 4, 8}) | (overlap(4) & Bits{16, 32, 64, 128});
     return static_cast<LaneMask>((lanes[0] | lanes[1]) | (lanes[2] | lanes[3]));
+#endif
 }
 
 /// The box around all eight.

@@ -7,10 +7,9 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include <cairn/physics/tuning.h>
-
 #include "base/simd_rows-inl.h"
 #include "base/simd_vec-inl.h"
+#include "collide/manifold.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace cairn::physics {
@@ -39,6 +38,28 @@ HWY_INLINE Vec separations(Vec half, Vec other_half, Vec offset, V cosine, V sin
     return sub(sub({hn::Abs(offset.x), hn::Abs(offset.y)}, half), extent);
 }
 
+// Which corner of a box it is, counted as in its outline.
+HWY_INLINE VI corner_number(Vec corner) {
+    const M right = hn::Gt(corner.x, hn::Zero(D()));
+    const M above = hn::Gt(corner.y, hn::Zero(D()));
+    return hn::Add(hn::IfThenElseZero(hn::RebindMask(DI(), above), set_int(2)),
+                   hn::IfThenElseZero(hn::RebindMask(DI(), hn::Xor(right, above)), set_int(1)));
+}
+
+// Whether nothing of a box is nearer to what lies in a direction from a corner than that corner.
+HWY_INLINE M is_nearest(Vec corner, Vec direction) {
+    const auto past = [](V at, V way) HWY_ATTR { return hn::Gt(hn::Mul(sign(at), way), set(kRounding_m)); };
+    return hn::And(past(corner.x, direction.x), past(corner.y, direction.y));
+}
+
+// One corner near another. All as the reference sees it, but the corner of the other as that does.
+struct Corners {
+    Vec of_reference;
+    Vec of_other;
+    Vec between;  // from the corner of the reference to the other's
+    V distance_squared;
+};
+
 HWY_INLINE unsigned collide_part(const PoseLanes& poses, const BoxLanes& boxes, float reach_m, int lane,
                                  ManifoldLanes& out) {
     const Vec q_a{load(poses.cos_a, lane), load(poses.sin_a, lane)};
@@ -63,7 +84,7 @@ HWY_INLINE unsigned collide_part(const PoseLanes& poses, const BoxLanes& boxes, 
     const V most = hn::Max(most_a, most_b);
 
     // A is preferred when the two are about equal, so that the reference does not flip back and forth.
-    const V about_equal = set(0.1f * tuning::kLinearSlop_m);
+    const V about_equal = set(kAboutEqual_m);
     const M flipped = hn::Gt(most_b, hn::Add(most_a, about_equal));
     const Vec half = select(flipped, half_b, half_a);
     const Vec other_half = select(flipped, half_a, half_b);
@@ -85,8 +106,10 @@ HWY_INLINE unsigned collide_part(const PoseLanes& poses, const BoxLanes& boxes, 
     const Vec face_normal = side_normal(face_x, face_side);
     const Vec face_center{hn::Mul(face_normal.x, other_half.x), hn::Mul(face_normal.y, other_half.y)};
     const Vec along = scale(hn::IfThenElse(face_x, other_half.y, other_half.x), left(face_normal));
-    const Vec low_end = add(offset, rotate(turn, add(face_center, along)));
-    const Vec high_end = add(offset, rotate(turn, sub(face_center, along)));
+    const Vec low_corner = add(face_center, along);
+    const Vec high_corner = sub(face_center, along);
+    const Vec low_end = add(offset, rotate(turn, low_corner));
+    const Vec high_end = add(offset, rotate(turn, high_corner));
     const V low = dot(low_end, tangent);
     const V high = dot(high_end, tangent);
     const V low_gap = hn::Sub(dot(low_end, normal), depth);
@@ -99,7 +122,7 @@ HWY_INLINE unsigned collide_part(const PoseLanes& poses, const BoxLanes& boxes, 
     const V gap1 = hn::Sub(high_gap, hn::Mul(hn::Sub(high, at1), slope));
 
     const M beside = hn::Or(hn::Lt(high, hn::Neg(width)), hn::Gt(low, width));
-    const V seen = hn::Add(hn::Max(sep.x, sep.y), set(1e-3f * tuning::kLinearSlop_m));
+    const V seen = hn::Add(hn::Max(sep.x, sep.y), set(kRounding_m));
     const M hidden = hn::Or(beside, hn::Gt(hn::Min(gap0, gap1), seen));
     const V reach = set(reach_m);
     const M near = hn::Le(most, reach);
@@ -134,7 +157,47 @@ HWY_INLINE unsigned collide_part(const PoseLanes& poses, const BoxLanes& boxes, 
     store(point1.y, out.points[1].y, lane);
     store(gap1, out.points[1].separation, lane);
     store(hn::IfThenElse(int0, id1, none), out.points[1].id, lane);
-    return bits_of(undecided);
+    if (bits_of(undecided) == 0) return 0;
+
+    // Between two corners, where each of them is the nearest that its box has.
+    const auto meet = [&](Vec end, V at, Vec corner) HWY_ATTR {
+        const Vec of_reference = add(scale(depth, normal), scale(hn::Mul(sign(at), width), tangent));
+        const Vec way = sub(end, of_reference);
+        return Corners{of_reference, corner, way, dot(way, way)};
+    };
+    const Corners by_low = meet(low_end, low, low_corner);
+    const Corners by_high = meet(high_end, high, high_corner);
+    const M low_is_nearer = hn::Lt(by_low.distance_squared, by_high.distance_squared);
+    const Vec of_reference = select(low_is_nearer, by_low.of_reference, by_high.of_reference);
+    const Vec of_other = select(low_is_nearer, by_low.of_other, by_high.of_other);
+    const Vec way = select(low_is_nearer, by_low.between, by_high.between);
+    const V distance = hn::Sqrt(hn::Min(by_low.distance_squared, by_high.distance_squared));
+    const M nearest =
+        hn::And(is_nearest(of_reference, way), is_nearest(of_other, negate(inverse_rotate(turn, way))));
+    const M corners = hn::And(undecided, hn::And(nearest, hn::Gt(distance, set(kAllButTouching_m))));
+    const Vec straight = rotate(q, scale(hn::Div(set(1), distance), way));
+    const Vec middle = add(center, rotate(q, add(of_reference, scale(set(0.5f), way))));
+    const VI of_a =
+        hn::IfThenElse(hn::RebindMask(DI(), flipped), corner_number(of_other), corner_number(of_reference));
+    const VI of_b =
+        hn::IfThenElse(hn::RebindMask(DI(), flipped), corner_number(of_reference), corner_number(of_other));
+    const VI corner_id = hn::Or(hn::Or(set_int(1 << 13), hn::ShiftLeft<4>(of_a)), of_b);
+    const auto replace = [&](V value, Lanes<float>& lanes) HWY_ATTR {
+        store(hn::IfThenElse(corners, value, load(lanes, lane)), lanes, lane);
+    };
+    const auto replace_id = [&](VI value, Lanes<std::int32_t>& lanes) HWY_ATTR {
+        store(hn::IfThenElse(hn::RebindMask(DI(), corners), value, load(lanes, lane)), lanes, lane);
+    };
+    replace(hn::IfThenElse(flipped, hn::Neg(straight.x), straight.x), out.normal_x);
+    replace(hn::IfThenElse(flipped, hn::Neg(straight.y), straight.y), out.normal_y);
+    replace(distance, out.gap);
+    replace(middle.x, out.points[0].x);
+    replace(middle.y, out.points[0].y);
+    replace(distance, out.points[0].separation);
+    replace_id(hn::IfThenElse(hn::RebindMask(DI(), hn::Le(distance, reach)), corner_id, none),
+               out.points[0].id);
+    replace_id(none, out.points[1].id);
+    return bits_of(hn::AndNot(corners, undecided));
 }
 
 unsigned collide_box_lanes(const PoseLanes& poses, const BoxLanes& boxes, float reach_m, ManifoldLanes& out) {

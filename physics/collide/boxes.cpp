@@ -96,7 +96,6 @@ std::optional<Manifold> collide_boxes(const Convex& a, const Convex& b, const Re
     if (largest(from_b.separation) > reach_m) return Manifold{};
 
     // A is preferred when the two are about equal, so that the reference does not flip back and forth.
-    constexpr float kAboutEqual_m = 0.1f * tuning::kLinearSlop_m;
     const bool flipped = largest(from_b.separation) > largest(from_a.separation) + kAboutEqual_m;
     const Contact contact = clip(flipped ? from_b : from_a, flipped, reach_m);
     const bool apart = std::max(largest(from_a.separation), largest(from_b.separation)) > kAboutEqual_m;

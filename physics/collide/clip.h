@@ -12,14 +12,6 @@
 
 namespace cairn::physics {
 
-// Of two references that are about equally good the first is preferred, so that it does not flip back and
-// forth.
-inline constexpr float kAboutEqual_m = 0.1f * tuning::kLinearSlop_m;
-
-// What rounding may make of a distance. Cores that overlap by less may be apart: of needles and lines, whose
-// normals all point to their sides, the axes tell little.
-inline constexpr float kRounding_m = 1e-3f * tuning::kLinearSlop_m;
-
 struct EdgeEnds {
     Vec2 a;
     Vec2 b;

@@ -11,10 +11,9 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include <cairn/physics/tuning.h>
-
 #include "base/simd_rows-inl.h"
 #include "base/simd_vec-inl.h"
+#include "collide/manifold.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace cairn::physics {
@@ -171,7 +170,7 @@ HWY_INLINE unsigned collide_part(const PoseLanes& poses, const BoxLanes& offsets
     const Edge edge_b = best_edge(b, a, count);
     const V radii = hn::Add(a.radius, b.radius);
     const V most = hn::Max(edge_a.separation, edge_b.separation);
-    const V about_equal = set(0.1f * tuning::kLinearSlop_m);
+    const V about_equal = set(kAboutEqual_m);
     const M points = hn::And(a.is_point, b.is_point);
     const M near = hn::Le(most, hn::Add(radii, set(reach_m)));
 
@@ -215,7 +214,7 @@ HWY_INLINE unsigned collide_part(const PoseLanes& poses, const BoxLanes& offsets
     const V at1 = hn::Add(first, hn::Mul(t1, width));
 
     const M beside = hn::Or(hn::Lt(last, zero), hn::Gt(first, length_base));
-    const V in_sight = hn::Add(seen, set(1e-3f * tuning::kLinearSlop_m));
+    const V in_sight = hn::Add(seen, set(kRounding_m));
     const M hidden = hn::Or(beside, hn::Gt(hn::Min(gap0, gap1), in_sight));
     const M in_line = hn::And(hn::And(a.is_thin, b.is_thin), beside);
     const M apart = hn::Or(in_line, hn::Gt(most, about_equal));

@@ -35,6 +35,14 @@ struct RelativePose {
 /// Of points nearer than this, the direction from the one to the other is lost in rounding.
 inline constexpr float kAllButTouching_m = 1e-2f * tuning::kLinearSlop_m;
 
+// Of two references that are about equally good the first is preferred, so that it does not flip back and
+// forth.
+inline constexpr float kAboutEqual_m = 0.1f * tuning::kLinearSlop_m;
+
+// What rounding may make of a distance. Cores that overlap by less may be apart: of needles and lines, whose
+// normals all point to their sides, the axes tell little.
+inline constexpr float kRounding_m = 1e-3f * tuning::kLinearSlop_m;
+
 /// Points whose separation is at most `reach_m`. Shapes may be of any kinds; one file for each pair of kinds.
 /// Lines do not meet each other.
 Manifold collide(const Convex& a, const Convex& b, const RelativePose& b_in_a, float reach_m);

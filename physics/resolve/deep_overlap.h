@@ -1,9 +1,10 @@
 // Overlap too deep to be pushed apart by velocities. Soft contacts make a push-out velocity and relaxing
 // takes it out again, but one sweep takes only a part of it out of bodies that are pushed from several sides:
-// a pile that was put into each other would be thrown apart. So deep overlaps are solved as if they only just
-// touched, and their bodies are moved apart when the substeps are over.
-// Invariant: moving apart changes no velocity, and no centre of mass of a pair of bodies.
-// Source: nonlinear Gauss-Seidel on positions, as in Catto, "Modeling and Solving Constraints", GDC 2009.
+// a pile that was put into each other would be thrown apart. So what was put in deep is solved as if it only
+// just touched, and its bodies are moved apart when the substeps are over. What others pressed together is
+// not: moving apart reaches two bodies at a time, velocities all of a pile. Invariant: moving apart changes
+// no velocity, and no centre of mass of a pair of bodies. Source: nonlinear Gauss-Seidel on positions, as in
+// Catto, "Modeling and Solving Constraints", GDC 2009.
 #pragma once
 
 #include <array>

@@ -385,9 +385,11 @@ void load_contacts(Reader& in, ContactStore& contacts) {
         in.take(static_cast<std::size_t>(contacts.slots.size()) * packed_size<ContactRecord>());
     if (at == nullptr) return;
     Reading reading;
-    for_each_alive(contacts.slots, [&](int, ContactRecord& record) {
+    contacts.put_in.clear();
+    for_each_alive(contacts.slots, [&](int contact, ContactRecord& record) {
         record = kUnread;
         at = get(at, record, reading);
+        if (record.put_in) contacts.put_in.push_back(contact);
     });
     in.reading.bad |= reading.bad;
     if (in.settle()) load_memories(in, contacts);

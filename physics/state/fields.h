@@ -136,8 +136,8 @@ template <Is<MaterialRule> R, class Visit>
 template <Is<ContactRecord> R, class Visit>
 [[gnu::always_inline]] constexpr void fields(R& r, Visit&& visit) {
     auto& [shape_a, shape_b, body_a, body_b, edges, bucket, lane, uneven_index, memory, friction, restitution,
-           has_points, touching, reports_touch, reports_hit, special] = r;
-    visit(friction, restitution, has_points, touching, reports_touch, reports_hit, special);
+           has_points, put_in, touching, reports_touch, reports_hit, special] = r;
+    visit(friction, restitution, has_points, put_in, touching, reports_touch, reports_hit, special);
 }
 
 template <Is<ContactMemory> R, class Visit>

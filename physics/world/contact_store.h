@@ -32,6 +32,8 @@ struct ContactRecord {
     float friction = 0;
     float restitution = 0;
     bool has_points = false;
+    bool put_in =
+        false;  // the bodies were put into each other, or may have been: it has points since this step
     bool touching = false;  // kept up for contacts that report touching
     bool reports_touch = false;
     bool reports_hit = false;
@@ -44,6 +46,7 @@ struct ContactStore {
     SlotMap<ContactRecord, Handle<struct ContactTag>> slots;
     ContactLanes lanes;
     std::vector<int> loose;
+    std::vector<int> put_in;  // those of which the bodies were put into each other, and some that went
     ActiveList<&ContactRecord::uneven_index> uneven;  // of those that are listed: world/direct_groups.h
     std::vector<std::uint32_t> colors;  // by body slot: bits of those in which the body is moved
 };

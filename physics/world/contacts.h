@@ -1,4 +1,4 @@
-// The life of contacts: made when fat boxes begin to overlap, updated each step, gone when the boxes part.
+// The life of contacts: made when fat boxes begin to overlap, gone when the boxes part.
 #pragma once
 
 #include "world/prepare.h"
@@ -11,9 +11,8 @@ void find_new_pairs(Stores& stores, StepScratch& scratch, TaskPool& tasks);
 /// Whether the two shapes have a contact. Costs as much as the shorter of their bodies' lists is long.
 [[nodiscard]] bool has_contact(const Stores& stores, int shape_a, int shape_b);
 
-/// Stage: manifolds of all listed contacts, and from them the constraints of this step, in lanes or in plain
-/// form; sleeping bodies that are touched wake, and take part in this step.
-void update_contacts(WorldState& world, const StepTime& time, const ContactRules& rules);
+/// Those that scratch lists as gone end: the list is empty afterwards.
+void remove_gone(Stores& stores, Events& events, StepScratch& scratch);
 
 /// Between steps: the two bodies wake if the contact held them; its end is told with the next step.
 void destroy_contact(Stores& stores, Events& events, int contact);

@@ -9,6 +9,7 @@
 #include "world/bounces.h"
 #include "world/breakables.h"
 #include "world/contact_events.h"
+#include "world/contact_update.h"
 #include "world/contacts.h"
 #include "world/direct_groups.h"
 #include "world/direct_solve.h"

@@ -197,6 +197,7 @@ struct StepScratch {
     std::vector<int> scalar_contacts;     // those of them
     std::vector<AwaitedContact> awaited;  // those that are reached in the course of the step
     std::vector<DeepOverlap> deep;        // those of them that overlap deeply
+    std::vector<int> pushed;              // bodies that were moved out of others in the last step
     std::vector<JointConstraint> joints;  // the swept ones, in their order
     std::vector<JointPlace> joint_places;
     std::vector<TornJoint> torn;

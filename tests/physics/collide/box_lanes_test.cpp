@@ -1,4 +1,4 @@
-// Boxes in lanes against collide_boxes, one pair at a time, and against distances found by GJK.
+// Boxes in lanes against the general routines, one pair at a time, and against distances found by GJK.
 #include "collide/box_lanes.h"
 
 #include <algorithm>
@@ -7,7 +7,6 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <vector>
 
 #include <cairn/physics/simd.h>
@@ -26,8 +25,6 @@ constexpr float kReach_m = tuning::kSpeculativeDistance_m;
 // Cases in which the scalar routine decides otherwise when a box is moved or turned by this are left out:
 // float coordinates of a few metres are good to about a tenth of it.
 constexpr float kNudge = 4e-6f;  // m, rad
-// A's side is the reference until b's shows more by this: what the normal shows may be that much less.
-constexpr double kAboutEqual_m = 0.1 * static_cast<double>(tuning::kLinearSlop_m);
 constexpr double kPointTolerance_m = 6e-6;
 constexpr double kNormalTolerance = 1e-6;
 
@@ -155,30 +152,37 @@ int point_count(const ManifoldLanes& m, int lane) {
     return (m.points[0].id[lane] != kNoFeature ? 1 : 0) + (m.points[1].id[lane] != kNoFeature ? 1 : 0);
 }
 
-using Answer = std::optional<Manifold>;
+Manifold collide_one(const BoxPair& pair, const RelativePose& b_in_a, float reach_m) {
+    return collide(pair.a, pair.b, b_in_a, reach_m);
+}
 
-bool decides_alike(const Answer& a, const Answer& b) {
-    if (a.has_value() != b.has_value()) return false;
-    if (!a) return true;
-    if (a->count != b->count) return false;
-    for (int i = 0; i < a->count; ++i) {
-        if (a->points[i].id != b->points[i].id) return false;
+bool decides_alike(const Manifold& a, const Manifold& b) {
+    if (a.count != b.count) return false;
+    for (int i = 0; i < a.count; ++i) {
+        if (a.points[i].id != b.points[i].id) return false;
     }
     return true;
 }
 
 // Whether float rounding may turn the answer over.
-bool is_borderline(const BoxPair& pair, const Answer& answer) {
+bool is_borderline(const BoxPair& pair, const Manifold& answer) {
     const RelativePose pose = pair.b_in_a();
     const auto differs = [&](Vec2 shift, float turn, float reach_m) {
         const Rotation q = normalized(Rotation{pose.q.c - turn * pose.q.s, pose.q.s + turn * pose.q.c});
-        return !decides_alike(answer, collide_boxes(pair.a, pair.b, {pose.p + shift, q}, reach_m));
+        return !decides_alike(answer, collide_one(pair, {pose.p + shift, q}, reach_m));
     };
     for (const float s : {-kNudge, kNudge}) {
         if (differs({s, 0}, 0, kReach_m) || differs({0, s}, 0, kReach_m)) return true;
         if (differs({}, s, kReach_m) || differs({}, 0, kReach_m + s)) return true;
     }
     return false;
+}
+
+// From a direction between corners on, its rounding is that of their places by how far they are apart.
+double normal_tolerance(const Manifold& m) {
+    const bool between_corners = m.count == 1 && (m.points[0].id >> 13 & 1) != 0;
+    if (!between_corners) return kNormalTolerance;
+    return std::max(kNormalTolerance, 2e-6 / static_cast<double>(m.points[0].separation));
 }
 
 double margin(Vec2 a, Vec2 b) {
@@ -189,7 +193,7 @@ void check_points(const BoxPair& pair, const Manifold& expected, const ManifoldL
     REQUIRE(point_count(found, lane) == expected.count);
     if (expected.count == 0) return;
     const Vec2 normal{found.normal_x[lane], found.normal_y[lane]};
-    REQUIRE(margin(normal, rotate(pair.q_a, expected.normal)) < kNormalTolerance);
+    REQUIRE(margin(normal, rotate(pair.q_a, expected.normal)) < normal_tolerance(expected));
     for (int i = 0; i < expected.count; ++i) {
         const ManifoldPointLanes& point = found.points[i];
         REQUIRE(point.id[lane] == expected.points[i].id);
@@ -231,37 +235,40 @@ void for_each_block(unsigned seed, Placing placing, int blocks, Visit&& visit) {
 
 }  // namespace
 
-TEST_CASE("boxes in lanes have the manifolds of boxes one by one, and leave the same pairs undecided") {
+TEST_CASE("boxes in lanes have the manifolds of boxes one by one") {
     std::array<int, 3> with_points{};  // how many pairs had so many
-    int declined = 0;
+    int between_corners = 0;
+    int undecided_count = 0;
     int borderline = 0;
     for (const Placing placing : kPlacings) {
         for_each_block(
             1, placing, 500, [&](const auto& pairs, const auto&, const auto& found, unsigned undecided) {
                 for (int lane = 0; lane < kLanes; ++lane) {
                     const BoxPair& pair = pairs[lane];
-                    const Answer expected = collide_boxes(pair.a, pair.b, pair.b_in_a(), kReach_m);
+                    const Manifold expected = collide_one(pair, pair.b_in_a(), kReach_m);
                     if (is_borderline(pair, expected)) {
                         ++borderline;
                         continue;
                     }
                     INFO("placing " << static_cast<int>(placing) << ", distance " << pair.distance());
-                    REQUIRE((undecided >> lane & 1) == (expected ? 0 : 1));
-                    if (expected) {
-                        check_points(pair, *expected, found, lane);
-                        ++with_points[expected->count];
-                    } else {
-                        ++declined;
+                    if ((undecided >> lane & 1) != 0) {
+                        REQUIRE(!collide_boxes(pair.a, pair.b, pair.b_in_a(), kReach_m));
+                        ++undecided_count;
+                        continue;
                     }
+                    check_points(pair, expected, found, lane);
+                    ++with_points[expected.count];
+                    if (expected.count == 1 && (expected.points[0].id >> 13 & 1) != 0) ++between_corners;
                 }
             });
     }
-    CAPTURE(with_points[0], with_points[1], with_points[2], declined, borderline);
+    CAPTURE(with_points[0], with_points[1], with_points[2], between_corners, undecided_count, borderline);
     CHECK(with_points[0] > 3000);
     CHECK(with_points[1] > 1000);
     CHECK(with_points[2] > 5000);
-    CHECK(declined > 500);
-    CHECK(borderline < 200);  // of 20000
+    CHECK(between_corners > 500);
+    CHECK(undecided_count < 200);  // of 20000: another side is about as near, or corners touch
+    CHECK(borderline < 200);
 }
 
 TEST_CASE("the gap of boxes in lanes is never more than their distance, and is seen along the normal") {
@@ -277,7 +284,8 @@ TEST_CASE("the gap of boxes in lanes is never more than their distance, and is s
                     ++apart;
                     const Vec2 normal{found.normal_x[lane], found.normal_y[lane]};
                     REQUIRE(static_cast<double>(length(normal)) == Approx(1).margin(kNormalTolerance));
-                    REQUIRE(gap_along(pair, normal) == Approx(gap).margin(kAboutEqual_m).epsilon(0));
+                    REQUIRE(gap_along(pair, normal) ==
+                            Approx(gap).margin(static_cast<double>(kAboutEqual_m)).epsilon(0));
                 }
             });
     }

@@ -19,7 +19,7 @@ std::string error_of(const Geometry& geometry) {
 }
 
 // Half a unit in the last place of a coordinate of 2 m, through a rotation and two sums.
-constexpr double kRounding_m = 1e-6;
+constexpr double kFloatRounding_m = 1e-6;
 
 }  // namespace
 
@@ -36,7 +36,7 @@ TEST_CASE("every shape's points run anticlockwise, with unit normals that point 
                 // To the right of the direction of travel; a normal is rounded to 6e-8 per component.
                 REQUIRE(cross(normal, edge) == Approx(norm(edge)).epsilon(1e-6));
                 REQUIRE(dot(normal, edge) == Approx(0).margin(1e-6 * norm(edge)));
-                for (const Point p : hull.core) REQUIRE(dot(normal, p - hull.at(i)) <= kRounding_m);
+                for (const Point p : hull.core) REQUIRE(dot(normal, p - hull.at(i)) <= kFloatRounding_m);
             }
         }
     }
@@ -52,7 +52,7 @@ TEST_CASE("a point is in a shape exactly when its distance from the core is at m
             for (int i = 0; i < 50; ++i) {
                 const Vec2 p = random.vector(-2, 2);
                 const double distance = signed_distance(hull, to_point(p));
-                if (std::fabs(distance) < kRounding_m) continue;
+                if (std::fabs(distance) < kFloatRounding_m) continue;
                 INFO("form " << static_cast<int>(form) << ", distance " << distance);
                 REQUIRE(contains_point(shape, p) == (distance < 0));
                 inside += distance < 0 ? 1 : 0;

@@ -1,0 +1,497 @@
+// Contacts are brought up to date, in lanes where they can be.
+#include "world/contact_update.h"
+
+#include <algorithm>
+#include <bit>
+#include <span>
+
+#include <cairn/physics/tuning.h>
+
+#include "base/ample.h"
+#include "base/prefetch.h"
+#include "world/awaited_contacts.h"
+#include "world/contact_events.h"
+#include "world/contact_lists.h"
+#include "world/contacts.h"
+#include "world/fast_bodies.h"
+#include "world/narrow_phase.h"
+#include "world/near_pairs.h"
+#include "world/one_way.h"
+#include "world/sleep.h"
+#include "world/special_contacts.h"
+
+namespace cairn::physics {
+namespace {
+
+// What a thread takes at once.
+constexpr int kBlocksPerChunk = 8;
+
+// m/s. Bodies that are faster are not ones that were put somewhere.
+constexpr float kCalm_m_s = 1;
+
+// A kinematic body that stands still disturbs nobody.
+bool disturbs(const BodyStore& bodies, int body) {
+    const BodyRecord& record = bodies.slots[body];
+    if (record.set != RowSet::Awake) return false;
+    const BodyRows& awake = bodies.rows(RowSet::Awake);
+    return record.type == BodyType::Dynamic || awake.velocity[record.row] != Vec2{} ||
+           awake.spin[record.row] != 0;
+}
+
+void wake_touched(Stores& stores, const ContactRecord& c) {
+    const auto sleeps = [&](int body) {
+        const BodyRecord& record = stores.bodies.slots[body];
+        return record.set == RowSet::Asleep && record.type == BodyType::Dynamic;
+    };
+    if (sleeps(c.body_a) && disturbs(stores.bodies, c.body_b)) wake_body(stores, c.body_a);
+    if (sleeps(c.body_b) && disturbs(stores.bodies, c.body_a)) wake_body(stores, c.body_b);
+}
+
+// One pass over the contacts of a step. What leaves its list is noted first and moved after the pass.
+class Update {
+  public:
+    Update(WorldState& world, const StepTime& time, const ContactRules& rules)
+        : world_(world),
+          stores_(world.stores),
+          scratch_(world.scratch),
+          time_(time),
+          rules_(rules),
+          impact_speed_(std::min(world.def.hit_speed_m_s, world.def.restitution_speed_m_s)) {}
+
+    void run() {
+        scratch_.contacts.clear();
+        scratch_.scalar_contacts.clear();
+        scratch_.deep.clear();
+        scratch_.awaited.clear();
+        mark_what_was_put_in();
+        update_uncolored();
+        for (const int contact : scratch_.met) unlist_contact(stores_, contact);
+        loose_done_ = stores_.contacts.loose.size();
+        for (const int contact : scratch_.met) color_contact(stores_, contact);
+        scratch_.met.clear();
+        update_uncolored();  // those that found no colour
+        remove_gone(stores_, world_.events, scratch_);
+        stores_.contacts.lanes.arrange();
+        update_blocks();
+        for (const int contact : scratch_.parted) forget_points(stores_, contact);
+        scratch_.parted.clear();
+        remember_what_was_put_in();
+        remove_gone(stores_, world_.events, scratch_);
+        stores_.contacts.lanes.arrange();
+        for (const int body : stores_.boxes_moved)
+            stores_.bodies.places[body].flags &= ~place_flag::kBoxesMoved;
+        stores_.boxes_moved.clear();
+    }
+
+  private:
+    // Near and loose contacts from where the last call left off: waking lists more.
+    void update_uncolored() {
+        const auto lanes = [&](PairGeometry geometry) { return stores_.contacts.lanes.near_count(geometry); };
+        const auto near_is_done = [&] {
+            for (int g = 0; g < kPairGeometries; ++g) {
+                if (near_done_[g] < lanes(static_cast<PairGeometry>(g))) return false;
+            }
+            return true;
+        };
+        while (!near_is_done() || loose_done_ < stores_.contacts.loose.size()) {
+            for (int g = 0; g < kPairGeometries; ++g) {
+                near_done_[g] = update_near(static_cast<PairGeometry>(g), near_done_[g]);
+            }
+            while (loose_done_ < stores_.contacts.loose.size()) {
+                update_loose(stores_.contacts.loose[loose_done_++]);
+            }
+        }
+    }
+
+    // Near pairs from a lane on: looked at on several threads; then, one by one, those that meet or may meet,
+    // and those whose boxes have parted. The result is how many pairs there were.
+    int update_near(PairGeometry geometry, int first) {
+        const int count = stores_.contacts.lanes.near_count(geometry);
+        if (first >= count) return first;
+        find_near(stores_, geometry, first, count, world_.def.gravity_m_s2, time_.dt_s, scratch_,
+                  world_.tasks);
+        ahead_ = scratch_.near_ahead;
+        const int first_block = first / kLanes;
+        for (std::size_t i = 0; i < scratch_.near_findings.size(); ++i) {
+            const int block = first_block + static_cast<int>(i);
+            settle_near(geometry, block, near_lanes(first, count, block), scratch_.near_findings[i]);
+        }
+        return count;
+    }
+
+    void settle_near(PairGeometry geometry, int block, unsigned lanes, const NearFindings& found) {
+        // Waking may move the blocks.
+        const auto pairs = [&]() -> PairBlock& { return stores_.contacts.lanes.near_pairs(geometry)[block]; };
+        unsigned rest =
+            (found.will_meet | pairs().remembers | found.gone | found.meets | found.rouses) & lanes;
+        for (; rest != 0; rest &= rest - 1) {
+            const int lane = std::countr_zero(rest);
+            const int contact = pairs().contact[lane];
+            if ((found.gone >> lane & 1) != 0) {
+                scratch_.gone.push_back(contact);
+            } else if ((found.meets >> lane & 1) != 0) {
+                if (meets(contact)) scratch_.met.push_back(contact);
+            } else if (predict(contact, next_ahead((found.will_meet >> lane & 1) != 0))) {
+                pairs().remembers |= static_cast<std::uint8_t>(1u << lane);
+            } else {
+                forget(pairs(), lane);
+                if ((found.rouses >> lane & 1) != 0) rouse(stores_.contacts.slots[contact]);
+            }
+        }
+    }
+
+    const ContactInput* next_ahead(bool will_meet) {
+        if (!will_meet) return nullptr;
+        const ContactInput* next = &ahead_.front().input;
+        ahead_ = ahead_.subspan(1);
+        return next;
+    }
+
+    // The pair was in touch, or was about to be, and is apart again.
+    void forget(PairBlock& pairs, int lane) {
+        if ((pairs.remembers >> lane & 1) == 0) return;
+        pairs.remembers &= static_cast<std::uint8_t>(~(1u << lane));
+        ContactRecord& c = stores_.contacts.slots[pairs.contact[lane]];
+        report_parting(stores_, c, world_.events.ends);
+        c.has_points = false;
+        c.memory = {};
+    }
+
+    // The contact has points: what sleeps wakes. False between a platform at rest and what sleeps on it,
+    // where nothing happens.
+    bool meets(int contact) {
+        ContactRecord& c = stores_.contacts.slots[contact];
+        if (!c.has_points) {
+            c.put_in = true;  // until its depth is known
+            stores_.contacts.put_in.push_back(contact);
+        }
+        c.has_points = true;
+        rouse(c);
+        return stores_.bodies.is_awake(c.body_b) ||
+               (stores_.bodies.is_awake(c.body_a) && is_dynamic(c.body_a));
+    }
+
+    // What sleeps wakes, and takes part in this step.
+    void rouse(const ContactRecord& c) {
+        wake_touched(stores_, c);
+        extend_motions(stores_.bodies, world_.def.gravity_m_s2, time_.dt_s, scratch_, world_.tasks);
+        extend_advances(stores_, world_.def.gravity_m_s2, time_.dt_s, scratch_);
+    }
+
+    // A pair that is apart but meets within the step is solved in plain form, wherever it is listed. `ahead`
+    // is the contact of then, or null.
+    bool predict(int contact, const ContactInput* ahead) {
+        ContactRecord& c = stores_.contacts.slots[contact];
+        if (ahead == nullptr) {
+            if (special::has(c, special::kOneWay)) forget_side(c);
+            return false;
+        }
+        if (special::has(c, special::kOneWay) && !is_held_out(stores_, c)) return false;
+        (void)meets(contact);
+        ContactInput input = *ahead;
+        input.a = stores_.bodies.places[c.body_a].row;
+        input.b = stores_.bodies.places[c.body_b].row;
+        input.contact = contact;
+        add_scalar(input, c.memory);
+        return true;
+    }
+
+    [[nodiscard]] bool meets_again(const BlockPlaces& places, const ManifoldLanes& manifold, int lane,
+                                   int contact, ContactInput& input) const {
+        return meets_ahead(stores_, scratch_.advances, places, manifold, lane, contact,
+                           world_.def.gravity_m_s2, time_.dt_s, input);
+    }
+
+    // All blocks, on several threads and as they stand in memory; then what they found that touches more than
+    // the block itself, in the order of the colours.
+    void update_blocks() {
+        const std::span<const int> blocks = stores_.contacts.lanes.blocks_in_memory();
+        const int count = static_cast<int>(blocks.size());
+        resize_amply(scratch_.block_findings, static_cast<std::size_t>(stores_.contacts.lanes.pool_size()));
+        scratch_.notes.start(count, kBlocksPerChunk, world_.tasks);
+        world_.tasks.parallel_for(count, kBlocksPerChunk, [&](const Chunk& chunk) {
+            BlockPlaces places;
+            ManifoldLanes manifold;
+            ChunkedList<LaneNote>::Appender notes(scratch_.notes, chunk);
+            for (int i = chunk.begin; i < chunk.end; ++i) {
+                fetch_ahead(blocks, i);
+                BlockFindings& found = scratch_.block_findings[blocks[i]];
+                const std::size_t noted = notes.items().size();
+                const unsigned gone = update_block(blocks[i], places, manifold, notes.items());
+                found.gone = static_cast<std::uint8_t>(gone);
+                found.notes = static_cast<std::uint8_t>(notes.items().size() - noted);
+            }
+        });
+        int all_notes = 0;
+        for (const int block : stores_.contacts.lanes.blocks()) {
+            BlockFindings& found = scratch_.block_findings[block];
+            for (unsigned gone = found.gone; gone != 0; gone &= gone - 1)
+                scratch_.gone.push_back(stores_.contacts.lanes.pairs(block).contact[std::countr_zero(gone)]);
+            found.next_note = all_notes;
+            all_notes += found.notes;
+        }
+        resize_amply(scratch_.notes_in_order, static_cast<std::size_t>(all_notes));
+        scratch_.notes.for_each([&](const LaneNote& note) {
+            scratch_.notes_in_order[scratch_.block_findings[note.block].next_note++] = &note;
+        });
+        for (const LaneNote* note : scratch_.notes_in_order) settle(*note);
+    }
+
+    void fetch_ahead(std::span<const int> blocks, int at) const {
+        const std::size_t ahead = static_cast<std::size_t>(at) + kBlocksAhead;
+        if (ahead >= blocks.size()) return;
+        prefetch(&stores_.contacts.lanes.pairs(blocks[ahead]), sizeof(PairBlock));
+        prefetch(&stores_.contacts.lanes.block(blocks[ahead]), sizeof(ContactBlock));
+    }
+
+    [[nodiscard]] unsigned lanes_of(int block) const {
+        return (1u << stores_.contacts.lanes.link(block).used) - 1;
+    }
+
+    void collide(const PairBlock& pairs, PairGeometry geometry, unsigned lanes, BlockPlaces& places,
+                 ManifoldLanes& manifold) const {
+        load_places(stores_.bodies.places.data(), pairs.body_a, pairs.body_b, lanes, places);
+        collide_block(stores_, pairs, geometry, lanes, places.poses, manifold);
+    }
+
+    // The result are the lanes of which the boxes have parted.
+    unsigned update_block(int block_index, BlockPlaces& places, ManifoldLanes& manifold,
+                          std::vector<LaneNote>& notes) {
+        PairBlock& pairs = stores_.contacts.lanes.pairs(block_index);
+        ContactBlock& block = stores_.contacts.lanes.block(block_index);
+        const PairGeometry geometry = geometry_of(stores_.contacts.lanes.link(block_index).bucket);
+        collide(pairs, geometry, lanes_of(block_index), places, manifold);
+        block.a = places.row_a;
+        block.b = places.row_b;
+        const PreparedLanes prepared =
+            prepare_block(places.poses, manifold, scratch_.motions.velocity.data(),
+                          scratch_.motions.pose.data(), pairs.features, impact_speed_, block);
+        const unsigned gone = gone_lanes(stores_.fat_boxes, pairs, places.boxes_moved);
+        const unsigned apart = prepared.apart & lanes_of(block_index) & ~gone;
+        const unsigned told = (pairs.reports | (pairs.impacts & prepared.fast)) & ~prepared.apart;
+        const unsigned loose = ((places.turn_far & prepared.swings) | places.direct) & ~prepared.apart;
+        const unsigned deep = calm_lanes(block, prepared.deep & ~places.direct & ~prepared.apart);
+        block.reports = told != 0;
+        for (unsigned rest = apart; rest != 0; rest &= rest - 1) {
+            const int lane = std::countr_zero(rest);
+            LaneNote& note = notes.emplace_back(LaneNote{.block = block_index, .lane = lane, .parts = true});
+            note.will_meet = meets_again(places, manifold, lane, pairs.contact[lane], note.input);
+        }
+        for (unsigned rest = (told | loose | deep) & ~gone; rest != 0; rest &= rest - 1) {
+            const int lane = std::countr_zero(rest);
+            LaneNote& note = notes.emplace_back(LaneNote{.block = block_index, .lane = lane});
+            note.is_loose = (loose >> lane & 1) != 0;
+            note.input = make_input(stores_, pairs, places, manifold, lane);
+        }
+        return gone;
+    }
+
+    void settle(const LaneNote& note) {
+        const int contact = stores_.contacts.lanes.pairs(note.block).contact[note.lane];
+        if (note.parts) {
+            part(contact, note.will_meet ? &note.input : nullptr);
+            return;
+        }
+        ContactBlock& block = stores_.contacts.lanes.block(note.block);
+        add_plain(note.input, block, note.lane);
+        if (is_pushed_apart(scratch_.contacts.back())) {
+            note_deep();
+            hide_overlap(block, note.lane);
+        }
+        if (!note.is_loose) return;
+        solve_as_scalar();
+        stores_.contacts.lanes.blank(note.block * kLanes + note.lane);
+    }
+
+    // The contact has no points any more. It leaves its list after this pass.
+    void part(int contact, const ContactInput* ahead) {
+        // What it bore was in its lane, and went with the points.
+        stores_.contacts.slots[contact].memory = {};
+        if (predict(contact, ahead)) {
+            scratch_.parted.push_back(contact);
+        } else {
+            lose_points(contact);
+        }
+    }
+
+    void lose_points(int contact) {
+        scratch_.parted.push_back(contact);
+        report_parting(stores_, stores_.contacts.slots[contact], world_.events.ends);
+        stores_.contacts.slots[contact].has_points = false;
+    }
+
+    // The plain form, beside the lane.
+    void add_plain(ContactInput input, const ContactBlock& block, int lane) {
+        for (int i = 0; i < input.count; ++i) input.points[i].impulse = block.points[i].impulse[lane];
+        input.friction_impulse = block.friction_impulse[lane];
+        scratch_.contacts.push_back(make_contact(input, scratch_.motions, rules_));
+    }
+
+    // The constraint that was added last is solved itself: no lane does it.
+    void solve_as_scalar() {
+        scratch_.contacts.back().in_lane = false;
+        scratch_.scalar_contacts.push_back(static_cast<int>(scratch_.contacts.size()) - 1);
+    }
+
+    // Of the constraint that was added last.
+    void note_deep() {
+        ContactConstraint& c = scratch_.contacts.back();
+        scratch_.deep.push_back({static_cast<int>(scratch_.contacts.size()) - 1,
+                                 {c.points[0].separation, c.points[1].separation}});
+        hide_overlap(c);
+    }
+
+    // What is solved with a structure of joints is moved by that alone. What was pressed together by others
+    // is parted by velocities, which reach through all of them.
+    [[nodiscard]] bool is_pushed_apart(const ContactConstraint& c) const {
+        const ContactRecord& record = stores_.contacts.slots[c.contact];
+        return was_put_in(record) && overlaps_deeply(c, time_.dt_s) && is_calm(c.a) && is_calm(c.b) &&
+               !is_direct(record);
+    }
+
+    // Bodies that are moved apart press others into each other.
+    void mark_what_was_put_in() {
+        scratch_.pushed.clear();
+        for (const int contact : stores_.contacts.put_in) {
+            const ContactRecord& c = stores_.contacts.slots[contact];
+            if (!c.put_in) continue;
+            for (const int body : {c.body_a, c.body_b}) {
+                if (!is_dynamic(body)) continue;
+                stores_.bodies.places[body].flags |= place_flag::kPushed;
+                scratch_.pushed.push_back(body);
+            }
+        }
+    }
+    [[nodiscard]] bool was_put_in(const ContactRecord& record) const {
+        return record.put_in || has_flag(record, place_flag::kPushed);
+    }
+
+    // What overlaps deeply as long as it has points.
+    void remember_what_was_put_in() {
+        ContactStore& contacts = stores_.contacts;
+        for (const int body : scratch_.pushed) stores_.bodies.places[body].flags &= ~place_flag::kPushed;
+        for (const int contact : contacts.put_in) contacts.slots[contact].put_in = false;
+        contacts.put_in.clear();
+        for (const DeepOverlap& overlap : scratch_.deep) {
+            const int contact = scratch_.contacts[static_cast<std::size_t>(overlap.contact)].contact;
+            contacts.slots[contact].put_in = true;
+            contacts.put_in.push_back(contact);
+        }
+    }
+
+    [[nodiscard]] bool is_calm(int row) const {
+        return length_squared(scratch_.motions.velocity[row].v) < kCalm_m_s * kCalm_m_s;
+    }
+
+    // Of some lanes. In a dense crowd many overlap deeply, and few of those are calm.
+    [[nodiscard]] unsigned calm_lanes(const ContactBlock& block, unsigned lanes) const {
+        unsigned calm = 0;
+        for (; lanes != 0; lanes &= lanes - 1) {
+            const int lane = std::countr_zero(lanes);
+            if (is_calm(block.a[lane]) && is_calm(block.b[lane])) calm |= 1u << lane;
+        }
+        return calm;
+    }
+
+    [[nodiscard]] bool is_direct(const ContactRecord& record) const {
+        return has_flag(record, place_flag::kDirect);
+    }
+    [[nodiscard]] bool has_flag(const ContactRecord& record, std::uint32_t flag) const {
+        const auto flags = [&](int body) { return stores_.bodies.places[body].flags; };
+        return ((flags(record.body_a) | flags(record.body_b)) & flag) != 0;
+    }
+
+    void update_loose(int contact) {
+        ContactRecord& c = stores_.contacts.slots[contact];
+        single_.contact[0] = contact;
+        single_.body_a[0] = c.body_a;
+        single_.body_b[0] = c.body_b;
+        single_.shape_a[0] = c.shape_a;
+        single_.shape_b[0] = c.shape_b;
+        collide(single_, PairGeometry::Chains, 1, places_, manifold_);
+        if (gone_lanes(stores_.fat_boxes, single_, places_.boxes_moved) != 0) {
+            scratch_.gone.push_back(contact);
+            return;
+        }
+        if (special::has(c, special::kRefused)) return;
+        if (manifold_.points[0].id[0] == kNoFeature) {
+            ContactInput ahead;
+            const bool will_meet = meets_again(places_, manifold_, 0, contact, ahead);
+            if (predict(contact, will_meet ? &ahead : nullptr)) return;
+            if (c.has_points) lose_points(contact);
+            if (may_reach(scratch_.advances, places_, manifold_, 0, time_.dt_s)) rouse(c);
+            return;
+        }
+        const bool was_loose = is_loose(c);
+        if (special::has(c, special::kOneWay) && !is_held_out(stores_, c)) {
+            if (c.has_points) lose_points(contact);
+            return;
+        }
+        if (was_loose && !is_loose(c)) {  // decided just now
+            if (meets(contact)) scratch_.met.push_back(contact);
+            return;
+        }
+        if (!meets(contact)) return;
+        ContactInput input = make_input(stores_, single_, places_, manifold_, 0);
+        if (special::has(c, special::kSurface)) {
+            const SurfaceEffects effects = surface_effects(stores_, c);
+            input.rolling_m = effects.rolling_m;
+            input.surface_speed_m_s = effects.speed_m_s;
+        }
+        add_scalar(input, c.memory);
+    }
+
+    // With the impulses that the contact remembers by feature.
+    void add_scalar(ContactInput input, const ContactMemory& memory) {
+        bool carried = false;
+        std::array<bool, 2> known{};
+        for (int i = 0; i < input.count; ++i) {
+            for (int j = 0; j < 2; ++j) {
+                if (memory.features[j] != input.points[i].feature) continue;
+                input.points[i].impulse = memory.impulse[j];
+                known[i] = carried = true;
+            }
+        }
+        input.friction_impulse = carried ? memory.friction_impulse : 0;
+        ContactConstraint constraint = make_contact(input, scratch_.motions, rules_);
+        for (int i = 0; i < input.count; ++i) {
+            const ContactPointConstraint& p = constraint.points[i];
+            const bool rests = p.separation <= 0.1f * tuning::kLinearSlop_m &&
+                               std::fabs(p.closing_velocity) < kRestSpeed_m_s;
+            if (!known[i] && rests) constraint.points[i].normal_impulse = kUnknownImpulse;
+        }
+        scratch_.contacts.push_back(constraint);
+        if (is_pushed_apart(constraint)) note_deep();
+        const ContactRecord& c = stores_.contacts.slots[input.contact];
+        if (input.reached_s > 0 && !is_direct(c)) {
+            await_contact(input, stores_.bodies.center_offset(c.body_a, c.body_b), time_, scratch_);
+        } else {
+            solve_as_scalar();
+        }
+    }
+
+    [[nodiscard]] bool is_dynamic(int body) const {
+        return stores_.bodies.slots[body].type == BodyType::Dynamic;
+    }
+
+    WorldState& world_;
+    Stores& stores_;
+    StepScratch& scratch_;
+    const StepTime& time_;
+    const ContactRules& rules_;
+    float impact_speed_;  // m/s; slower contacts neither bounce nor tell of a hit
+    BlockPlaces places_;
+    ManifoldLanes manifold_;
+    PairBlock single_{};                // a loose contact, in the first lane
+    std::span<const NearAhead> ahead_;  // of the near pairs that are being settled, from the next one on
+    std::array<int, kPairGeometries> near_done_{};
+    std::size_t loose_done_ = 0;
+};
+
+}  // namespace
+
+void update_contacts(WorldState& world, const StepTime& time, const ContactRules& rules) {
+    Update(world, time, rules).run();
+}
+
+}  // namespace cairn::physics
