@@ -71,8 +71,10 @@ cairn_feature(FRACTURE "cuts, breaks and breakable bodies"
   world/fragments.cpp
   world/world_fracture.cpp)
 cairn_feature(RESTITUTION "impacts that give back speed"
+  resolve/impacts.cpp
   resolve/restitution.cpp
-  world/bounces.cpp)
+  world/bounces.cpp
+  world/impact_groups.cpp)
 cairn_feature(ROLLING_RESISTANCE "torques that resist rolling"
   resolve/rolling.cpp)
 cairn_feature(SURFACE_SPEED "surfaces that run, as of conveyor belts"

@@ -48,8 +48,8 @@ float base_of(const ContactPointConstraint& p) {
 }
 
 // A loaded point that opens by less than can be seen stays soft: a hard stop there would ratchet.
-bool is_apart(float separation, float base_impulse) {
-    return separation > (base_impulse > 0 ? tuning::kLinearSlop_m : 0);
+bool is_apart(const ContactConstraint& c, float separation, float base_impulse) {
+    return separation > (base_impulse > 0 ? c.unit * tuning::kLinearSlop_m : 0);
 }
 
 // Non-penetration with a soft push-out.
@@ -57,7 +57,7 @@ void solve_biased(ContactConstraint& c, ContactPointConstraint& p, Motion& a, Mo
                   const ContactRules& rules, float h_s) {
     const float s = current_separation(a, b, p, c.normal);
     p.end_separation = s;
-    const bool apart = is_apart(s, base_of(p));
+    const bool apart = is_apart(c, s, base_of(p));
     const Softness soft = apart ? kRigid : c.softness;
     // A gap may close, but no more; an overlap is pushed out.
     const float bias = apart ? s / h_s : std::max(soft.bias_rate * s, -rules.max_push_out_speed_m_s);
@@ -105,7 +105,7 @@ std::array<float, 2> relaxed_targets(ContactConstraint& c, const Motion& a, cons
     for (int i = 0; i < c.count; ++i) {
         ContactPointConstraint& p = c.points[i];
         p.end_separation = current_separation(a, b, p, c.normal);
-        targets[i] = is_apart(p.end_separation, base_of(p)) ? -p.end_separation / h_s : 0;
+        targets[i] = is_apart(c, p.end_separation, base_of(p)) ? -p.end_separation / h_s : 0;
     }
     return targets;
 }
@@ -157,6 +157,7 @@ ContactConstraint make_contact(const ContactInput& input, const Motions& motions
     c.normal = input.normal;
     c.friction = input.friction;
     c.restitution = input.restitution;
+    c.unit = input.unit;
     c.friction_impulse = input.friction_impulse;
     c.surface_speed_m_s = input.surface_speed_m_s;
     c.rolling_m = input.rolling_m;

@@ -35,6 +35,7 @@ struct ContactInput {
     float radius_b;
     float rolling_m = 0;          // torque that resists rolling, per normal force
     float surface_speed_m_s = 0;  // of b past a along the tangent, which friction brings about
+    float unit = 1;               // of lengths (world/tiny_contacts.h)
     float reached_s = 0;          // of what turns far: from when on it acts (world/awaited_contacts.h)
 };
 
@@ -64,6 +65,7 @@ struct ContactConstraint {
     Vec2 normal;          // unit, from a to b
     float friction = 0;
     float restitution = 0;
+    float unit = 1;  // of lengths
     Softness softness;
     int count = 0;
     std::array<ContactPointConstraint, 2> points{};

@@ -25,6 +25,11 @@ inline float total_normal(const ContactConstraint& c) {
     return sum;
 }
 
+/// Whether the surfaces met there within the step, at a speed at which they bounce.
+inline bool met_fast(const ContactPointConstraint& p, const ContactRules& rules) {
+    return p.closing_velocity <= -rules.restitution_speed_m_s && p.total_normal_impulse > 0;
+}
+
 /// Brings the points to their target velocities: both at once, since sweeping leaves a part.
 void reach_targets(ContactConstraint& c, Motion& a, Motion& b, const std::array<float, 2>& targets);
 

@@ -35,7 +35,7 @@ void apply_restitution(std::span<ContactConstraint> contacts, Motions& motions, 
         bool bounces = false;
         for (int i = 0; i < c.count; ++i) {
             const ContactPointConstraint& p = c.points[i];
-            const bool met = p.closing_velocity <= -rules.restitution_speed_m_s && p.total_normal_impulse > 0;
+            const bool met = met_fast(p, rules);
             targets[i] = met ? leaving_speed(c, p, drives) : normal_velocity(c, p, a, b);
             before[i] = p.normal_impulse;
             bounces |= met;

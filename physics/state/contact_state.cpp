@@ -11,6 +11,7 @@
 #include "state/sections.h"
 #include "state/slots.h"
 #include "world/contact_lists.h"
+#include "world/special_contacts.h"
 
 namespace cairn::physics {
 namespace {
@@ -224,6 +225,7 @@ class Placing {
     void load_loose() {
         std::vector<int>& loose = stores_.contacts.loose;
         loose.resize(in_.count(3 * sizeof(int)));
+        stores_.contacts.tiny = 0;
         for (std::size_t i = 0; i < loose.size(); ++i) {
             UnlistedContact shapes;
             in_.value(loose[i]);
@@ -233,6 +235,7 @@ class Placing {
                                    static_cast<int>(i)) != nullptr,
                              kMisplaced))
                 return;
+            stores_.contacts.tiny += special::has(stores_.contacts.slots[loose[i]], special::kTiny) ? 1 : 0;
         }
     }
 

@@ -13,6 +13,7 @@
 #include <cmath>
 
 #include "integrator/integrate.h"
+#include "resolve/contact_points.h"
 
 namespace cairn::physics {
 namespace {
@@ -73,7 +74,7 @@ class Placing {
     void rebound(ContactConstraint& c) {
         ContactPointConstraint& p = c.points[0];
         const float impulse = p.total_normal_impulse;
-        if (p.closing_velocity > -rules_.restitution_speed_m_s || !(impulse > 0)) return;
+        if (!met_fast(p, rules_)) return;
         if (moves(c.a) && !is_central(p.r_a, c.normal)) return;
         if (moves(c.b) && !is_central(p.r_b, c.normal)) return;
         if (!feels_only(c.a, -c.normal, impulse) || !feels_only(c.b, c.normal, impulse)) return;
@@ -110,13 +111,23 @@ class Placing {
     const ContactRules& rules_;
 };
 
+bool met(const ContactConstraint& c, const ContactRules& rules) {
+    return std::any_of(c.points.begin(), c.points.begin() + c.count,
+                       [&](const ContactPointConstraint& p) { return met_fast(p, rules); });
+}
+
 }  // namespace
 
 void place_bounces(const BodyRows& awake, StepScratch& scratch, const StepTime& time,
                    const ContactRules& rules) {
     Placing placing(awake, scratch, time, rules);
-    for (ContactConstraint& c : scratch.contacts) {
-        if (c.restitution > 0) placing.place(c);
+    scratch.impacts.met.clear();
+    scratch.impacts.met.reserve(scratch.contacts.capacity());
+    for (std::size_t i = 0; i < scratch.contacts.size(); ++i) {
+        ContactConstraint& c = scratch.contacts[i];
+        if (c.restitution == 0) continue;
+        placing.place(c);
+        if (met(c, rules)) scratch.impacts.met.push_back(static_cast<int>(i));
     }
 }
 

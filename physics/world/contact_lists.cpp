@@ -86,6 +86,7 @@ void add_loose(ContactStore& contacts, int contact) {
     contacts.slots[contact].bucket = kLooseBucket;
     contacts.slots[contact].lane = static_cast<int>(contacts.loose.size());
     contacts.loose.push_back(contact);
+    contacts.tiny += special::has(contacts.slots[contact], special::kTiny) ? 1 : 0;
 }
 
 void take_out(Stores& stores, int contact) {
@@ -96,6 +97,7 @@ void take_out(Stores& stores, int contact) {
         contacts.loose[c.lane] = last;
         contacts.slots[last].lane = c.lane;
         contacts.loose.pop_back();
+        contacts.tiny -= special::has(c, special::kTiny) ? 1 : 0;
     } else {
         if (is_colored(c.bucket)) mark_color(stores, c, c.bucket, false);
         const int moved = contacts.lanes.remove(c.bucket, c.lane);

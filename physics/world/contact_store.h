@@ -47,6 +47,7 @@ struct ContactStore {
     ContactLanes lanes;
     std::vector<int> loose;
     std::vector<int> put_in;  // those of which the bodies were put into each other, and some that went
+    int tiny = 0;             // how many of them are (world/tiny_contacts.h)
     ActiveList<&ContactRecord::uneven_index> uneven;  // of those that are listed: world/direct_groups.h
     std::vector<std::uint32_t> colors;  // by body slot: bits of those in which the body is moved
 };

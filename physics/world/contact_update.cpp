@@ -19,6 +19,7 @@
 #include "world/one_way.h"
 #include "world/sleep.h"
 #include "world/special_contacts.h"
+#include "world/tiny_contacts.h"
 
 namespace cairn::physics {
 namespace {
@@ -192,6 +193,7 @@ class Update {
         input.a = stores_.bodies.places[c.body_a].row;
         input.b = stores_.bodies.places[c.body_b].row;
         input.contact = contact;
+        input.unit = length_unit(stores_, c);
         add_scalar(input, c.memory);
         return true;
     }
@@ -249,9 +251,9 @@ class Update {
     }
 
     void collide(const PairBlock& pairs, PairGeometry geometry, unsigned lanes, BlockPlaces& places,
-                 ManifoldLanes& manifold) const {
+                 ManifoldLanes& manifold, float unit = 1) const {
         load_places(stores_.bodies.places.data(), pairs.body_a, pairs.body_b, lanes, places);
-        collide_block(stores_, pairs, geometry, lanes, places.poses, manifold);
+        collide_block(stores_, pairs, geometry, lanes, places.poses, manifold, unit);
     }
 
     // The result are the lanes of which the boxes have parted.
@@ -408,7 +410,8 @@ class Update {
         single_.body_b[0] = c.body_b;
         single_.shape_a[0] = c.shape_a;
         single_.shape_b[0] = c.shape_b;
-        collide(single_, PairGeometry::Chains, 1, places_, manifold_);
+        const float unit = length_unit(stores_, c);
+        collide(single_, PairGeometry::Chains, 1, places_, manifold_, unit);
         if (gone_lanes(stores_.fat_boxes, single_, places_.boxes_moved) != 0) {
             scratch_.gone.push_back(contact);
             return;
@@ -438,6 +441,7 @@ class Update {
             input.rolling_m = effects.rolling_m;
             input.surface_speed_m_s = effects.speed_m_s;
         }
+        input.unit = unit;
         add_scalar(input, c.memory);
     }
 
@@ -456,8 +460,8 @@ class Update {
         ContactConstraint constraint = make_contact(input, scratch_.motions, rules_);
         for (int i = 0; i < input.count; ++i) {
             const ContactPointConstraint& p = constraint.points[i];
-            const bool rests = p.separation <= 0.1f * tuning::kLinearSlop_m &&
-                               std::fabs(p.closing_velocity) < kRestSpeed_m_s;
+            const bool rests = p.separation <= 0.1f * input.unit * tuning::kLinearSlop_m &&
+                               std::fabs(p.closing_velocity) < input.unit * kRestSpeed_m_s;
             if (!known[i] && rests) constraint.points[i].normal_impulse = kUnknownImpulse;
         }
         scratch_.contacts.push_back(constraint);

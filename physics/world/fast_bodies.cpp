@@ -8,6 +8,7 @@
 
 #include "base/ample.h"
 #include "world/finalize.h"
+#include "world/tiny_contacts.h"
 
 namespace cairn::physics {
 namespace {
@@ -166,11 +167,13 @@ bool predict_contact(const Stores& stores, const ContactRecord& contact, const A
     const Position origin = bodies.places[contact.body_a].center;
     const Sweep a = make_sweep(stores, contact.shape_a, origin, gravity_m_s2, dt_s);
     const Sweep b = make_sweep(stores, contact.shape_b, origin, gravity_m_s2, dt_s);
-    const std::optional<float> time = time_of_impact(a, b, dt_s, kImpactGap_m);
+    const float unit = length_unit(stores, contact);
+    const std::optional<float> time = time_of_impact(a, b, dt_s, unit * kImpactGap_m);
     if (!time) return false;
 
-    const Manifold m =
-        collide(*a.shape, *b.shape, relative_pose_at(a, b, *time), tuning::kSpeculativeDistance_m);
+    const RelativePose b_in_a = relative_pose_at(a, b, *time);
+    const Manifold m = unit == 1 ? collide(*a.shape, *b.shape, b_in_a, tuning::kSpeculativeDistance_m)
+                                 : collide_in_unit(*a.shape, *b.shape, b_in_a, unit);
     const SweptPose pose_a = pose_at(a, *time);
     input = {};
     input.normal = rotate(pose_a.rotation, m.normal);

@@ -6,6 +6,8 @@
 
 #include <cairn/physics/tuning.h>
 
+#include "world/tiny_contacts.h"
+
 namespace cairn::physics {
 namespace {
 
@@ -20,8 +22,12 @@ float next_rest_time(const BodyRecord& record, Vec2 v, float w, Vec2 moved, floa
     if (record.type == BodyType::Kinematic) return v == Vec2{} && w == 0 ? rest_time + dt_s : 0;
     const float fastest_point = std::max(length(v), std::fabs(w) * record.extent_m);
     const float farthest_point = std::max(length(moved), std::fabs(turned) * record.extent_m);
-    const bool rests =
-        fastest_point < record.sleep_speed_m_s && farthest_point < dt_s * record.sleep_speed_m_s;
+    bool rests = fastest_point < record.sleep_speed_m_s && farthest_point < dt_s * record.sleep_speed_m_s;
+    // What is tiny has not come to rest while it moves at a speed that is slow for others.
+    if (rests && record.extent_m < kTinyExtent_m) {
+        const float least_m_s = length_unit(record.extent_m) * record.sleep_speed_m_s;
+        rests = fastest_point < least_m_s && farthest_point < dt_s * least_m_s;
+    }
     return rests ? rest_time + dt_s : 0;
 }
 

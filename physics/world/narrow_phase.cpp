@@ -9,6 +9,7 @@
 #include <cairn/physics/tuning.h>
 
 #include "collide/hull_lanes.h"
+#include "world/tiny_contacts.h"
 
 namespace cairn::physics {
 namespace {
@@ -25,7 +26,7 @@ float height_above(const Convex& segment, const Convex& shape, const RelativePos
 }
 
 void collide_lane(const Stores& stores, const PairBlock& pairs, const PoseLanes& poses, int lane,
-                  ManifoldLanes& out) {
+                  ManifoldLanes& out, float unit) {
     const Rotation q_a{poses.cos_a[lane], poses.sin_a[lane]};
     const Rotation q_b{poses.cos_b[lane], poses.sin_b[lane]};
     const Vec2 center_a = stores.bodies.slots[pairs.body_a[lane]].mass.center_m;
@@ -35,7 +36,8 @@ void collide_lane(const Stores& stores, const PairBlock& pairs, const PoseLanes&
     const RelativePose b_in_a{center_a + between - rotate(turn, center_b), turn};
     const Convex& a = stores.shapes[pairs.shape_a[lane]].convex;
     const Convex& b = stores.shapes[pairs.shape_b[lane]].convex;
-    const Manifold m = collide(a, b, b_in_a, tuning::kSpeculativeDistance_m);
+    const Manifold m = unit == 1 ? collide(a, b, b_in_a, tuning::kSpeculativeDistance_m)
+                                 : collide_in_unit(a, b, b_in_a, unit);
     const bool in_front = m.count == 0 && a.is_chained();
     const Vec2 normal = rotate(q_a, in_front ? a.normals[0] : m.normal);
     out.normal_x[lane] = normal.x;
@@ -78,7 +80,7 @@ unsigned gone_lanes(const std::vector<Aabb>& fat_boxes, const PairBlock& pairs, 
 }
 
 void collide_block(const Stores& stores, const PairBlock& pairs, PairGeometry geometry, unsigned lanes,
-                   const PoseLanes& poses, ManifoldLanes& out) {
+                   const PoseLanes& poses, ManifoldLanes& out, float unit) {
     unsigned general = ~0u;
     switch (geometry) {
         case PairGeometry::Boxes:
@@ -94,7 +96,7 @@ void collide_block(const Stores& stores, const PairBlock& pairs, PairGeometry ge
             break;
     }
     for (general &= lanes; general != 0; general &= general - 1) {
-        collide_lane(stores, pairs, poses, std::countr_zero(general), out);
+        collide_lane(stores, pairs, poses, std::countr_zero(general), out, unit);
     }
 }
 

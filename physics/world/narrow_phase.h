@@ -11,9 +11,10 @@ namespace cairn::physics {
 /// Of some lanes those whose boxes have parted.
 unsigned gone_lanes(const std::vector<Aabb>& fat_boxes, const PairBlock& pairs, unsigned lanes);
 
-/// `lanes` has a bit for each lane that is wanted.
+/// `lanes` has a bit for each lane that is wanted. Another unit than 1 is for what goes one by one
+/// (world/tiny_contacts.h).
 void collide_block(const Stores& stores, const PairBlock& pairs, PairGeometry geometry, unsigned lanes,
-                   const PoseLanes& poses, ManifoldLanes& out);
+                   const PoseLanes& poses, ManifoldLanes& out, float unit = 1);
 
 /// The contact in a lane in the form for scalar code. Impulses and friction are the caller's.
 ContactInput make_input(const Stores& stores, const PairBlock& pairs, const BlockPlaces& places,

@@ -73,9 +73,9 @@ void mark_mover(Motions& motions, int row, Mover mover) {
 
 }  // namespace
 
-int substeps_under(float gravity_m_s2, float dt_s, int least) {
-    const float needed =
-        std::min(dt_s * std::sqrt(2 * gravity_m_s2 / tuning::kLinearSlop_m), float{kMostForGravity});
+int substeps_under(float gravity_m_s2, float dt_s, int least, float unit) {
+    const float slop_m = (unit < 1 ? 0.5f * unit : 1) * tuning::kLinearSlop_m;
+    const float needed = std::min(dt_s * std::sqrt(2 * gravity_m_s2 / slop_m), float{kMostForGravity});
     int substeps = 1;
     while (static_cast<float>(substeps) < needed) substeps *= 2;
     return std::max(least, substeps);

@@ -16,8 +16,9 @@ struct StepTime {
 
 /// As many substeps as were asked for, or more where gravity would take a body from rest further than half
 /// the slop in one: n = dt sqrt(2 g / slop), rounded up to a power of two, at most 32. What is put down would
-/// be inside of what it stands on before a contact can tell.
-int substeps_under(float gravity_m_s2, float dt_s, int least);
+/// be inside of what it stands on before a contact can tell. Of the least unit of contacts where that is not
+/// 1 (world/tiny_contacts.h), half the slop counts: with the whole a stack of 6 mm falls.
+int substeps_under(float gravity_m_s2, float dt_s, int least, float unit = 1);
 
 StepTime make_step_time(float dt_s, int substeps, float previous_h_s);
 

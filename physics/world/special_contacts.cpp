@@ -4,6 +4,7 @@
 #include "world/breakables.h"
 #include "world/filtering.h"
 #include "world/one_way.h"
+#include "world/tiny_contacts.h"
 
 namespace cairn::physics {
 
@@ -13,6 +14,8 @@ void mark_special(const Stores& stores, ContactRecord& contact) {
                  is_breakable(stores, contact.body_a) || is_breakable(stores, contact.body_b));
     special::set(contact, special::kOneWay,
                  is_one_way(stores.shapes[contact.shape_a]) || is_one_way(stores.shapes[contact.shape_b]));
+    const auto is_tiny = [&](int shape) { return extent_of(stores.shapes[shape].convex) < kTinyExtent_m; };
+    special::set(contact, special::kTiny, is_tiny(contact.shape_a) || is_tiny(contact.shape_b));
 }
 
 bool lets_pass(const Stores& stores, int shape_a, int shape_b) {

@@ -16,6 +16,7 @@ inline constexpr std::uint8_t kOneWay = 4;    // one of the shapes is solid from
 inline constexpr std::uint8_t kPassing = 8;   // of those: the pair goes through each other, until it parts
 inline constexpr std::uint8_t kSolid = 16;    // of those: it is a contact like others, until it parts
 inline constexpr std::uint8_t kWatched = 32;  // one of the bodies is breakable: its impulse is wanted
+inline constexpr std::uint8_t kTiny = 64;     // world/tiny_contacts.h
 
 inline void set(ContactRecord& contact, std::uint8_t bit, bool on) {
     contact.special = static_cast<std::uint8_t>(on ? contact.special | bit : contact.special & ~bit);
@@ -30,7 +31,7 @@ inline bool has(const ContactRecord& contact, std::uint8_t bit) {
 /// yet whether it acts at all.
 inline bool is_loose(const ContactRecord& contact) {
     const std::uint8_t undecided = special::kOneWay | special::kSolid;
-    return special::has(contact, special::kRefused | special::kSurface) ||
+    return special::has(contact, special::kRefused | special::kSurface | special::kTiny) ||
            (contact.special & undecided) == special::kOneWay;
 }
 

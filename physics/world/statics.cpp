@@ -150,7 +150,7 @@ class Estimate {
     [[nodiscard]] static bool is_only_ahead(const ContactConstraint& c) {
         float nearest = c.points[0].separation;
         if (c.count == 2) nearest = std::min(nearest, c.points[1].separation);
-        return nearest > tuning::kSpeculativeDistance_m;
+        return nearest > c.unit * tuning::kSpeculativeDistance_m;
     }
 
     void find_support(const ContactConstraint& c, SupportLanes& to, int lane) const {

@@ -16,6 +16,7 @@
 #include "world/fast_bodies.h"
 #include "world/fast_guard.h"
 #include "world/finalize.h"
+#include "world/impact_groups.h"
 #include "world/joint_constraints.h"
 #include "world/joint_lists.h"
 #include "world/prepare.h"
@@ -23,6 +24,7 @@
 #include "world/sleep.h"
 #include "world/solve.h"
 #include "world/statics.h"
+#include "world/tiny_contacts.h"
 
 namespace cairn::physics {
 
@@ -31,11 +33,6 @@ void step_world(WorldState& world, float dt_s) {
     StepScratch& scratch = world.scratch;
     TaskPool& tasks = world.tasks;
     const WorldDef& def = world.def;
-    const StepTime time = make_step_time(dt_s, substeps_under(length(def.gravity_m_s2), dt_s, def.substeps),
-                                         world.previous_h_s);
-    const ContactRules rules =
-        make_contact_rules(time.h_s, def.max_push_out_speed_m_s, def.restitution_speed_m_s);
-
     // A world in which all sleeps wakes no threads.
     std::optional<TaskPool::Region> together;
     if (stores.bodies.rows(RowSet::Awake).size() > 0) together.emplace(tasks);
@@ -48,6 +45,10 @@ void step_world(WorldState& world, float dt_s) {
     choose_direct_groups(stores, def.joint_solver, world.direct);
     prepare_motions(stores.bodies, def.gravity_m_s2, dt_s, scratch, tasks);
     clock.enter(Stage::Contacts);
+    const int substeps = substeps_under(length(def.gravity_m_s2), dt_s, def.substeps, least_unit(stores));
+    const StepTime time = make_step_time(dt_s, substeps, world.previous_h_s);
+    const ContactRules rules =
+        make_contact_rules(time.h_s, def.max_push_out_speed_m_s, def.restitution_speed_m_s);
     update_contacts(world, time, rules);
 
     clock.enter(Stage::Prepare);
@@ -75,6 +76,7 @@ void step_world(WorldState& world, float dt_s) {
     fly_freely(scratch.motions, scratch.drives, def.gravity_m_s2, time.dt_s, world.step_count);
     collect_outcomes(stores.contacts, scratch);
     place_bounces(stores.bodies.rows(RowSet::Awake), scratch, time, rules);
+    pass_impacts_on(stores, scratch, time, rules);
     apply_restitution(scratch.contacts, scratch.motions, scratch.drives, rules);
     push_apart(scratch.deep, scratch.contacts, def.max_push_out_speed_m_s * dt_s, scratch.motions);
     close_tears(scratch.torn, scratch.motions);

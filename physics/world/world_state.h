@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include <cairn/physics/world.h>
@@ -17,6 +18,7 @@
 #include "resolve/contact_constraint.h"
 #include "resolve/deep_overlap.h"
 #include "resolve/direct/direct_component.h"
+#include "resolve/impacts.h"
 #include "resolve/joints/joint_constraint.h"
 #include "resolve/joints/torn_joints.h"
 #include "resolve/support_lanes.h"
@@ -182,6 +184,19 @@ struct NearAhead {
     ContactInput input;
 };
 
+/// Impacts that go from one body to the next (world/impact_groups.h).
+struct ImpactScratch {
+    std::vector<int> met;  // contacts in the plain form that bounce, and were met in this step
+    std::vector<std::pair<int, int>> plain;  // contact and place in the plain form, in order
+    std::vector<int> group_of;               // by row of the motions
+    std::vector<int> all_rows;               // that have one
+    // Of one group:
+    std::vector<int> rows;
+    std::vector<int> contacts;
+    std::vector<Impact> hits;         // beside them
+    std::vector<VelocityRow> solved;  // beside the rows: as the solver left them
+};
+
 /// What a step works on. Kept from step to step for its memory only.
 struct StepScratch {
     // Contacts that change their list are few in most steps, and may be many in one.
@@ -198,6 +213,7 @@ struct StepScratch {
     std::vector<AwaitedContact> awaited;  // those that are reached in the course of the step
     std::vector<DeepOverlap> deep;        // those of them that overlap deeply
     std::vector<int> pushed;              // bodies that were moved out of others in the last step
+    ImpactScratch impacts;
     std::vector<JointConstraint> joints;  // the swept ones, in their order
     std::vector<JointPlace> joint_places;
     std::vector<TornJoint> torn;
