@@ -33,12 +33,20 @@ class Groups {
         work_.solved.reserve(kMostBodies);
         work_.contacts.reserve(kMostContacts);
         work_.hits.reserve(kMostContacts);
-        work_.plain.reserve(scratch.contacts.capacity());
-        work_.plain.clear();
+        const auto contacts = static_cast<std::size_t>(stores.contacts.slots.end_index());
+        if (work_.marks.size() < contacts) {
+            reserve_amply(work_.marks, contacts);
+            work_.marks.resize(contacts);
+            reserve_amply(work_.marked, contacts);
+        }
+        work_.marked.clear();
     }
 
     ~Groups() {
         for (const int row : work_.all_rows) group_of(row) = kNone;
+        for (const int contact : work_.marked) mark(contact).group = kNone;
+        if (!plain_is_listed_) return;
+        for (const ContactConstraint& c : scratch_.contacts) mark(c.contact).plain = kNone;
     }
 
     Groups(const Groups&) = delete;
@@ -52,7 +60,7 @@ class Groups {
         is_alone_ = true;
         const ContactRecord& c = stores_.contacts.slots[impact.contact];
         if (!touches_more(c.body_a, impact.contact) && !touches_more(c.body_b, impact.contact)) return;
-        if (work_.plain.empty()) list_plain_forms();
+        if (!plain_is_listed_) list_plain_forms();
         ++group_;
         if (!reach(c.body_a) || !reach(c.body_b)) return;
         if (!is_closed() || work_.hits.size() < 2) return;
@@ -67,9 +75,11 @@ class Groups {
 
   private:
     void list_plain_forms() {
-        for (std::size_t i = 0; i < scratch_.contacts.size(); ++i)
-            work_.plain.push_back({scratch_.contacts[i].contact, static_cast<int>(i)});
-        std::ranges::sort(work_.plain);
+        plain_is_listed_ = true;
+        for (std::size_t i = 0; i < scratch_.contacts.size(); ++i) {
+            ImpactScratch::Mark& m = mark(scratch_.contacts[i].contact);
+            if (m.plain == kNone) m.plain = static_cast<int>(i);
+        }
     }
 
     // Most impacts are those of two bodies, and of nobody else's concern.
@@ -81,6 +91,8 @@ class Groups {
         });
         return more;
     }
+
+    ImpactScratch::Mark& mark(int contact) { return work_.marks[static_cast<std::size_t>(contact)]; }
 
     int& group_of(int row) { return work_.group_of[static_cast<std::size_t>(row)]; }
 
@@ -121,7 +133,7 @@ class Groups {
     // Whether the contact is one that the group may have, if it touches at all.
     bool takes(int contact) {
         const ContactRecord& c = stores_.contacts.slots[contact];
-        if (!c.has_points || std::ranges::find(work_.contacts, contact) != work_.contacts.end()) return true;
+        if (!c.has_points || mark(contact).group == group_) return true;
         if (work_.hits.size() == kMostContacts) return false;
         Impact hit;
         if (!describe(contact, c, hit)) {
@@ -136,6 +148,8 @@ class Groups {
         hit.slow_m_s = rules_.restitution_speed_m_s + std::max(-g * time_.dt_s, 0.0f);
         work_.hits.push_back(hit);
         work_.contacts.push_back(contact);
+        work_.marked.push_back(contact);
+        mark(contact).group = group_;
         return reach(c.body_a) && reach(c.body_b);
     }
 
@@ -179,10 +193,9 @@ class Groups {
         return hit.count > 0;
     }
 
-    [[nodiscard]] ContactConstraint* plain_form(int contact) const {
-        const auto at = std::ranges::lower_bound(work_.plain, std::pair{contact, 0});
-        if (at == work_.plain.end() || at->first != contact) return nullptr;
-        return &scratch_.contacts[static_cast<std::size_t>(at->second)];
+    [[nodiscard]] ContactConstraint* plain_form(int contact) {
+        const int at = mark(contact).plain;
+        return at == kNone ? nullptr : &scratch_.contacts[static_cast<std::size_t>(at)];
     }
 
     // As the substeps would have, had nothing touched.
@@ -260,6 +273,7 @@ class Groups {
     ImpactScratch& work_;
     const StepTime& time_;
     const ContactRules& rules_;
+    bool plain_is_listed_ = false;
     int group_ = kNone;
     int met_ = 0;            // impacts of the group
     bool is_alone_ = false;  // nothing else is near

@@ -186,10 +186,16 @@ struct NearAhead {
 
 /// Impacts that go from one body to the next (world/impact_groups.h).
 struct ImpactScratch {
+    struct Mark {
+        int plain = kNone;  // place in the plain form
+        int group = kNone;
+    };
     std::vector<int> met;  // contacts in the plain form that bounce, and were met in this step
-    std::vector<std::pair<int, int>> plain;  // contact and place in the plain form, in order
-    std::vector<int> group_of;               // by row of the motions
-    std::vector<int> all_rows;               // that have one
+    // Of each contact; between steps none has any.
+    std::vector<Mark> marks;
+    std::vector<int> marked;    // contacts that have a group
+    std::vector<int> group_of;  // by row of the motions
+    std::vector<int> all_rows;  // that have one
     // Of one group:
     std::vector<int> rows;
     std::vector<int> contacts;
