@@ -187,16 +187,20 @@ void find_passed(const Stores& stores, const AllBlocks& blocks, WayScratch& scra
     });
 }
 
-// The contact's shapes, seen from each of its fast bodies.
-void follow_ways(const Stores& stores, const ContactRecord& c, std::vector<float>& free_shares) {
-    if (special::has(c, special::kRefused | special::kPassing)) return;
+struct Side {
+    int body;
+    int shape;
+};
+
+// Two shapes that may have met, seen from each fast body.
+void follow_ways(const Stores& stores, const Side& a, const Side& b, std::vector<float>& free_shares) {
     const auto follow = [&](int body, int shape, int other) {
         if (!is_guarded(stores, body) || has_left_its_boxes(stores, body)) return;
         float& share = free_shares[stores.bodies.places[body].row];
         share = std::min(share, Way(stores, shape).free_share(other));
     };
-    follow(c.body_a, c.shape_a, c.shape_b);
-    follow(c.body_b, c.shape_b, c.shape_a);
+    follow(a.body, a.shape, b.shape);
+    follow(b.body, b.shape, a.shape);
 }
 
 void put_back(Stores& stores, int body, float share) {
@@ -230,18 +234,20 @@ void hold_fast_bodies(Stores& stores, StepScratch& scratch, TaskPool& tasks) {
     for (int i = 0; i < blocks.size(); ++i) {
         for (unsigned found = ways.found[i]; found != 0; found &= found - 1) {
             blocks.with(i, [&](const PairBlock& pairs, int) {
-                const int contact = pairs.contact[std::countr_zero(found)];
-                follow_ways(stores, contacts.slots[contact], ways.free_shares);
+                const int lane = std::countr_zero(found);
+                follow_ways(stores, {pairs.body_a[lane], pairs.shape_a[lane]},
+                            {pairs.body_b[lane], pairs.shape_b[lane]}, ways.free_shares);
             });
         }
     }
     const Place* places = stores.bodies.places.data();
     for (const int contact : contacts.loose) {
         const ContactRecord& c = contacts.slots[contact];
+        if (special::has(c, special::kRefused | special::kPassing)) continue;
         alignas(32) const Lanes<std::int32_t> body_a{c.body_a};
         alignas(32) const Lanes<std::int32_t> body_b{c.body_b};
         if (physics::find_passed(places, body_a, body_b, ways.displacements.data(), 1) != 0)
-            follow_ways(stores, c, ways.free_shares);
+            follow_ways(stores, {c.body_a, c.shape_a}, {c.body_b, c.shape_b}, ways.free_shares);
     }
     for (const int body : scratch.fast) {
         if (!is_guarded(stores, body)) continue;
