@@ -18,6 +18,9 @@ namespace {
 constexpr std::size_t kMostContacts = 64;
 constexpr std::size_t kMostBodies = kMostContacts + 1;
 
+// Growing groups from this many contacts costs as much as to look at one contact as it stands in memory.
+constexpr std::size_t kGrowing = 512;
+
 class Groups {
   public:
     Groups(Stores& stores, StepScratch& scratch, const StepTime& time, const ContactRules& rules)
@@ -52,7 +55,36 @@ class Groups {
     Groups(const Groups&) = delete;
     Groups& operator=(const Groups&) = delete;
 
+    /// Where there are many impacts, most are in a heap, which would be walked in vain.
+    void find_heaps() {
+        const ContactLanes& lanes = stores_.contacts.lanes;
+        const std::span<const int> blocks = lanes.blocks_in_memory();
+        if (kGrowing * work_.met.size() < static_cast<std::size_t>(kLanes) * blocks.size()) return;
+        heaps_are_known_ = true;
+        list_plain_forms();
+        const auto rows = static_cast<std::size_t>(scratch_.motions.size());
+        work_.heaps.reset(static_cast<int>(rows));
+        assign_amply(work_.touching, rows, 0);
+        for (const int block : blocks) {
+            for (int lane = 0; lane < lanes.link(block).used; ++lane) {
+                if (mark(lanes.pairs(block).contact[lane]).plain != kNone) continue;
+                if (touches(lanes.block(block), lane))
+                    join(lanes.block(block).a[lane], lanes.block(block).b[lane]);
+            }
+        }
+        for (const ContactConstraint& c : scratch_.contacts) {
+            if (stores_.contacts.slots[c.contact].has_points &&
+                std::any_of(c.points.begin(), c.points.begin() + c.count, is_closed_up))
+                join(c.a, c.b);
+        }
+        for (std::size_t row = 0; row < rows; ++row) {
+            const auto root = static_cast<std::size_t>(work_.heaps.find(static_cast<int>(row)));
+            if (root != row) work_.touching[root] += work_.touching[row];
+        }
+    }
+
     void from(const ContactConstraint& impact) {
+        if (heaps_are_known_ && (is_in_heap(impact.a) || is_in_heap(impact.b))) return;
         work_.rows.clear();
         work_.hits.clear();
         work_.contacts.clear();
@@ -60,10 +92,9 @@ class Groups {
         is_alone_ = true;
         const ContactRecord& c = stores_.contacts.slots[impact.contact];
         if (!touches_more(c.body_a, impact.contact) && !touches_more(c.body_b, impact.contact)) return;
-        if (!plain_is_listed_) list_plain_forms();
+        list_plain_forms();
         ++group_;
-        if (!reach(c.body_a) || !reach(c.body_b)) return;
-        if (!is_closed() || work_.hits.size() < 2) return;
+        if (!reach(c.body_a) || !reach(c.body_b) || !is_closed() || work_.hits.size() < 2) return let_go();
         fly_freely();
         if (let_happen(work_.hits, work_.rows, scratch_.motions)) {
             place(impact);
@@ -75,11 +106,34 @@ class Groups {
 
   private:
     void list_plain_forms() {
+        if (plain_is_listed_) return;
         plain_is_listed_ = true;
         for (std::size_t i = 0; i < scratch_.contacts.size(); ++i) {
             ImpactScratch::Mark& m = mark(scratch_.contacts[i].contact);
             if (m.plain == kNone) m.plain = static_cast<int>(i);
         }
+    }
+
+    static bool is_closed_up(const ContactPointConstraint& p) {
+        return p.end_separation <= tuning::kLinearSlop_m;
+    }
+    static bool is_closed_up_in_lane(const ContactBlockPoint& p, int lane) {
+        return p.mass[lane] != 0 && p.separation[lane] <= tuning::kLinearSlop_m;
+    }
+    static bool touches(const ContactBlock& block, int lane) {
+        return is_closed_up_in_lane(block.points[0], lane) || is_closed_up_in_lane(block.points[1], lane);
+    }
+
+    [[nodiscard]] bool row_moves(int row) const {
+        return row != kWorldRow && scratch_.motions.velocity[static_cast<std::size_t>(row)].inverse_mass != 0;
+    }
+    void join(int a, int b) {
+        ++work_.touching[static_cast<std::size_t>(row_moves(b) ? b : a)];
+        if (row_moves(a) && row_moves(b)) work_.heaps.unite(a, b);
+    }
+    [[nodiscard]] bool is_in_heap(int row) {
+        return row_moves(row) && work_.touching[static_cast<std::size_t>(work_.heaps.find(row))] >
+                                     static_cast<int>(kMostContacts);
     }
 
     // Most impacts are those of two bodies, and of nobody else's concern.
@@ -101,6 +155,12 @@ class Groups {
     }
 
     [[nodiscard]] int row_of(int body) const { return stores_.bodies.places[body].row; }
+
+    // Another impact may make a group of some of them.
+    void let_go() {
+        for (const int row : work_.rows) group_of(row) = kNone;
+        work_.all_rows.resize(work_.all_rows.size() - work_.rows.size());
+    }
 
     // False when another group had it.
     bool reach(int body) {
@@ -168,7 +228,7 @@ class Groups {
         hit.b = block.b[lane];
         hit.normal = {block.normal_x[lane], block.normal_y[lane]};
         for (const ContactBlockPoint& p : block.points) {
-            if (p.mass[lane] == 0 || p.separation[lane] > tuning::kLinearSlop_m) continue;
+            if (!is_closed_up_in_lane(p, lane)) continue;
             hit.points[hit.count++] = {p.arm_a[lane], p.arm_b[lane]};
         }
         hit.tangent_arm_a = block.tangent_arm_a[lane];
@@ -184,7 +244,7 @@ class Groups {
         hit.normal = c.normal;
         for (int i = 0; i < c.count; ++i) {
             const ContactPointConstraint& p = c.points[i];
-            if (p.end_separation > tuning::kLinearSlop_m) continue;
+            if (!is_closed_up(p)) continue;
             hit.points[hit.count++] = {k_a * cross(p.r_a, c.normal), k_b * cross(p.r_b, c.normal)};
         }
         const Vec2 tangent = right_perp(c.normal);
@@ -262,8 +322,7 @@ class Groups {
             for (int k = 0; k < plain->count; ++k) {
                 ContactPointConstraint& p = plain->points[k];
                 p.normal_impulse = 0;
-                if (p.end_separation <= tuning::kLinearSlop_m)
-                    p.total_normal_impulse = work_.hits[i].points[hit_point++].impulse;
+                if (is_closed_up(p)) p.total_normal_impulse = work_.hits[i].points[hit_point++].impulse;
             }
         }
     }
@@ -274,6 +333,7 @@ class Groups {
     const StepTime& time_;
     const ContactRules& rules_;
     bool plain_is_listed_ = false;
+    bool heaps_are_known_ = false;
     int group_ = kNone;
     int met_ = 0;            // impacts of the group
     bool is_alone_ = false;  // nothing else is near
@@ -284,6 +344,7 @@ class Groups {
 void pass_impacts_on(Stores& stores, StepScratch& scratch, const StepTime& time, const ContactRules& rules) {
     if (scratch.impacts.met.empty()) return;
     Groups groups(stores, scratch, time, rules);
+    groups.find_heaps();
     for (const int i : scratch.impacts.met) groups.from(scratch.contacts[static_cast<std::size_t>(i)]);
 }
 

@@ -12,6 +12,7 @@
 #include "base/chunked_list.h"
 #include "base/motion.h"
 #include "base/task_pool.h"
+#include "base/union_find.h"
 #include "broad/broad_phase.h"
 #include "collide/place_lanes.h"
 #include "islands/islands.h"
@@ -196,6 +197,8 @@ struct ImpactScratch {
     std::vector<int> marked;    // contacts that have a group
     std::vector<int> group_of;  // by row of the motions
     std::vector<int> all_rows;  // that have one
+    UnionFind heaps;            // of rows, by what touches
+    std::vector<int> touching;  // contacts that touch, by row; of a whole heap at its root
     // Of one group:
     std::vector<int> rows;
     std::vector<int> contacts;
