@@ -18,8 +18,9 @@ namespace {
 constexpr std::size_t kMostContacts = 64;
 constexpr std::size_t kMostBodies = kMostContacts + 1;
 
-// Growing groups from this many contacts costs as much as to look at one contact as it stands in memory.
-constexpr std::size_t kGrowing = 512;
+// To grow a group from one impact costs about as much as to look at this many contacts as they stand in
+// memory.
+constexpr std::size_t kContactsForOneGroup = 512;
 
 class Groups {
   public:
@@ -55,11 +56,13 @@ class Groups {
     Groups(const Groups&) = delete;
     Groups& operator=(const Groups&) = delete;
 
-    /// Where there are many impacts, most are in a heap, which would be walked in vain.
+    /// Where there are many impacts, most are in a heap, which would be walked in vain: no group grows so
+    /// large. Whether heaps are known changes no result.
     void find_heaps() {
         const ContactLanes& lanes = stores_.contacts.lanes;
         const std::span<const int> blocks = lanes.blocks_in_memory();
-        if (kGrowing * work_.met.size() < static_cast<std::size_t>(kLanes) * blocks.size()) return;
+        if (kContactsForOneGroup * work_.met.size() < static_cast<std::size_t>(kLanes) * blocks.size())
+            return;
         heaps_are_known_ = true;
         list_plain_forms();
         const auto rows = static_cast<std::size_t>(scratch_.motions.size());

@@ -132,4 +132,34 @@ TEST_CASE(
     }
 }
 
+// In large worlds with few impacts groups are grown at once, in others heaps are sorted out before.
+TEST_CASE(
+    "a cradle is the same alone, beside a pyramid at rest, and beside a heap that is hit in each step") {
+    for (const bool with_pyramid : {false, true}) {
+        for (const bool with_heap : {false, true}) {
+            INFO((with_pyramid ? "pyramid, " : "") << (with_heap ? "heap" : ""));
+            World world({.gravity_m_s2 = {}, .enable_sleep = false});
+            const Material elastic{.friction = 0, .restitution = 1};
+            const std::vector<Ball> balls{{1, 4}, {1, 0}, {1, 0}, {1, 0}, {1, 0}};
+            const std::vector<BodyId> row = add_row(world, balls, false, elastic);
+            for (int i = 0; with_pyramid && i < 30; ++i) {
+                for (int j = i; j < 30; ++j)
+                    add(world, {.position_m = {100 + 0.5 * i + (j - i), 1.0 * i}}, Box{0.5f, 0.5f});
+            }
+            for (int i = 0; with_heap && i < 15; ++i) {
+                for (int j = 0; j < 15; ++j)
+                    add(world, {.position_m = {-100 + 1.0 * i, 1.0 * j}}, Circle{{}, kRadius_m},
+                        {.material = elastic});
+                add(world, {.position_m = {-100 + 1.0 * i, -3.0 - i}, .linear_velocity_m_s = {0, 10}},
+                    Circle{{}, kRadius_m}, {.material = elastic});
+            }
+            run_for(world, 0.5);
+            for (std::size_t i = 0; i < row.size(); ++i) {
+                CHECK(world.body(row[i])->linear_velocity().x == Approx(i < 4 ? 0 : 4).margin(1e-4));
+                CHECK(world.body(row[i])->linear_velocity().y == Approx(0).margin(1e-4));
+            }
+        }
+    }
+}
+
 }  // namespace cairn::physics
