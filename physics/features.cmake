@@ -31,6 +31,8 @@ cairn_feature(JOINTS "joints of all kinds"
   resolve/joints/mouse.cpp
   resolve/joints/place.cpp
   resolve/joints/prismatic.cpp
+  resolve/joints/pin_load_kernel.cpp
+  resolve/joints/pin_loads.cpp
   resolve/joints/pulley.cpp
   resolve/joints/revolute.cpp
   resolve/joints/torn_joints.cpp
@@ -43,15 +45,22 @@ cairn_feature(JOINTS "joints of all kinds"
   world/joints.cpp)
 cairn_feature(DIRECT_SOLVER "the direct solver of joint structures and uneven contacts (needs joints)"
   resolve/direct/block_ldl.cpp
+  resolve/direct/chain_factors.cpp
   resolve/direct/direct_component.cpp
   resolve/direct/direct_descent.cpp
   resolve/direct/direct_energy.cpp
   resolve/direct/direct_equations.cpp
   resolve/direct/direct_structure.cpp
   resolve/direct/direct_system.cpp
+  resolve/direct/pin_chain.cpp
+  resolve/direct/pin_chain_energy.cpp
+  resolve/direct/pin_chain_row.cpp
+  resolve/direct/pin_row.cpp
+  resolve/joints/pin_statics.cpp
   world/direct_groups.cpp
   world/direct_solve.cpp
-  world/direct_structures.cpp)
+  world/direct_structures.cpp
+  world/pin_loads.cpp)
 cairn_feature(SENSORS "shapes that note what overlaps them"
   world/sensors.cpp)
 cairn_feature(CHAINS "runs of one-sided segments"

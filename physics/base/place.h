@@ -17,6 +17,8 @@ inline constexpr std::uint32_t kBoxesMoved = 4;  ///< a box of the broad phase w
 inline constexpr std::uint32_t kRouses = 16;     ///< could reach something that sleeps before it is seen
 inline constexpr std::uint32_t kPushed = 64;     ///< is being moved out of what it was put into
 inline constexpr std::uint32_t kWhirls = 32;     ///< turns so far that no straight way tells what it meets
+inline constexpr std::uint32_t kStrayed = 128;   ///< has a way, and went another one than was expected
+inline constexpr std::uint32_t kHasWay = 256;    ///< so fast that its boxes go with it: BroadPhase::move
 }  // namespace place_flag
 
 struct alignas(32) Place {

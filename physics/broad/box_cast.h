@@ -40,6 +40,18 @@ class BoxCast {
         return met ? enter : std::numeric_limits<double>::infinity();
     }
 
+    /// Whether the line of the way of the centre meets the box, however far along it is.
+    [[nodiscard]] bool crosses_line(const Aabb& box) const {
+        const double along_x = translation_.x;
+        const double along_y = translation_.y;
+        // Twice the box's centre and extents, the latter seen along the line's normal.
+        const double x = static_cast<double>(box.lower.x) + static_cast<double>(box.upper.x) - 2 * center_.x;
+        const double y = static_cast<double>(box.lower.y) + static_cast<double>(box.upper.y) - 2 * center_.y;
+        const double width = static_cast<double>(box.upper.x) - static_cast<double>(box.lower.x);
+        const double height = static_cast<double>(box.upper.y) - static_cast<double>(box.lower.y);
+        return std::abs(along_x * y - along_y * x) <= std::abs(along_y) * width + std::abs(along_x) * height;
+    }
+
   private:
     static std::pair<double, double> swept(double from, float half_extent, float along, float fraction) {
         const double way = static_cast<double>(std::min(fraction, 1.0f)) * static_cast<double>(along);

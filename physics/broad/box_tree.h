@@ -55,15 +55,14 @@ class BoxTree {
     template <class Visit>
     void query(const Aabb& box, Visit&& visit) const;
 
-    /// Calls visit(item) for each box that the segment from origin to origin + translation meets, the nearer
-    /// ones first as far as the tree tells them apart; visit returns the fraction up to which the rest of the
-    /// segment is still of interest.
+    /// Calls visit(item) for each box that the segment from origin to origin + translation meets, in no
+    /// order.
     template <class Visit>
-    void cast_ray(Position origin, Vec2 translation, Visit&& visit) const {
-        cast_box(origin, {}, translation, 1, visit);
-    }
+    void query_segment(Position origin, Vec2 translation, Visit&& visit) const;
 
-    /// The same for a box of the given half extents that is moved along the segment, up to `fraction` of it.
+    /// Calls visit(item) for each box that a box of the given half extents meets while it is moved from
+    /// center to center + fraction * translation, the nearer ones first as far as the tree tells them apart;
+    /// visit returns the fraction up to which the rest is still of interest.
     template <class Visit>
     void cast_box(Position center, Vec2 half_extents, Vec2 translation, float fraction, Visit&& visit) const;
 
@@ -142,6 +141,25 @@ void BoxTree::query(const Aabb& box, Visit&& visit) const {
     const Aabb finite{{std::max(box.lower.x, -kMost), std::max(box.lower.y, -kMost)},
                       {std::min(box.upper.x, kMost), std::min(box.upper.y, kMost)}};
     walk([&](Node, const BoxGroup& boxes) { return overlapping(boxes, finite); },
+         [&](int group, LaneMask lanes) {
+             for (; lanes != 0; lanes &= lanes - 1)
+                 visit(items_[kGroupSize * group + std::countr_zero(lanes)]);
+         });
+}
+
+template <class Visit>
+void BoxTree::query_segment(Position origin, Vec2 translation, Visit&& visit) const {
+    const BoxCast cast(origin, {}, translation);
+    const Aabb all = cast.bounds(1);
+    const auto crossed = [&](const BoxGroup& boxes) {
+        LaneMask found = 0;
+        for (LaneMask lanes = overlapping(boxes, all); lanes != 0; lanes &= lanes - 1) {
+            const int lane = std::countr_zero(lanes);
+            if (cast.crosses_line(boxes.box(lane))) found |= 1u << lane;
+        }
+        return found;
+    };
+    walk([&](Node, const BoxGroup& boxes) { return crossed(boxes); },
          [&](int group, LaneMask lanes) {
              for (; lanes != 0; lanes &= lanes - 1)
                  visit(items_[kGroupSize * group + std::countr_zero(lanes)]);

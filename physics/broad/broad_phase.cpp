@@ -10,6 +10,8 @@ void BroadPhase::add(int item, Layer layer, const Aabb& box) {
     if (item >= static_cast<int>(states_.size())) {
         states_.resize(item + 1);
         box_before_.resize(item + 1);
+        ways_.resize(item + 1);
+        way_before_.resize(item + 1);
     }
     states_[item] = {.layer = layer, .listed = states_[item].listed};
     trees_[index(layer)].insert(item, box, order_scratch_);
@@ -18,6 +20,7 @@ void BroadPhase::add(int item, Layer layer, const Aabb& box) {
 
 void BroadPhase::remove(int item) {
     trees_[index(states_[item].layer)].remove(item, order_scratch_);
+    drop_way(item);
     states_[item] = {.listed = states_[item].listed};
 }
 
@@ -25,8 +28,23 @@ void BroadPhase::move(int item, const Aabb& box) {
     State& state = states_[item];
     BoxTree& tree = trees_[index(state.layer)];
     note_move(item, tree.box(item));
+    drop_way(item);
     tree.move(item, box);
     if (state.layer != Layer::Awake) state.unsettled = true;
+}
+
+void BroadPhase::set_way(int item, Vec2 way) {
+    drop_way(item);
+    if (way == Vec2{}) return;
+    had_ways_ = states_[item].has_way = true;
+    ways_[item] = way;
+    ++with_ways_;
+}
+
+void BroadPhase::drop_way(int item) {
+    if (!states_[item].has_way) return;
+    states_[item].has_way = false;
+    --with_ways_;
 }
 
 void BroadPhase::touch(int item) {
@@ -44,13 +62,18 @@ void BroadPhase::set_layer(int item, Layer layer) {
     if (state.layer == Layer::Awake && state.moved) state.unsettled = true;
     state.layer = layer;
     // To be settled by the next search.
-    if (layer == Layer::Awake && state.unsettled) note_move(item, box);
+    if ((layer == Layer::Awake && state.unsettled) || state.has_way) note_move(item, box);
+    drop_way(item);
 }
 
 // Remembers where the box was at the last search, if this is its first move since.
 void BroadPhase::note_move(int item, const Aabb& before) {
     State& state = states_[item];
-    if (!state.moved) box_before_[item] = before;
+    if (!state.moved) {
+        box_before_[item] = before;
+        state.had_way = state.has_way;
+        if (state.has_way) way_before_[item] = ways_[item];
+    }
     state.moved = true;
     if (!state.listed) moved_items_.push_back(item);
     state.listed = true;
@@ -58,13 +81,15 @@ void BroadPhase::note_move(int item, const Aabb& before) {
 
 const std::vector<ItemPair>& BroadPhase::find_new_pairs() {
     pairs_.clear();
-    search(0, start_search(), pairs_);
+    beside_.clear();
+    search(0, start_search(), {pairs_, beside_});
     end_search(pairs_);
     return pairs_;
 }
 
 int BroadPhase::start_search() {
     moved_groups_.clear();
+    group_ways_.clear();
     if (moved_items_.empty()) return 0;
     for (BoxTree& tree : trees_) {
         if (tree.is_worn()) tree.rebuild(order_scratch_);
@@ -92,18 +117,35 @@ void BroadPhase::collect_moved_groups() {
             moved_groups_.push_back({layer, static_cast<int>(group), moved, tree(layer).level(0)[group]});
         }
     }
+    [[maybe_unused]] int with_ways = 0;
     for (const int item : moved_items_) {
         if (!states_[item].moved) continue;
         const int place = tree(layer(item)).place(item);
-        const int moved = moved_index_[index(layer(item))][place / kGroupSize];
-        moved_groups_[moved].before.set_box(place % kGroupSize, box_before_[item]);
+        const int lane = place % kGroupSize;
+        MovedGroup& group = moved_groups_[moved_index_[index(layer(item))][place / kGroupSize]];
+        group.before.set_box(lane, box_before_[item]);
+        if (!had_ways_) continue;
+        const State& state = states_[item];
+        if (state.has_way) note_way(group.ways, lane, ways_[item]);
+        if (state.had_way) note_way(group.ways_before, lane, way_before_[item]);
+        with_ways += state.has_way ? 1 : 0;
     }
+    CAIRN_VALIDATE(!had_ways_ || with_ways == with_ways_, "a box was not moved since it had its way");
 }
 
-void BroadPhase::search(int first_group, int last_group, std::vector<ItemPair>& pairs) const {
+// Of a group, which gets an index with the first.
+void BroadPhase::note_way(int& index, int lane, Vec2 way) {
+    if (index == kNone) {
+        index = static_cast<int>(group_ways_.size());
+        group_ways_.emplace_back();
+    }
+    group_ways_[index].set_way(lane, way);
+}
+
+void BroadPhase::search(int first_group, int last_group, const FoundPairs& found) const {
     SearchedLayers layers;
     for (const Layer layer : kLayers) layers[index(layer)] = {&tree(layer), moved_index_[index(layer)]};
-    find_pairs(layers, moved_groups_, first_group, last_group, pairs);
+    find_pairs(layers, {moved_groups_, group_ways_}, first_group, last_group, found);
 }
 
 bool BroadPhase::may_be_known(const ItemPair& pair) const {
@@ -130,6 +172,7 @@ void BroadPhase::end_search(std::vector<ItemPair>& pairs) {
         if (state.layer == Layer::Awake) state.unsettled = false;
     }
     moved_items_.clear();
+    had_ways_ = with_ways_ > 0;
 }
 
 }  // namespace cairn::physics

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "broad/box_way.h"
 #include "broad/pair_search.h"
 
 namespace cairn::physics {
@@ -21,6 +22,11 @@ class BroadPhase {
     void add(int item, Layer layer, const Aabb& box);
     void remove(int item);
     void move(int item, const Aabb& box);
+    /// What the box holds moves by so much (m) in the next step, within the box all along. Pairs that keep
+    /// apart on their ways (broad/box_way.h) count as if their boxes did not overlap. The box has just been
+    /// moved; it keeps the way until it is moved again, which must be before the next search but one. Only
+    /// what is awake may have one.
+    void set_way(int item, Vec2 way);
     /// Asks for all pairs of a box again, say because a filter changed.
     void touch(int item);
     /// What falls asleep or wakes changes its layer and nothing else.
@@ -29,15 +35,17 @@ class BroadPhase {
     [[nodiscard]] Layer layer(int item) const { return states_[item].layer; }
     [[nodiscard]] Aabb box(int item) const { return tree(layer(item)).box(item); }
     [[nodiscard]] const BoxTree& tree(Layer layer) const { return trees_[index(layer)]; }
+    [[nodiscard]] bool has_ways() const { return with_ways_ > 0; }
+    [[nodiscard]] Vec2 way(int item) const { return states_[item].has_way ? ways_[item] : Vec2{}; }
 
     /// All in one. The pairs are valid until the next call.
     const std::vector<ItemPair>& find_new_pairs();
 
     /// The same in parts, for threads: `start_search` gives the number of groups; `search` may run for
-    /// disjoint ranges of them at once and appends to `pairs`; `end_search` takes what all of them appended,
-    /// in any order, and makes of it what `find_new_pairs` gives.
+    /// disjoint ranges of them at once and appends to `found`; `end_search` takes the new pairs that all of
+    /// them appended, in any order, and makes of it what `find_new_pairs` gives.
     int start_search();
-    void search(int first_group, int last_group, std::vector<ItemPair>& pairs) const;
+    void search(int first_group, int last_group, const FoundPairs& found) const;
     void end_search(std::vector<ItemPair>& pairs);
 
   private:
@@ -54,9 +62,13 @@ class BroadPhase {
         // of its pairs that are new by their boxes may be known to the caller, until it has been awake for a
         // search.
         bool unsettled = false;
+        bool has_way = false;
+        bool had_way = false;  // at the last search
     };
 
     void note_move(int item, const Aabb& before);
+    void drop_way(int item);
+    void note_way(int& index, int lane, Vec2 way);
     void collect_moved_groups();
     void sort(std::vector<ItemPair>& pairs);
     [[nodiscard]] bool may_be_known(const ItemPair& pair) const;
@@ -64,12 +76,18 @@ class BroadPhase {
     std::array<BoxTree, kLayers.size()> trees_;
     std::vector<State> states_;     // by item
     std::vector<Aabb> box_before_;  // by item
+    std::vector<Vec2> ways_;        // by item, of those that have one
+    std::vector<Vec2> way_before_;  // by item, of those that had one
+    int with_ways_ = 0;
+    bool had_ways_ = false;         // some item, now or at some time since the last search
     std::vector<int> moved_items_;  // in the order of their first move; some may be gone
 
     // Of the search that is under way.
     std::vector<MovedGroup> moved_groups_;
+    std::vector<GroupWays> group_ways_;
     std::array<std::vector<int>, kLayers.size()> moved_index_;
     std::vector<ItemPair> pairs_;
+    std::vector<ItemPair> beside_;
 
     OrderScratch order_scratch_;
     RadixSort radix_;

@@ -31,6 +31,29 @@ HWY_INLINE LaneMask overlapping_lanes(const BoxGroup& group, const Aabb& box) {
     return found;
 }
 
+HWY_INLINE V least_overlap(V way_a, V way_b) {
+    const V zero = hn::Zero(D());
+    return hn::Sub(hn::Sub(hn::Min(way_a, zero), hn::Max(way_b, zero)), hn::Min(hn::Sub(way_a, way_b), zero));
+}
+
+// The lanes that keep apart from the given one: keep_apart to the last bit.
+LaneMask lanes_apart(const BoxGroup& group, const GroupWays& ways, const Aabb& box, Vec2 way) {
+    const auto is_more = [](V gap, V way_1, V way_2) { return hn::Gt(gap, least_overlap(way_1, way_2)); };
+    const V way_x = set(way.x);
+    const V way_y = set(way.y);
+    LaneMask apart = 0;
+    for (int lane = 0; lane < kLanes; lane += kStep) {
+        const V x = load(ways.x, lane);
+        const V y = load(ways.y, lane);
+        const M along_x = hn::Or(is_more(hn::Sub(load(group.lower_x, lane), set(box.upper.x)), x, way_x),
+                                 is_more(hn::Sub(set(box.lower.x), load(group.upper_x, lane)), way_x, x));
+        const M along_y = hn::Or(is_more(hn::Sub(load(group.lower_y, lane), set(box.upper.y)), y, way_y),
+                                 is_more(hn::Sub(set(box.lower.y), load(group.upper_y, lane)), way_y, y));
+        apart |= bits_of(hn::Or(along_x, along_y)) << lane;
+    }
+    return apart;
+}
+
 Aabb bounds_of(const BoxGroup& group, LaneMask lanes) {
     Aabb all;
     for (; lanes != 0; lanes &= lanes - 1) all = merged(all, group.box(std::countr_zero(lanes)));
@@ -39,15 +62,15 @@ Aabb bounds_of(const BoxGroup& group, LaneMask lanes) {
 
 class GroupSearch {
   public:
-    GroupSearch(const SearchedLayers& layers, std::span<const MovedGroup> moved, int index,
-                std::vector<ItemPair>& pairs)
+    GroupSearch(const SearchedLayers& layers, const MovedGroups& moved, int index, const FoundPairs& found)
         : layers_(layers),
-          moved_(moved),
+          moved_(moved.groups),
+          ways_(moved.ways),
           index_(index),
-          own_(moved[index]),
+          own_(moved.groups[index]),
           tree_(*layers[static_cast<std::size_t>(own_.layer)].tree),
           now_(tree_.level(0)[own_.group]),
-          pairs_(pairs) {}
+          found_(found) {}
 
     void run() {
         const Aabb reach = bounds_of(now_, own_.lanes);
@@ -77,10 +100,11 @@ class GroupSearch {
     }
 
     // With the boxes of another group, or of this one.
-    void compare(const SearchedLayer& searched, int group, LaneMask lanes) {
+    HWY_INLINE void compare(const SearchedLayer& searched, int group, LaneMask lanes) {
         const int moved = searched.moved_index.empty() ? kNone : searched.moved_index[group];
         const BoxGroup& now = searched.tree->level(0)[group];
         const BoxGroup& before = moved == kNone ? now : moved_[moved].before;
+        const bool some_have_ways = !ways_.empty() && (has_ways(index_) || has_ways(moved));
         for (; lanes != 0; lanes &= lanes - 1) {
             const int lane = std::countr_zero(lanes);
             LaneMask found = overlapping_lanes(now_, now.box(lane)) & own_.lanes;
@@ -89,27 +113,61 @@ class GroupSearch {
                 found &= both_look ? (1u << lane) - 1 : ~(1u << lane);
             }
             if (found == 0) continue;
-            found &= ~overlapping_lanes(own_.before, before.box(lane));
-            for (; found != 0; found &= found - 1) {
-                const int a = tree_.items()[kGroupSize * own_.group + std::countr_zero(found)];
-                const int b = searched.tree->items()[kGroupSize * group + lane];
-                pairs_.push_back({std::min(a, b), std::max(a, b)});
+            if (some_have_ways) {
+                compare_ways(searched, group, lane, found);
+            } else {
+                found &= ~overlapping_lanes(own_.before, before.box(lane));
+                tell(found, searched.tree->items()[kGroupSize * group + lane], found_.fresh);
             }
+        }
+    }
+
+    // A lane of another group, or of this one, with those that its box overlaps now.
+    HWY_NOINLINE void compare_ways(const SearchedLayer& searched, int group, int lane, LaneMask found) {
+        const int moved = searched.moved_index.empty() ? kNone : searched.moved_index[group];
+        const MovedGroup* other = moved == kNone ? nullptr : &moved_[moved];
+        const Aabb now = searched.tree->level(0)[group].box(lane);
+        const Aabb before = other == nullptr ? now : other->before.box(lane);
+        const int item = searched.tree->items()[kGroupSize * group + lane];
+        const LaneMask apart =
+            found & lanes_apart(now_, ways_of(own_.ways), now, way_of(other, &MovedGroup::ways, lane));
+        tell(apart, item, found_.beside);
+        const LaneMask known = overlapping_lanes(own_.before, before) &
+                               ~lanes_apart(own_.before, ways_of(own_.ways_before), before,
+                                            way_of(other, &MovedGroup::ways_before, lane));
+        tell(found & ~apart & ~known, item, found_.fresh);
+    }
+    [[nodiscard]] bool has_ways(int moved) const {
+        return moved != kNone && (moved_[moved].ways != kNone || moved_[moved].ways_before != kNone);
+    }
+    [[nodiscard]] const GroupWays& ways_of(int index) const {
+        static constexpr GroupWays kAllStand;
+        return index == kNone ? kAllStand : ways_[index];
+    }
+    [[nodiscard]] Vec2 way_of(const MovedGroup* group, int MovedGroup::*ways, int lane) const {
+        return group == nullptr ? Vec2{} : ways_of(group->*ways).way(lane);
+    }
+
+    HWY_INLINE void tell(LaneMask lanes, int item, std::vector<ItemPair>& pairs) const {
+        for (; lanes != 0; lanes &= lanes - 1) {
+            const int own = tree_.items()[kGroupSize * own_.group + std::countr_zero(lanes)];
+            pairs.push_back({std::min(own, item), std::max(own, item)});
         }
     }
 
     const SearchedLayers& layers_;
     std::span<const MovedGroup> moved_;
+    std::span<const GroupWays> ways_;
     const int index_;
     const MovedGroup& own_;
     const BoxTree& tree_;
     const BoxGroup& now_;
-    std::vector<ItemPair>& pairs_;
+    const FoundPairs& found_;
 };
 
-void find_pairs(const SearchedLayers& layers, std::span<const MovedGroup> moved, int first, int last,
-                std::vector<ItemPair>& pairs) {
-    for (int i = first; i < last; ++i) GroupSearch(layers, moved, i, pairs).run();
+void find_pairs(const SearchedLayers& layers, const MovedGroups& moved, int first, int last,
+                const FoundPairs& found) {
+    for (int i = first; i < last; ++i) GroupSearch(layers, moved, i, found).run();
 }
 
 }  // namespace HWY_NAMESPACE
@@ -121,9 +179,9 @@ namespace cairn::physics {
 
 HWY_EXPORT(find_pairs);
 
-void find_pairs(const SearchedLayers& layers, std::span<const MovedGroup> moved, int first, int last,
-                std::vector<ItemPair>& pairs) {
-    HWY_DYNAMIC_DISPATCH(find_pairs)(layers, moved, first, last, pairs);
+void find_pairs(const SearchedLayers& layers, const MovedGroups& moved, int first, int last,
+                const FoundPairs& found) {
+    HWY_DYNAMIC_DISPATCH(find_pairs)(layers, moved, first, last, found);
 }
 
 }  // namespace cairn::physics

@@ -1,4 +1,5 @@
-// The search for pairs of boxes that overlap now and did not before.
+// The search for pairs of boxes that overlap now and did not before. Those that keep apart on their ways
+// (broad/box_way.h) count as if they did not overlap, and are told besides.
 // One walk of the trees serves a whole group of eight boxes: a node is entered when it overlaps the union of
 // those that moved, and only at the bottom are boxes compared one with eight. Of two boxes that moved, the
 // one in the earlier group (by layer, then place) looks for the other, so each pair is found once. Source:
@@ -24,12 +25,32 @@ struct ItemPair {
     bool may_be_known = false;  ///< to the caller already; such a pair is rare
 };
 
+/// Of the boxes of a group.
+struct alignas(32) GroupWays {
+    BoxGroup::Lanes x{};
+    BoxGroup::Lanes y{};
+
+    [[nodiscard]] Vec2 way(int lane) const { return {x[lane], y[lane]}; }
+    void set_way(int lane, Vec2 way) {
+        x[lane] = way.x;
+        y[lane] = way.y;
+    }
+};
+
 /// A group in which something moved.
 struct MovedGroup {
     Layer layer;
     int group;
-    LaneMask lanes;   // that moved
-    BoxGroup before;  // the boxes as of the last search; of a new box: empty
+    LaneMask lanes;           // that moved
+    BoxGroup before;          // the boxes as of the last search; of a new box: empty
+    int ways = kNone;         // index of its GroupWays, if there are any; only what moved may have one
+    int ways_before = kNone;  // the same, as of the last search
+};
+
+/// What a search finds.
+struct FoundPairs {
+    std::vector<ItemPair>& fresh;   ///< new pairs
+    std::vector<ItemPair>& beside;  ///< pairs of which one moved, that overlap now, but keep apart
 };
 
 /// What a search looks at. Nothing in it changes while searches run.
@@ -40,8 +61,14 @@ struct SearchedLayer {
 };
 using SearchedLayers = std::array<SearchedLayer, kLayers.size()>;
 
-/// Appends the new pairs that the groups [first, last) of `moved` find.
-void find_pairs(const SearchedLayers& layers, std::span<const MovedGroup> moved, int first, int last,
-                std::vector<ItemPair>& pairs);
+/// The groups in which something moved, of all layers.
+struct MovedGroups {
+    std::span<const MovedGroup> groups;
+    std::span<const GroupWays> ways;
+};
+
+/// Appends what the groups [first, last) of `moved` find.
+void find_pairs(const SearchedLayers& layers, const MovedGroups& moved, int first, int last,
+                const FoundPairs& found);
 
 }  // namespace cairn::physics

@@ -41,19 +41,20 @@ struct StateAccess {
         return use(levels, level_count, items, places, end, live, disorder);
     }
 
-    /// use(trees, states, boxes before, moved items). The rest is of one search.
+    /// use(trees, states, boxes before, ways, ways before, how many have ways, whether any had, moved items).
+    /// The rest is of one search.
     template <class Phase, class Use>
     static auto broad(Phase& broad, Use&& use) {
-        auto& [trees, states, box_before, moved_items, moved_groups, moved_index, pairs, order_scratch, radix,
-               pair_keys] = broad;
-        return use(trees, states, box_before, moved_items);
+        auto& [trees, states, box_before, ways, way_before, with_ways, had_ways, moved_items, moved_groups,
+               group_ways, moved_index, pairs, beside, order_scratch, radix, pair_keys] = broad;
+        return use(trees, states, box_before, ways, way_before, with_ways, had_ways, moved_items);
     }
 
-    /// use(layer, listed, moved, touched, unsettled).
+    /// use(layer, listed, moved, touched, unsettled, has way, had way).
     template <class State, class Use>
     static auto item(State& state, Use&& use) {
-        auto& [layer, listed, moved, touched, unsettled] = state;
-        return use(layer, listed, moved, touched, unsettled);
+        auto& [layer, listed, moved, touched, unsettled, has_way, had_way] = state;
+        return use(layer, listed, moved, touched, unsettled, has_way, had_way);
     }
 
     /// use(near blocks, their reaches, what was seen of them, their counts), by geometry.
@@ -72,11 +73,11 @@ struct StateAccess {
         return use(pairs, links, blocks, free, chains, is_arranged);
     }
 
-    /// use(pins, drives, h, springs changed, dt).
+    /// use(pins, drives, h, springs changed, has loads, dt).
     template <class Lanes, class Use>
     static auto joints(Lanes& lanes, Use&& use) {
-        auto& [h_s, pins, drives, springs_changed, dt_s] = lanes;
-        return use(pins, drives, h_s, springs_changed, dt_s);
+        auto& [h_s, pins, drives, springs_changed, has_loads, dt_s] = lanes;
+        return use(pins, drives, h_s, springs_changed, has_loads, dt_s);
     }
 
     /// use(blocks, anchors, links, free blocks, chains).

@@ -1,6 +1,7 @@
 // Bodies as bytes: record, place and mass of each in the order of the slots; then the rows, column by column.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "state/sections.h"
 #include "state/slots.h"
@@ -9,8 +10,8 @@ namespace cairn::physics {
 namespace {
 
 // Flags that mean nothing between steps: groups that are solved directly are chosen anew in each.
-constexpr std::uint32_t kKeptFlags =
-    place_flag::kFast | place_flag::kTurnsFar | place_flag::kBoxesMoved | place_flag::kRouses;
+constexpr std::uint32_t kKeptFlags = place_flag::kFast | place_flag::kTurnsFar | place_flag::kBoxesMoved |
+                                     place_flag::kRouses | place_flag::kHasWay;
 
 constexpr std::size_t kBodyBytes =
     packed_size<BodyRecord>() + packed_size<Place>() + packed_size<MassLedger::Entry>();
@@ -43,6 +44,16 @@ void save_rows(const BodyRows& rows, Writer& out) {
     out.end(at);
 }
 
+// Without leaving early, so that many are looked at together.
+template <class T>
+bool all_finite(const std::vector<T>& column) {
+    const auto* numbers = reinterpret_cast<const float*>(column.data());
+    std::uint32_t any = 0;
+    for (std::size_t i = 0; i < column.size() * sizeof(T) / sizeof(float); ++i)
+        any |= static_cast<std::uint32_t>(!(std::fabs(numbers[i]) <= std::numeric_limits<float>::max()));
+    return any == 0;
+}
+
 void load_rows(Reader& in, BodyRows& rows) {
     auto& [moved, rotation_before, velocity, spin, force, torque, rest_time, box_slack, body] = rows;
     in.list(body);
@@ -52,9 +63,6 @@ void load_rows(Reader& in, BodyRows& rows) {
     const auto read = [&](auto& column) {
         column.resize(count);
         in.all(std::span(column));
-    };
-    const auto all_finite = [](const auto& column) {
-        return std::all_of(column.begin(), column.end(), [](const auto& x) { return is_finite(x); });
     };
     read(moved);
     read(rotation_before);
@@ -94,21 +102,20 @@ void take_rows(Reader& in, BodyStore& bodies, RowSet set) {
     }
 }
 
+// Every rule is looked at: to leave early would cost more.
 bool is_sound(const BodyRecord& body, const Place& place) {
-    const auto bounded = [](float x) { return x >= 0 && std::isfinite(x); };
-    const bool extents = body.extent_m >= 0 && body.extent_m <= kMostExtent_m &&
-                         body.turn_arm_m <= kMostExtent_m && body.inner_radius_m >= 0;
-    const bool motion = bounded(body.linear_damping_1_s) && bounded(body.angular_damping_1_s) &&
-                        std::isfinite(body.gravity_scale) && bounded(body.sleep_speed_m_s) &&
-                        bounded(body.joint_inertia);
-    if (!extents || !motion) return false;
-    const bool can_be_moved = body.type == BodyType::Dynamic;
-    const bool masses = body.inverse_mass >= 0 && std::isfinite(body.inverse_mass) &&
-                        body.inverse_inertia >= 0 && std::isfinite(body.inverse_inertia);
-    const bool moved = body.inverse_mass > 0 || body.inverse_inertia > 0;
+    constexpr float kMost = std::numeric_limits<float>::max();
+    bool sound = (place.flags & ~kKeptFlags) == 0;
+    for (const float x : {body.linear_damping_1_s, body.angular_damping_1_s, body.sleep_speed_m_s,
+                          body.joint_inertia, body.inverse_mass, body.inverse_inertia})
+        sound &= (x >= 0) & (x <= kMost);
+    sound &= std::fabs(body.gravity_scale) <= kMost;
+    sound &= (body.extent_m >= 0) & (body.extent_m <= kMostExtent_m);
+    sound &= (body.turn_arm_m <= kMostExtent_m) & (body.inner_radius_m >= 0);
+    sound &= (body.type == BodyType::Dynamic) | ((body.inverse_mass == 0) & (body.inverse_inertia == 0));
     const float turned = place.rotation.c * place.rotation.c + place.rotation.s * place.rotation.s;
-    if (!(std::fabs(turned - 1) < 1e-3f) || !is_within_reach(body.mass.center_m)) return false;
-    return masses && (can_be_moved || !moved) && is_finite(place.center) && (place.flags & ~kKeptFlags) == 0;
+    sound &= std::fabs(turned - 1) < 1e-3f;
+    return sound && is_within_reach(body.mass.center_m) && is_finite(place.center);
 }
 
 // Rings: each sleeper is followed by one, and follows one.

@@ -13,6 +13,8 @@ constexpr int kMostDisorder = 1 << 30;
 constexpr std::uint8_t kMoved = 1;
 constexpr std::uint8_t kTouched = 2;
 constexpr std::uint8_t kUnsettled = 4;
+constexpr std::uint8_t kHasWay = 8;
+constexpr std::uint8_t kHadWay = 16;
 
 std::size_t groups_for(std::size_t count) {
     return (count + kGroupSize - 1) / kGroupSize;
@@ -116,72 +118,104 @@ bool is_boxed(const ShapeRecord& shape) {
 
 void save_broad(const Stores& stores, Writer& out) {
     StateAccess::broad(stores.broad, [&](const auto& trees, const auto& states, const auto& box_before,
+                                         const auto& ways, const auto& way_before, int with_ways, bool,
                                          const auto& moved_items) {
         for (const BoxTree& tree : trees) save_tree(tree, out);
         std::byte* at = out.room(static_cast<std::size_t>(stores.shapes.size()));
         for_each_alive(stores.shapes, [&](int item, const ShapeRecord& shape) {
             if (!is_boxed(shape)) return;
-            StateAccess::item(states[static_cast<std::size_t>(item)], [&](Layer, bool, bool moved,
-                                                                          bool touched, bool unsettled) {
-                at = put(at, static_cast<std::uint8_t>((moved ? kMoved : 0) | (touched ? kTouched : 0) |
-                                                       (unsettled ? kUnsettled : 0)));
-            });
+            StateAccess::item(
+                states[static_cast<std::size_t>(item)],
+                [&](Layer, bool, bool moved, bool touched, bool unsettled, bool has_way, bool had_way) {
+                    at = put(
+                        at, static_cast<std::uint8_t>((moved ? kMoved : 0) | (touched ? kTouched : 0) |
+                                                      (unsettled ? kUnsettled : 0) | (has_way ? kHasWay : 0) |
+                                                      (moved && had_way ? kHadWay : 0)));
+                });
         });
         out.end(at);
-        at = out.room(sizeof(int) + moved_items.size() * (sizeof(int) + sizeof(Aabb)));
+        at = out.room(sizeof(int) + moved_items.size() * (sizeof(int) + sizeof(Aabb) + sizeof(Vec2)));
         at = put(at, static_cast<std::uint32_t>(moved_items.size()));
         for (const int item : moved_items) {
+            const auto& state = states[static_cast<std::size_t>(item)];
             at = put(at, item);
-            if (states[static_cast<std::size_t>(item)].moved)
-                at = put(at, box_before[static_cast<std::size_t>(item)]);
+            if (!state.moved) continue;
+            at = put(at, box_before[static_cast<std::size_t>(item)]);
+            if (state.had_way) at = put(at, way_before[static_cast<std::size_t>(item)]);
         }
+        out.end(at);
+        if (with_ways == 0) return;
+        at = out.room(static_cast<std::size_t>(with_ways) * sizeof(Vec2));
+        for_each_alive(stores.shapes, [&](int item, const ShapeRecord& shape) {
+            if (is_boxed(shape) && states[static_cast<std::size_t>(item)].has_way)
+                at = put(at, ways[static_cast<std::size_t>(item)]);
+        });
         out.end(at);
     });
 }
 
 void load_broad(Reader& in, Stores& stores) {
     in.begin("broad phase");
-    StateAccess::broad(stores.broad, [&](auto& trees, auto& states, auto& box_before, auto& moved_items) {
-        int live = 0;
-        for (const Layer layer : kLayers) {
-            BoxTree& tree = trees[static_cast<std::size_t>(layer)];
-            load_tree(in, stores, layer, tree);
-            if (!in.ok()) return;
-            live += tree.size();
-        }
-        const auto slots = static_cast<std::size_t>(stores.shapes.end_index());
-        const int boxed = stores.shapes.size() - static_cast<int>(stores.sensors.all.size());
-        if (!in.require(live == boxed, "a shape is in no tree")) return;
-        const std::byte* at = in.take(static_cast<std::size_t>(boxed));
-        if (at == nullptr) return;
-        states.assign(slots, {});
-        box_before.assign(slots, {});
-        int waiting = 0;  // that moved, and must be listed
-        for_each_alive(stores.shapes, [&](int item, const ShapeRecord& shape) {
-            if (!is_boxed(shape)) return;
-            std::uint8_t bits = 0;
-            at = get(at, bits, in.reading);
-            auto& state = states[static_cast<std::size_t>(item)];
-            state.layer = layer_of(stores.bodies.slots[shape.body].set);
-            state.moved = (bits & kMoved) != 0;
-            state.touched = (bits & kTouched) != 0;
-            state.unsettled = (bits & kUnsettled) != 0;
-            waiting += state.moved ? 1 : 0;
+    StateAccess::broad(
+        stores.broad, [&](auto& trees, auto& states, auto& box_before, auto& ways, auto& way_before,
+                          int& with_ways, bool& had_ways, auto& moved_items) {
+            int live = 0;
+            for (const Layer layer : kLayers) {
+                BoxTree& tree = trees[static_cast<std::size_t>(layer)];
+                load_tree(in, stores, layer, tree);
+                if (!in.ok()) return;
+                live += tree.size();
+            }
+            const auto slots = static_cast<std::size_t>(stores.shapes.end_index());
+            const int boxed = stores.shapes.size() - static_cast<int>(stores.sensors.all.size());
+            if (!in.require(live == boxed, "a shape is in no tree")) return;
+            const std::byte* at = in.take(static_cast<std::size_t>(boxed));
+            if (at == nullptr) return;
+            states.assign(slots, {});
+            box_before.assign(slots, {});
+            ways.resize(slots);
+            way_before.resize(slots);
+            with_ways = 0;
+            had_ways = false;
+            int waiting = 0;  // that moved, and must be listed
+            for_each_alive(stores.shapes, [&](int item, const ShapeRecord& shape) {
+                if (!is_boxed(shape)) return;
+                std::uint8_t bits = 0;
+                at = get(at, bits, in.reading);
+                auto& state = states[static_cast<std::size_t>(item)];
+                state.layer = layer_of(stores.bodies.slots[shape.body].set);
+                state.moved = (bits & kMoved) != 0;
+                state.touched = (bits & kTouched) != 0;
+                state.unsettled = (bits & kUnsettled) != 0;
+                state.has_way = (bits & kHasWay) != 0;
+                state.had_way = (bits & kHadWay) != 0;
+                with_ways += state.has_way ? 1 : 0;
+                waiting += state.moved ? 1 : 0;
+                had_ways = had_ways || state.has_way || state.had_way;
+                const std::uint32_t flags = stores.bodies.places[static_cast<std::size_t>(shape.body)].flags;
+                const bool may_have_way = state.layer == Layer::Awake && (flags & place_flag::kHasWay) != 0;
+                in.require(may_have_way || !state.has_way, "a box has a way, though its body is not fast");
+            });
+            moved_items.resize(in.count(sizeof(int)));
+            for (int& item : moved_items) {
+                in.value(item);
+                const bool fits = item >= 0 && static_cast<std::size_t>(item) < slots &&
+                                  !states[static_cast<std::size_t>(item)].listed;
+                if (!in.require(fits, "a box is listed as moved that there is not, or twice")) return;
+                auto& state = states[static_cast<std::size_t>(item)];
+                state.listed = true;
+                if (!state.moved) continue;
+                in.value(box_before[static_cast<std::size_t>(item)]);
+                if (state.had_way) in.value(way_before[static_cast<std::size_t>(item)]);
+                --waiting;
+            }
+            in.require(waiting == 0, "a box moved that is not listed");
+            if (with_ways == 0) return;
+            for_each_alive(stores.shapes, [&](int item, const ShapeRecord& shape) {
+                if (is_boxed(shape) && states[static_cast<std::size_t>(item)].has_way)
+                    in.value(ways[static_cast<std::size_t>(item)]);
+            });
         });
-        moved_items.resize(in.count(sizeof(int)));
-        for (int& item : moved_items) {
-            in.value(item);
-            const bool fits = item >= 0 && static_cast<std::size_t>(item) < slots &&
-                              !states[static_cast<std::size_t>(item)].listed;
-            if (!in.require(fits, "a box is listed as moved that there is not, or twice")) return;
-            auto& state = states[static_cast<std::size_t>(item)];
-            state.listed = true;
-            if (!state.moved) continue;
-            in.value(box_before[static_cast<std::size_t>(item)]);
-            --waiting;
-        }
-        in.require(waiting == 0, "a box moved that is not listed");
-    });
     in.settle();
 }
 

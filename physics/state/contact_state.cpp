@@ -277,9 +277,7 @@ class Placing {
     void load_colored() {
         StateAccess::colored(stores_.contacts.lanes, [&](auto& pairs, auto& links, auto& blocks, auto& free,
                                                          auto& chains, bool& is_arranged) {
-            pairs.clear();
             links.clear();
-            blocks.clear();
             free.clear();
             chains.fill({});
             is_arranged = false;
@@ -292,6 +290,8 @@ class Placing {
                 if (!in_.require(fits, "a colour of contacts is none, or is there twice")) return;
                 load_bucket(static_cast<int>(bucket), pairs, links, blocks, chains[bucket]);
             }
+            pairs.resize(links.size());
+            blocks.resize(links.size());
             free.reserve(pairs.capacity());
         });
         if (in_.settle()) stores_.contacts.lanes.arrange();
@@ -304,10 +304,11 @@ class Placing {
         const std::size_t length = (count + kLanes - 1) / kLanes;
         const std::byte* at = in_.take(length * kColoredBytes);
         if (at == nullptr || !in_.require(count > 0, "a colour of contacts is empty")) return;
-        const std::size_t first = pairs.size();
-        pairs.resize(first + length);
-        if (blocks.size() < first + length) blocks.resize(first + length);
+        const std::size_t first = links.size();
         links.resize(first + length);
+        // What blocks held before is read over, or made anew by the next step, before anybody looks at it.
+        if (pairs.size() < first + length) pairs.resize(first + length);
+        if (blocks.size() < first + length) blocks.resize(first + length);
         chain = {static_cast<int>(first), static_cast<int>(first + length) - 1};
         for (std::size_t i = 0; i < length; ++i) {
             const int block = static_cast<int>(first + i);

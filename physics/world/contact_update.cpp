@@ -268,8 +268,10 @@ class Update {
         const PreparedLanes prepared =
             prepare_block(places.poses, manifold, scratch_.motions.velocity.data(),
                           scratch_.motions.pose.data(), pairs.features, impact_speed_, block);
-        const unsigned gone = gone_lanes(stores_.fat_boxes, pairs, places.boxes_moved);
-        const unsigned apart = prepared.apart & lanes_of(block_index) & ~gone;
+        // The boxes of what has points overlap.
+        const unsigned without = prepared.apart & lanes_of(block_index);
+        const unsigned gone = gone_lanes(stores_, pairs, places.boxes_moved & without);
+        const unsigned apart = without & ~gone;
         const unsigned told = (pairs.reports | (pairs.impacts & prepared.fast)) & ~prepared.apart;
         const unsigned loose = ((places.turn_far & prepared.swings) | places.direct) & ~prepared.apart;
         const unsigned deep = calm_lanes(block, prepared.deep & ~places.direct & ~prepared.apart);
@@ -412,7 +414,7 @@ class Update {
         single_.shape_b[0] = c.shape_b;
         const float unit = length_unit(stores_, c);
         collide(single_, PairGeometry::Chains, 1, places_, manifold_, unit);
-        if (gone_lanes(stores_.fat_boxes, single_, places_.boxes_moved) != 0) {
+        if (gone_lanes(stores_, single_, places_.boxes_moved) != 0) {
             scratch_.gone.push_back(contact);
             return;
         }

@@ -74,9 +74,11 @@ bool has_contact(const Stores& stores, int shape_a, int shape_b) {
 void find_new_pairs(Stores& stores, StepScratch& scratch, TaskPool& tasks) {
     const int groups = stores.broad.start_search();
     scratch.found_pairs.start(groups, kGroupsPerChunk, tasks);
+    scratch.beside.start(groups, kGroupsPerChunk, tasks);
     tasks.parallel_for(groups, kGroupsPerChunk, [&](const Chunk& chunk) {
         ChunkedList<ItemPair>::Appender found(scratch.found_pairs, chunk);
-        stores.broad.search(chunk.begin, chunk.end, found.items());
+        ChunkedList<ItemPair>::Appender beside(scratch.beside, chunk);
+        stores.broad.search(chunk.begin, chunk.end, {found.items(), beside.items()});
     });
     scratch.found_pairs.copy_to(scratch.pairs);
     stores.broad.end_search(scratch.pairs);

@@ -27,7 +27,7 @@ void find_structures(Stores& stores, JointSolver solver, DirectGroups& groups) {
     }
     groups.structure_of.resize(static_cast<std::size_t>(stores.bodies.slots.end_index()), kNone);
     for (const int joint : stores.joints.active) stores.joints.slots[joint].direct = false;
-    groups.search.find(stores, solver, groups.structures);
+    groups.search.find(stores, solver, groups.structures, groups.without_loads);
     for (std::size_t s = 0; s < groups.structures.size(); ++s) {
         for (const int joint : groups.structures[s].joints) {
             unseat_joint(stores, joint);
@@ -119,7 +119,9 @@ class Growth {
         const auto needed = static_cast<std::size_t>(groups_.count) + 1;
         if (groups_.groups.size() < needed) {
             groups_.groups.resize(needed);
+            groups_.chains.resize(needed);
             groups_.components.resize(needed);
+            groups_.is_chain.resize(needed);
             groups_.contacts.resize(needed);
         }
         DirectStructure& group = groups_.groups[needed - 1];

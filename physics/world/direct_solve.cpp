@@ -7,6 +7,7 @@
 
 #include "integrator/integrate.h"
 #include "world/prepare.h"
+#include "world/solve.h"
 
 namespace cairn::physics {
 namespace {
@@ -60,17 +61,32 @@ void distribute_contacts(const Stores& stores, StepScratch& scratch, DirectGroup
     }
 }
 
-// What structures do to bodies is not taken for an impulse of contacts.
+// Calls work(solver) with what solves a group.
+template <class Groups, class Work>
+void with_solver(Groups& groups, std::size_t group, const Work& work) {
+    if (groups.is_chain[group] != 0) {
+        work(groups.chains[group]);
+    } else {
+        work(groups.components[group]);
+    }
+}
+
+// What structures do to bodies is not taken for an impulse of contacts, where there are any.
 template <class Work>
-void for_each_component(DirectGroups& groups, Motions& motions, TaskPool& tasks, const Work& work) {
+void for_each_solver(DirectGroups& groups, Motions& motions, Acting acting, TaskPool& tasks,
+                     const Work& work) {
+    const auto for_rows = [&](const auto& solver, auto&& set_apart) {
+        if (!acting.contacts) return;
+        for (int body = 0; body < solver.bodies(); ++body)
+            set_apart(motions, solver.row(body), solver.row(body) + 1);
+    };
     tasks.parallel_for(groups.count, 1, [&](const Chunk& chunk) {
         for (int i = chunk.begin; i < chunk.end; ++i) {
-            DirectComponent& component = groups.components[static_cast<std::size_t>(i)];
-            for (int body = 0; body < component.bodies(); ++body)
-                begin_joints(motions, component.row(body), component.row(body) + 1);
-            work(component);
-            for (int body = 0; body < component.bodies(); ++body)
-                end_joints(motions, component.row(body), component.row(body) + 1);
+            with_solver(groups, static_cast<std::size_t>(i), [&](auto& solver) {
+                for_rows(solver, begin_joints);
+                work(solver);
+                for_rows(solver, end_joints);
+            });
         }
     });
 }
@@ -92,41 +108,52 @@ void start_direct_solve(Stores& stores, const ContactRules& rules, const StepTim
             const int place = stores.joints.slots[joint].swept_index;
             if (scratch.joints[static_cast<std::size_t>(place)].law_count > 0) groups.places.push_back(place);
         }
-        DirectComponent& component = groups.components[g];
-        component.assemble(groups.places, groups.contacts[g], scene, groups.body_of_row);
-        for (int body = 0; body < component.bodies(); ++body) {
-            const int row = component.row(body);
-            scratch.motions.mover[row] = Mover::Direct;
-            groups.inertia[static_cast<std::size_t>(row)] =
-                stores.bodies.slots[awake.body[row - 1]].joint_inertia;
-        }
+        const bool is_chain =
+            groups.contacts[g].empty() && groups.chains[g].assemble(groups.places, scene, groups.body_of_row);
+        groups.is_chain[g] = is_chain ? 1 : 0;
+        if (!is_chain)
+            groups.components[g].assemble(groups.places, groups.contacts[g], scene, groups.body_of_row);
+        with_solver(groups, g, [&](const auto& solver) {
+            for (int body = 0; body < solver.bodies(); ++body) {
+                const int row = solver.row(body);
+                scratch.motions.mover[row] = Mover::Direct;
+                groups.inertia[static_cast<std::size_t>(row)] =
+                    stores.bodies.slots[awake.body[row - 1]].joint_inertia;
+            }
+        });
     }
-    for_each_component(groups, scratch.motions, tasks,
-                       [&](DirectComponent& component) { component.start(scene, groups.inertia); });
+    tasks.parallel_for(groups.count, 1, [&](const Chunk& chunk) {
+        for (int i = chunk.begin; i < chunk.end; ++i) {
+            with_solver(groups, static_cast<std::size_t>(i),
+                        [&](auto& solver) { solver.start(scene, groups.inertia); });
+        }
+    });
 }
 
 void solve_direct(DirectGroups& groups, StepScratch& scratch, const ContactRules& rules, float h_s,
-                  TaskPool& tasks) {
+                  Acting acting, TaskPool& tasks) {
     if (groups.count == 0) return;
     const DirectScene scene = scene_of(scratch, rules, h_s);
-    for_each_component(groups, scratch.motions, tasks, [&](DirectComponent& c) { c.solve(scene); });
+    for_each_solver(groups, scratch.motions, acting, tasks, [&](auto& solver) { solver.solve(scene); });
 }
 
 void move_direct(DirectGroups& groups, StepScratch& scratch, const ContactRules& rules, float h_s,
-                 TaskPool& tasks) {
+                 Acting acting, TaskPool& tasks) {
     if (groups.count == 0) return;
     const DirectScene scene = scene_of(scratch, rules, h_s);
-    for_each_component(groups, scratch.motions, tasks, [&](DirectComponent& c) { c.move(scene); });
+    for_each_solver(groups, scratch.motions, acting, tasks, [&](auto& solver) { solver.move(scene); });
 }
 
-void store_direct(const DirectGroups& groups, Stores& stores) {
+void store_direct(const DirectGroups& groups, Stores& stores, StepScratch& scratch) {
     const BodyRows& awake = stores.bodies.rows(RowSet::Awake);
     for (std::size_t g = 0; g < static_cast<std::size_t>(groups.count); ++g) {
-        const DirectComponent& component = groups.components[g];
-        for (int i = 0; i < component.bodies(); ++i) {
-            stores.bodies.slots[awake.body[component.row(i) - 1]].joint_inertia =
-                static_cast<float>(component.inertia(i));
-        }
+        if (groups.is_chain[g] != 0) groups.chains[g].finish(scratch.joints);
+        with_solver(groups, g, [&](const auto& solver) {
+            for (int i = 0; i < solver.bodies(); ++i) {
+                stores.bodies.slots[awake.body[solver.row(i) - 1]].joint_inertia =
+                    static_cast<float>(solver.inertia(i));
+            }
+        });
     }
 }
 

@@ -5,6 +5,7 @@
 
 namespace cairn::physics {
 
+struct Acting;
 struct StepTime;
 
 /// Stage, when all constraints are described: takes the bodies and contacts of groups over.
@@ -12,10 +13,10 @@ void start_direct_solve(Stores& stores, const ContactRules& rules, const StepTim
                         DirectGroups& groups, TaskPool& tasks);
 /// Within a substep; see resolve/direct/direct_component.h.
 void solve_direct(DirectGroups& groups, StepScratch& scratch, const ContactRules& rules, float h_s,
-                  TaskPool& tasks);
+                  Acting acting, TaskPool& tasks);
 void move_direct(DirectGroups& groups, StepScratch& scratch, const ContactRules& rules, float h_s,
-                 TaskPool& tasks);
-/// Stage: what bodies remember.
-void store_direct(const DirectGroups& groups, Stores& stores);
+                 Acting acting, TaskPool& tasks);
+/// Stage: impulses of joints into the scratch, and what bodies remember.
+void store_direct(const DirectGroups& groups, Stores& stores, StepScratch& scratch);
 
 }  // namespace cairn::physics

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "world/joint_lists.h"
 #include "world/world_state.h"
 
 namespace cairn::physics {
@@ -43,14 +44,15 @@ bool is_uneven(float least_inverse_mass, float most_inverse_mass) {
 
 }  // namespace
 
-void StructureSearch::find(const Stores& stores, JointSolver solver,
-                           std::vector<DirectStructure>& structures) {
+void StructureSearch::find(const Stores& stores, JointSolver solver, std::vector<DirectStructure>& structures,
+                           std::vector<DirectStructure>& without_loads) {
     structures.clear();
+    without_loads.clear();
     if (solver == JointSolver::Sweeping || stores.joints.active.size() == 0) return;
     note_movers(stores);
     join(stores);
     sum_up(stores);
-    list(stores, solver, structures);
+    list(stores, solver, structures, without_loads);
 }
 
 void StructureSearch::note_movers(const Stores& stores) {
@@ -92,6 +94,10 @@ void StructureSearch::sum_up(const Stores& stores) {
         }
         Summary& s = summaries_[at(of_root)];
         ++s.joints;
+        const JointRecord& record = stores.joints.slots[stores.joints.active[i]];
+        const auto* pin = std::get_if<RevoluteJointDef>(&record.def);
+        s.plain_pins = s.plain_pins && pin != nullptr && is_plain_pin(*pin);
+        s.lacks_load = s.lacks_load || !record.load_known;
         for_each_body(stores, stores.joints.active[i], [&](int body) {
             if (!moves(body)) s.is_held = true;
             if (!moves(body) || seen_[at(body)]) return;
@@ -114,13 +120,17 @@ bool StructureSearch::may_be_hard(const Summary& s) {
     return may_be_deep || is_uneven(s.least_inverse_mass, s.most_inverse_mass);
 }
 
-void StructureSearch::list(const Stores& stores, JointSolver solver,
-                           std::vector<DirectStructure>& structures) {
+bool StructureSearch::may_need_loads(const Summary& s) {
+    return s.lacks_load && s.plain_pins && s.is_held && s.joints > kDepth;
+}
+
+void StructureSearch::list(const Stores& stores, JointSolver solver, std::vector<DirectStructure>& structures,
+                           std::vector<DirectStructure>& without_loads) {
     const bool all = solver == JointSolver::Direct;
     summary_of_.clear();
     for (std::size_t i = 0; i < summaries_.size(); ++i) {
         Summary& s = summaries_[i];
-        if (!all && !may_be_hard(s)) continue;
+        if (!all && !may_be_hard(s) && !may_need_loads(s)) continue;
         s.listed = static_cast<int>(structures.size());
         structures.emplace_back();
         summary_of_.push_back(static_cast<int>(i));
@@ -143,16 +153,25 @@ void StructureSearch::list(const Stores& stores, JointSolver solver,
     local_.resize(moves_.size());
     std::size_t kept = 0;
     for (std::size_t i = 0; i < structures.size(); ++i) {
-        if (!is_hard_to_sweep(structures[i], summaries_[at(summary_of_[i])], stores)) continue;
+        const Summary& summary = summaries_[at(summary_of_[i])];
+        number_bodies(structures[i]);
+        if (!may_be_hard(summary) || !is_hard_to_sweep(structures[i], summary, stores)) {
+            if (may_need_loads(summary) && depth_of(structures[i], stores) > kDepth)
+                without_loads.push_back(std::move(structures[i]));
+            continue;
+        }
         if (kept != i) structures[kept] = std::move(structures[i]);
         ++kept;
     }
     structures.resize(kept);
 }
 
+void StructureSearch::number_bodies(const DirectStructure& s) {
+    for (std::size_t i = 0; i < s.bodies.size(); ++i) local_[at(s.bodies[i])] = static_cast<int>(i);
+}
+
 bool StructureSearch::is_hard_to_sweep(const DirectStructure& s, const Summary& summary,
                                        const Stores& stores) {
-    for (std::size_t i = 0; i < s.bodies.size(); ++i) local_[at(s.bodies[i])] = static_cast<int>(i);
     const bool uneven = is_uneven(summary.least_inverse_mass, summary.most_inverse_mass);
     if (!uneven && depth_of(s, stores) <= kDepth) return false;
     return products_per_joint(s, stores) <= kMaxProducts;

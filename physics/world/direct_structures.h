@@ -23,8 +23,10 @@ struct DirectStructure {
 
 class StructureSearch {
   public:
-    /// Structures that are to be solved directly, as the choice of the world says.
-    void find(const Stores& stores, JointSolver solver, std::vector<DirectStructure>& structures);
+    /// Structures that are to be solved directly, as the choice of the world says. Those of plain pins that
+    /// would be but for their loops, and have pins whose loads are not known, are `without_loads`.
+    void find(const Stores& stores, JointSolver solver, std::vector<DirectStructure>& structures,
+              std::vector<DirectStructure>& without_loads);
 
   private:
     // What is known of a structure before it has lists.
@@ -33,8 +35,10 @@ class StructureSearch {
         int bodies = 0;
         float least_inverse_mass = 0;  // of bodies that have mass; 0: none has
         float most_inverse_mass = 0;
-        bool is_held = false;  // by what does not move
-        int listed = -1;       // place among the structures
+        bool is_held = false;     // by what does not move
+        bool plain_pins = true;   // and nothing else
+        bool lacks_load = false;  // of one of them
+        int listed = -1;          // place among the structures
     };
 
     void note_movers(const Stores& stores);
@@ -42,7 +46,11 @@ class StructureSearch {
     void join(const Stores& stores);
     void sum_up(const Stores& stores);
     [[nodiscard]] static bool may_be_hard(const Summary& s);
-    void list(const Stores& stores, JointSolver solver, std::vector<DirectStructure>& structures);
+    [[nodiscard]] static bool may_need_loads(const Summary& s);
+    void list(const Stores& stores, JointSolver solver, std::vector<DirectStructure>& structures,
+              std::vector<DirectStructure>& without_loads);
+    void number_bodies(const DirectStructure& s);
+    // These want the bodies numbered.
     [[nodiscard]] bool is_hard_to_sweep(const DirectStructure& s, const Summary& summary,
                                         const Stores& stores);
     [[nodiscard]] int depth_of(const DirectStructure& s, const Stores& stores);

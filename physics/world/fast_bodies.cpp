@@ -26,6 +26,9 @@ constexpr float kSeenAhead_m = tuning::kSpeculativeDistance_m;
 // Flags of bodies of which boxes cover the way.
 constexpr std::uint32_t kCovered = place_flag::kFast | place_flag::kRouses;
 
+// What is left of the step before.
+constexpr std::uint32_t kOutdated = kCovered | place_flag::kStrayed | place_flag::kHasWay;
+
 // What a thread takes at once.
 constexpr int kRowsPerChunk = 512;
 
@@ -50,13 +53,15 @@ float farthest_way(const Advance& advance, float dt_s) {
 }
 
 // The boxes of the body enclose where it is and where it is expected, which is `turn` further round, and all
-// that lies between. What room they leave is that about the expected place.
+// that lies between. What room they leave is that about the expected place. On a long way they are made
+// anew, and go with the body, so that what moves along with it is no neighbour for that alone.
 void cover_way(Stores& stores, int body, Vec2 way, float turn, std::vector<int>& untold) {
     const BodyRecord& record = stores.bodies.slots[body];
     const Transform now = stores.bodies.transform(body);
     const Vec2 center = record.mass.center_m;
     const Rotation q = turn == 0 ? now.q : Rotation::from_small_angle(turn) * now.q;
-    const Vec2 shift = way + rotate(now.q, center) - rotate(q, center);
+    const bool has_way = (stores.bodies.places[body].flags & place_flag::kHasWay) != 0;
+    const Vec2 swing = rotate(now.q, center) - rotate(q, center);
     // A point that turns is at most this far from the straight way between its ends.
     const float aside = turn == 0 ? 0 : std::min(0.125f * turn * turn, 2.0f) * record.turn_arm_m;
     const float rounding = std::min(kMostRounding_m, kRounding * (length(way) + record.extent_m));
@@ -65,11 +70,16 @@ void cover_way(Stores& stores, int body, Vec2 way, float turn, std::vector<int>&
         const ShapeRecord& shape = stores.shapes[s];
         const Extents start = extents(shape.convex, now.q);
         const Extents end = turn == 0 ? start : extents(shape.convex, q);
-        const Vec2 lower = smallest(start.lower, end.lower + shift);
-        const Vec2 upper = largest(start.upper, end.upper + shift);
+        // A box that goes along holds the shape in each of its turns on all of the way.
+        Vec2 lower = smallest(start.lower, end.lower + (way + swing));
+        Vec2 upper = largest(start.upper, end.upper + (way + swing));
+        if (has_way) {
+            lower = smallest(start.lower, end.lower + swing) + smallest({}, way);
+            upper = largest(start.upper, end.upper + swing) + largest({}, way);
+        }
         const Aabb all = grown(make_aabb(now.p, lower, upper), aside + rounding);
         const Aabb reach = grown(all, tuning::kAabbReach_m);
-        if (!contains(stores.fat_boxes[s], reach)) {
+        if (has_way || !contains(stores.fat_boxes[s], reach)) {
             stores.fat_boxes[s] = grown(all, shape.margin_m);
             untold.push_back(s);
         }
@@ -112,8 +122,9 @@ void cover_fast_ways(Stores& stores, Vec2 gravity_m_s2, float dt_s, StepScratch&
         Advance& advance = scratch.advances[row + 1];
         advance = advance_of(stores.bodies, body, gravity_m_s2, dt_s);
         std::uint32_t& flags = stores.bodies.places[body].flags;
-        const std::uint32_t before = flags & kCovered;
-        flags &= ~kCovered;
+        const std::uint32_t outdated = flags & kOutdated;
+        const std::uint32_t before = outdated & kCovered;
+        flags &= ~kOutdated;
         // A body is fast when a step takes it further than half of what is solid about its thinnest shape.
         const float way = farthest_way(advance, dt_s);
         const bool is_fast = way > advance.thin_m;
@@ -121,8 +132,15 @@ void cover_fast_ways(Stores& stores, Vec2 gravity_m_s2, float dt_s, StepScratch&
         const std::uint32_t now = is_fast ? place_flag::kFast : rouses ? place_flag::kRouses : 0;
         flags |= now;
         if (is_fast) fast.push_back(body);
+        // Boxes over ways that are longer than the body overlap those of many that go along; boxes over
+        // shorter ones hold for several steps.
+        const bool has_way =
+            is_fast && dt_s * length(advance.velocity_m_s) > stores.bodies.slots[body].extent_m;
+        if (has_way) flags |= place_flag::kHasWay;
         // What covered a longer way would be too large for long.
-        if (before != 0 && before != now && !is_fast) renew_boxes(stores, body, untold);
+        const bool had_way = (outdated & place_flag::kHasWay) != 0;
+        if ((before != 0 && before != now && !is_fast) || (had_way && !has_way))
+            renew_boxes(stores, body, untold);
         if (now != 0) cover_way(stores, body, dt_s * advance.velocity_m_s, dt_s * awake.spin[row], untold);
     };
     tasks.parallel_for(awake.size(), kRowsPerChunk, [&](const Chunk& chunk) {
@@ -132,12 +150,19 @@ void cover_fast_ways(Stores& stores, Vec2 gravity_m_s2, float dt_s, StepScratch&
     });
     tell_fat_boxes(stores, scratch.untold_boxes);
     scratch.fast_found.copy_to(scratch.fast);
+    for (const int body : scratch.fast) {
+        const Place& place = stores.bodies.places[body];
+        if ((place.flags & place_flag::kHasWay) == 0) continue;
+        const Vec2 way = dt_s * scratch.advances[place.row].velocity_m_s;
+        for (int s = stores.bodies.slots[body].first_shape; s != kNone; s = stores.shapes[s].next_of_body)
+            stores.broad.set_way(s, way);
+    }
 }
 
 void extend_advances(Stores& stores, Vec2 gravity_m_s2, float dt_s, StepScratch& scratch) {
     const BodyRows& awake = stores.bodies.rows(RowSet::Awake);
     for (int row = static_cast<int>(scratch.advances.size()) - 1; row < awake.size(); ++row) {
-        stores.bodies.places[awake.body[row]].flags &= ~kCovered;
+        stores.bodies.places[awake.body[row]].flags &= ~kOutdated;
         scratch.advances.push_back(advance_of(stores.bodies, awake.body[row], gravity_m_s2, dt_s));
     }
 }

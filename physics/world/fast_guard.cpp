@@ -20,6 +20,7 @@ namespace {
 
 // What a thread takes at once.
 constexpr int kBodiesPerChunk = 64;
+constexpr int kRowsPerChunk = 512;
 constexpr int kBlocksPerChunk = 32;
 
 // The way of a point during the last step against another shape, as seen from that shape: what moved along
@@ -100,11 +101,11 @@ float free_share_by_trees(const Stores& stores, int body) {
         const Way way(stores, s);
         if (way.is_short()) continue;
         const auto visit = [&](int other) {
-            if (may_collide(stores, s, other) && !lets_pass(stores, s, other))
-                share = std::min(share, way.free_share(other));
-            return 1.0f;
+            const float met = way.free_share(other);
+            if (met < share && may_collide(stores, s, other) && !lets_pass(stores, s, other)) share = met;
         };
-        for (const Layer layer : kLayers) stores.broad.tree(layer).cast_ray(way.from(), way.way(), visit);
+        for (const Layer layer : kLayers)
+            stores.broad.tree(layer).query_segment(way.from(), way.way(), visit);
     }
     return share;
 }
@@ -121,22 +122,30 @@ float arm_of(const Stores& stores, const BodyRecord& record) {
     return farthest;
 }
 
-void note_displacements(const Stores& stores, std::vector<Displacement>& displacements) {
+Displacement displacement_of(const Stores& stores, int row) {
     const BodyRows& awake = stores.bodies.rows(RowSet::Awake);
-    displacements.assign(1, Displacement{});  // the world
-    for (int row = 0; row < awake.size(); ++row) {
-        const int body = awake.body[row];
-        const BodyRecord& record = stores.bodies.slots[body];
-        const Rotation now = stores.bodies.places[body].rotation;
-        const Rotation before = awake.rotation_before[row];
-        Displacement& d = displacements.emplace_back();
-        d.moved = awake.moved[row];
-        d.chord = length(Vec2{now.c - before.c, now.s - before.s});
-        d.extent_m = record.extent_m;
-        if (!is_guarded(stores, body)) continue;
-        d.arm_m = arm_of(stores, record);
-        d.least_way_m = kFastShare * record.inner_radius_m;
-    }
+    const int body = awake.body[row];
+    const BodyRecord& record = stores.bodies.slots[body];
+    const Rotation now = stores.bodies.places[body].rotation;
+    const Rotation before = awake.rotation_before[row];
+    Displacement d;
+    d.moved = awake.moved[row];
+    d.chord = length(Vec2{now.c - before.c, now.s - before.s});
+    d.extent_m = record.extent_m;
+    if (!is_guarded(stores, body)) return d;
+    d.arm_m = arm_of(stores, record);
+    d.least_way_m = kFastShare * record.inner_radius_m;
+    return d;
+}
+
+void note_displacements(const Stores& stores, std::vector<Displacement>& displacements, TaskPool& tasks) {
+    const int awake = stores.bodies.rows(RowSet::Awake).size();
+    resize_amply(displacements, static_cast<std::size_t>(awake) + 1);
+    displacements[kWorldRow] = {};
+    tasks.parallel_for(awake, kRowsPerChunk, [&](const Chunk& chunk) {
+        for (int row = chunk.begin; row < chunk.end; ++row)
+            displacements[static_cast<std::size_t>(row) + 1] = displacement_of(stores, row);
+    });
 }
 
 // The blocks of all contacts of awake bodies that are not loose, numbered: near ones, then those in colours.
@@ -187,6 +196,44 @@ void find_passed(const Stores& stores, const AllBlocks& blocks, WayScratch& scra
     });
 }
 
+// Pairs that kept apart by what was expected of them: those of which a body strayed from that, and which may
+// have met then.
+void find_crossed(const Stores& stores, const StepScratch& scratch, WayScratch& ways) {
+    assign_amply(ways.strayed, stores.fat_boxes.size(), std::uint8_t{0});
+    for (const int body : scratch.fast) {
+        if ((stores.bodies.places[body].flags & place_flag::kStrayed) == 0) continue;
+        for (int s = stores.bodies.slots[body].first_shape; s != kNone; s = stores.shapes[s].next_of_body)
+            ways.strayed[static_cast<std::size_t>(s)] = 1;
+    }
+    ways.crossed.clear();
+    std::array<ItemPair, kLanes> pack;
+    alignas(32) Lanes<std::int32_t> body_a{};
+    alignas(32) Lanes<std::int32_t> body_b{};
+    int packed = 0;
+    const auto look = [&] {
+        unsigned passed = physics::find_passed(stores.bodies.places.data(), body_a, body_b,
+                                               ways.displacements.data(), (1u << packed) - 1);
+        for (; passed != 0; passed &= passed - 1) {
+            const ItemPair& pair = pack[static_cast<std::size_t>(std::countr_zero(passed))];
+            if (may_collide(stores, pair.a, pair.b) && !lets_pass(stores, pair.a, pair.b))
+                ways.crossed.push_back(pair);
+        }
+        packed = 0;
+    };
+    scratch.beside.for_each([&](const ItemPair& pair) {
+        const auto has_strayed = [&](int shape) {
+            return ways.strayed[static_cast<std::size_t>(shape)] != 0;
+        };
+        if (!has_strayed(pair.a) && !has_strayed(pair.b)) return;
+        const auto lane = static_cast<std::size_t>(packed++);
+        pack[lane] = pair;
+        body_a[lane] = stores.shapes[pair.a].body;
+        body_b[lane] = stores.shapes[pair.b].body;
+        if (packed == kLanes) look();
+    });
+    if (packed > 0) look();
+}
+
 struct Side {
     int body;
     int shape;
@@ -218,7 +265,7 @@ void put_back(Stores& stores, int body, float share) {
 void hold_fast_bodies(Stores& stores, StepScratch& scratch, TaskPool& tasks) {
     if (scratch.fast.empty()) return;
     WayScratch& ways = scratch.ways;
-    note_displacements(stores, ways.displacements);
+    note_displacements(stores, ways.displacements, tasks);
     const AllBlocks blocks(stores.contacts.lanes);
     find_passed(stores, blocks, ways, tasks);
 
@@ -239,6 +286,11 @@ void hold_fast_bodies(Stores& stores, StepScratch& scratch, TaskPool& tasks) {
                             {pairs.body_b[lane], pairs.shape_b[lane]}, ways.free_shares);
             });
         }
+    }
+    find_crossed(stores, scratch, ways);
+    for (const ItemPair& pair : ways.crossed) {
+        follow_ways(stores, {stores.shapes[pair.a].body, pair.a}, {stores.shapes[pair.b].body, pair.b},
+                    ways.free_shares);
     }
     const Place* places = stores.bodies.places.data();
     for (const int contact : contacts.loose) {

@@ -156,7 +156,11 @@ void finalize_bodies(Stores& stores, StepScratch& scratch, float dt_s, bool slee
         ChunkedList<int>::Appender untold(scratch.untold_boxes, chunk);
         for (int row = chunk.begin; row < chunk.end; ++row) {
             take_place(stores.bodies, scratch, row, dt_s, sleep_enabled);
-            if (awake.box_slack[row] <= 0) update_boxes(stores, awake.body[row], untold.items());
+            if (awake.box_slack[row] > 0) continue;
+            const int body = awake.body[row];
+            std::uint32_t& flags = stores.bodies.places[body].flags;
+            if ((flags & place_flag::kHasWay) != 0) flags |= place_flag::kStrayed;
+            update_boxes(stores, body, untold.items());
         }
     });
     tell_fat_boxes(stores, scratch.untold_boxes);

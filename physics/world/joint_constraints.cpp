@@ -82,10 +82,50 @@ struct Describe {
     void operator()(const FilterJointDef&) const {}
 };
 
-void make_constraint(const Stores& stores, int joint, const StepTime& time, JointConstraint& c) {
+// As new, but for laws and what pulleys have, which are set whole where they are: clearing all of it would be
+// half of the work on a pin.
+void begin_constraint(JointConstraint& c) {
+    c.bodies = 2;
+    c.directions = 0;
+    c.b = 1;
+    c.axis = {1, 0};
+    c.start_angle_rad = 0;
+    c.ratio = 1;
+    c.geared = {};
+    c.geared_rows = {};
+    c.law_count = 0;
+    c.has_spring = false;
+    c.total_impulse = {};
+    c.total_angular_impulse = 0;
+}
+
+// A pin that lets its bodies turn as they like looks at no angle.
+bool needs_angle(const JointRecord& record) {
+    const auto* def = std::get_if<RevoluteJointDef>(&record.def);
+    return def == nullptr || def->enable_spring || def->enable_motor || def->enable_limit;
+}
+
+// Of the frames of joints, where one follows another that is mostly alike.
+class FrameTurns {
+  public:
+    Rotation of(float angle_rad) {
+        if (angle_rad != angle_rad_) {
+            angle_rad_ = angle_rad;
+            turn_ = Rotation::from_angle(static_cast<double>(angle_rad));
+        }
+        return turn_;
+    }
+
+  private:
+    float angle_rad_ = 0;
+    Rotation turn_;
+};
+
+void make_constraint(const Stores& stores, int joint, const StepTime& time, FrameTurns& frame_turns,
+                     JointConstraint& c) {
     const JointRecord& record = stores.joints.slots[joint];
     const JointFrames frames = frames_of(record.def);
-    c = {};
+    begin_constraint(c);
     c.kind = kind_of(record);
     c.joint = joint;
     c.direct = record.direct;
@@ -95,11 +135,13 @@ void make_constraint(const Stores& stores, int joint, const StepTime& time, Join
 
     JointStart start;
     start.h_s = time.h_s;
-    start.frame_a = stores.bodies.places[record.body_a].rotation *
-                    Rotation::from_angle(static_cast<double>(frames.angle_a_rad));
-    const double angle = joint_angle(stores.bodies, record);
-    start.whole_turns_rad = 2 * static_cast<double>(kPi) * std::round(angle / (2 * static_cast<double>(kPi)));
-    c.start_angle_rad = start.angle(static_cast<float>(angle));
+    if (needs_angle(record)) {
+        start.frame_a = stores.bodies.places[record.body_a].rotation * frame_turns.of(frames.angle_a_rad);
+        const double angle = joint_angle(stores.bodies, record);
+        start.whole_turns_rad =
+            2 * static_cast<double>(kPi) * std::round(angle / (2 * static_cast<double>(kPi)));
+        c.start_angle_rad = start.angle(static_cast<float>(angle));
+    }
     std::visit(Describe{stores, record, c, start}, record.def);
 }
 
@@ -120,6 +162,19 @@ void mark_turning(Motions& motions, int row) {
     motions.mover[row] = Mover::Turning;
 }
 
+// What was a plain pin in a structure with loops may have become another.
+bool has_load(const JointRecord& joint) {
+    if (joint.load_n == Vec2{} || joint.direct) return false;
+    const auto* pin = std::get_if<RevoluteJointDef>(&joint.def);
+    return pin != nullptr && is_plain_pin(*pin);
+}
+
+// How much a pin gives under an impulse at rest.
+PinLoads pin_loads(float h_s) {
+    const Softness soft = softness_of(JointStiffness{}, h_s);
+    return {h_s, soft.impulse_scale / (soft.mass_scale * soft.bias_rate)};
+}
+
 }  // namespace
 
 void prepare_joints(Stores& stores, const StepTime& time, StepScratch& scratch, TaskPool& tasks) {
@@ -128,20 +183,25 @@ void prepare_joints(Stores& stores, const StepTime& time, StepScratch& scratch, 
     scratch.torn.clear();
     std::size_t next = 0;
     bool springs = false;
+    FrameTurns frame_turns;
+    JointLanes& lanes = stores.joints.lanes;
+    const PinLoads loads = joints.empty() && lanes.empty() ? PinLoads{} : pin_loads(time.h_s);
     for (const int joint : stores.joints.swept) {
         JointConstraint& c = joints[next++];
-        make_constraint(stores, joint, time, c);
+        make_constraint(stores, joint, time, frame_turns, c);
         forget_idle_impulses(c);
         if (TornJoint torn{}; hide_tear(c, torn)) scratch.torn.push_back(torn);
+        if (has_load(stores.joints.slots[joint]))
+            take_off_load(c, stores.joints.slots[joint].load_n, loads, scratch.motions);
         springs = springs || c.has_spring;
         for (int i = 0; i < c.bodies; ++i) mark_turning(scratch.motions, c.rows[static_cast<std::size_t>(i)]);
     }
     if (!joints.empty()) place_joints(joints, scratch.motions, scratch.joint_places);
-    JointLanes& lanes = stores.joints.lanes;
     if (!lanes.empty() &&
         lanes.place(stores.bodies.places, scratch.motions, time.impulse_ratio, time.dt_s, tasks)) {
         lanes.hide_tears(softness_of(JointStiffness{}, time.h_s).bias_rate, scratch.torn);
     }
+    lanes.take_off_loads(scratch.motions, loads, tasks);
     if (!springs && !lanes.springs_changed()) return;
     scratch.spring_loads.assign(static_cast<std::size_t>(scratch.motions.size()), 0);
     add_spring_loads(joints, scratch.joint_places, scratch.motions, scratch.spring_loads);

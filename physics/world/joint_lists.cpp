@@ -31,13 +31,6 @@ bool fits_lane(const Stores& stores, int joint) {
     return find_gear_on(stores, joint) == kNone;
 }
 
-bool is_plain(const RevoluteJointDef& def) {
-    const JointStiffness usual;
-    return !def.enable_spring && !def.enable_motor && !def.enable_limit &&
-           def.stiffness.frequency_hz == usual.frequency_hz &&
-           def.stiffness.damping_ratio == usual.damping_ratio;
-}
-
 AnchorLane make_anchor(const Stores& stores, int joint) {
     const JointRecord& record = stores.joints.slots[joint];
     const auto& def = std::get<RevoluteJointDef>(record.def);
@@ -96,9 +89,10 @@ bool try_to_seat(Stores& stores, int joint, float h_s) {
     const int bucket = joint_bucket(color, both ? JointBlockKind::TwoBodies : JointBlockKind::Anchored);
     const auto& def = std::get<RevoluteJointDef>(record.def);
     const AnchorLane anchor = make_anchor(stores, joint);
-    record.seat = is_plain(def) ? joints.lanes.add_pin(bucket, anchor)
-                                : joints.lanes.add_drive(bucket, anchor, make_drive(def, h_s));
+    record.seat = is_plain_pin(def) ? joints.lanes.add_pin(bucket, anchor)
+                                    : joints.lanes.add_drive(bucket, anchor, make_drive(def, h_s));
     joints.lanes.set_impulses(record.seat, record.impulse);
+    if (record.load_n != Vec2{}) joints.lanes.set_load(record.seat, record.load_n);
     return true;
 }
 
@@ -113,6 +107,7 @@ void leave_lane(Stores& stores, int joint) {
     if (record.seat.lane == kNone) return;
     const JointMemory memory = memory_of(joints, joint);
     record.impulse = memory.impulse;
+    record.load_n = joints.lanes.load(record.seat);
     record.angle_rad = memory.angle_rad;
     record.reaction_force = memory.reaction_force;
     record.reaction_torque = memory.reaction_torque;
@@ -127,6 +122,13 @@ void leave_lane(Stores& stores, int joint) {
 }
 
 }  // namespace
+
+bool is_plain_pin(const RevoluteJointDef& def) {
+    const JointStiffness usual;
+    return !def.enable_spring && !def.enable_motor && !def.enable_limit &&
+           def.stiffness.frequency_hz == usual.frequency_hz &&
+           def.stiffness.damping_ratio == usual.damping_ratio;
+}
 
 void list_joint(Stores& stores, int joint) {
     const JointRecord& record = stores.joints.slots[joint];

@@ -18,6 +18,9 @@ void unseat_joint(Stores& stores, int joint);
 /// Stage: lanes for joints that fit into them and have none.
 void seat_joints(Stores& stores, const StepTime& time, StepScratch& scratch);
 
+/// Two points held together as firmly as by default, and nothing else.
+bool is_plain_pin(const RevoluteJointDef& def);
+
 /// What the joint remembers, wherever it is.
 JointMemory memory_of(const JointStore& joints, int joint);
 

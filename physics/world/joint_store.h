@@ -33,7 +33,9 @@ struct JointRecord {
     double angle_rad = 0;
     double geared_sum = 0;  // what a gear keeps
     JointImpulses impulse{};
-    Vec2 reaction_force;  // of the last step, on body b, N
+    Vec2 load_n;              // of a plain pin without a lane: what it would bear if everything stood still
+    bool load_known = false;  // estimated, and nothing changed about the joint since (world/pin_loads.h)
+    Vec2 reaction_force;      // of the last step, on body b, N
     float reaction_torque = 0;
 };
 

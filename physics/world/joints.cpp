@@ -5,6 +5,7 @@
 #include "world/joint_frames.h"
 #include "world/joint_lists.h"
 #include "world/joint_rules.h"
+#include "world/pin_loads.h"
 #include "world/sleep.h"
 
 namespace cairn::physics {
@@ -100,6 +101,7 @@ int create_joint(WorldState& world, JointDef def) {
 void redefine_joint(WorldState& world, int joint, JointDef def) {
     Stores& stores = world.stores;
     unseat_joint(stores, joint);
+    forget_loads_around(stores, joint);
     JointRecord& record = stores.joints.slots[joint];
     const bool collided = record.collide_connected;
     record.collide_connected = collides_connected(def);
@@ -117,6 +119,7 @@ void redefine_joint(WorldState& world, int joint, JointDef def) {
 void rehang_joint(Stores& stores, int joint, int side, int body) {
     auto& joints = stores.joints.slots;
     unlist_joint(stores, joint);
+    forget_loads_around(stores, joint);
     JointRecord& record = joints[joint];
     int& end = side == 0 ? record.body_a : record.body_b;
     unlink_edge(joints, stores.bodies.slots[end].first_joint, joint, side);
@@ -138,6 +141,7 @@ void destroy_joint(Stores& stores, int joint) {
     }
     const JointRecord& record = stores.joints.slots[joint];
     if (!record.collide_connected) look_for_pairs(stores, record.body_a);
+    forget_loads_around(stores, joint);
     unlist_joint(stores, joint);
     unlink_edge(stores.joints.slots, stores.bodies.slots[record.body_a].first_joint, joint, 0);
     unlink_edge(stores.joints.slots, stores.bodies.slots[record.body_b].first_joint, joint, 1);

@@ -68,15 +68,21 @@ HullLanes hulls_of(const Stores& stores, const PairBlock& pairs, unsigned lanes)
 
 }  // namespace
 
-unsigned gone_lanes(const std::vector<Aabb>& fat_boxes, const PairBlock& pairs, unsigned lanes) {
-    unsigned gone = 0;
-    for (; lanes != 0; lanes &= lanes - 1) {
-        const int lane = std::countr_zero(lanes);
-        const Aabb& a = fat_boxes[pairs.shape_a[lane]];
-        const Aabb& b = fat_boxes[pairs.shape_b[lane]];
-        if (!overlap(a, b)) gone |= 1u << lane;
-    }
-    return gone;
+unsigned gone_lanes(const Stores& stores, const PairBlock& pairs, unsigned lanes) {
+    const auto where = [&](unsigned among, auto&& has_parted) {
+        unsigned gone = 0;
+        for (; among != 0; among &= among - 1) {
+            const int lane = std::countr_zero(among);
+            if (has_parted(pairs.shape_a[lane], pairs.shape_b[lane])) gone |= 1u << lane;
+        }
+        return gone;
+    };
+    const std::vector<Aabb>& boxes = stores.fat_boxes;
+    const unsigned gone = where(lanes, [&](int a, int b) { return !overlap(boxes[a], boxes[b]); });
+    if (!stores.broad.has_ways()) return gone;
+    return gone | where(lanes & ~gone, [&](int a, int b) {
+               return keep_apart(boxes[a], stores.broad.way(a), boxes[b], stores.broad.way(b));
+           });
 }
 
 void collide_block(const Stores& stores, const PairBlock& pairs, PairGeometry geometry, unsigned lanes,

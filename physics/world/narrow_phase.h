@@ -8,8 +8,8 @@
 
 namespace cairn::physics {
 
-/// Of some lanes those whose boxes have parted.
-unsigned gone_lanes(const std::vector<Aabb>& fat_boxes, const PairBlock& pairs, unsigned lanes);
+/// Of some lanes those whose boxes have parted, or keep apart on their ways.
+unsigned gone_lanes(const Stores& stores, const PairBlock& pairs, unsigned lanes);
 
 /// `lanes` has a bit for each lane that is wanted. Another unit than 1 is for what goes one by one
 /// (world/tiny_contacts.h).

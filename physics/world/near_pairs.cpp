@@ -34,7 +34,7 @@ class NearLook {
                                          pairs.seen, scratch_.advances.data(), dt_s_, lanes);
         NearFindings& found = scratch_.near_findings[block - first_block_];
         found = {};
-        found.gone = static_cast<std::uint8_t>(gone_lanes(stores_.fat_boxes, pairs, near.boxes_moved));
+        found.gone = static_cast<std::uint8_t>(gone_lanes(stores_, pairs, near.boxes_moved));
         unsigned close = near.close & ~found.gone;
         if (close == kAll && packed_ == 0) {
             for (int lane = 0; lane < kLanes; ++lane) from_[lane] = block * kLanes + lane;

@@ -19,6 +19,7 @@
 #include "world/impact_groups.h"
 #include "world/joint_constraints.h"
 #include "world/joint_lists.h"
+#include "world/pin_loads.h"
 #include "world/prepare.h"
 #include "world/sensors.h"
 #include "world/sleep.h"
@@ -53,6 +54,7 @@ void step_world(WorldState& world, float dt_s) {
 
     clock.enter(Stage::Prepare);
     seat_joints(stores, time, scratch);
+    estimate_pin_loads(stores, def.gravity_m_s2, time, world.direct);
     choose_movers(stores, scratch);
     prepare_joints(stores, time, scratch, tasks);
     estimate_statics(stores.contacts.lanes, def.gravity_m_s2, time, scratch, tasks);
@@ -64,12 +66,12 @@ void step_world(WorldState& world, float dt_s) {
     for (int substep = 0; substep < time.substeps; ++substep) {
         note_spring_speeds(stores.joints.lanes, scratch, tasks);
         integrate_velocities(scratch, acting, substep == 0, tasks);
-        solve_direct(world.direct, scratch, rules, time.h_s, tasks);
+        solve_direct(world.direct, scratch, rules, time.h_s, acting, tasks);
         if (substep == 0) warm_start_contacts(stores.contacts.lanes, scratch, time, tasks);
         reach_contacts(scratch, substep, rules, time);
         solve(stores, scratch, rules, time.h_s, acting, Pass::Biased, tasks);
         integrate_positions(scratch, time.h_s, tasks);
-        move_direct(world.direct, scratch, rules, time.h_s, tasks);
+        move_direct(world.direct, scratch, rules, time.h_s, acting, tasks);
         solve(stores, scratch, rules, time.h_s, acting, Pass::Relax, tasks);
     }
     clock.enter(Stage::Store);
@@ -85,8 +87,8 @@ void step_world(WorldState& world, float dt_s) {
     report_contacts(stores, scratch, def.hit_speed_m_s, world.events);
     find_overloads(stores, scratch, world.events);
     store_contact_impulses(stores.contacts, scratch);
+    store_direct(world.direct, stores, scratch);
     store_joint_impulses(stores.joints, time, scratch);
-    store_direct(world.direct, stores);
     clock.enter(Stage::Finalize);
     finalize_bodies(stores, scratch, time.dt_s, def.enable_sleep, tasks);
     clock.enter(Stage::Continuous);

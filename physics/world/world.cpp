@@ -101,7 +101,11 @@ std::optional<Position> World::position_of(BodyId id) {
     const int body = state_->stores.bodies.slots.find(id);
     if (body == kNone) return std::nullopt;
     if (state_->stores.masses.entries[body].lacks_shapes) return Body(*state_, id).position();
-    return state_->stores.bodies.origin(body);
+    const BodyStore& bodies = state_->stores.bodies;
+    // Most bodies have their origin in their centre: one thing less to do where scripts ask most.
+    if (bodies.slots[body].mass.center_m == Vec2{})
+        return bodies.places[static_cast<std::size_t>(body)].center;
+    return bodies.origin(body);
 }
 
 bool World::contains(BodyId id) const {

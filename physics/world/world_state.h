@@ -19,8 +19,10 @@
 #include "resolve/contact_constraint.h"
 #include "resolve/deep_overlap.h"
 #include "resolve/direct/direct_component.h"
+#include "resolve/direct/pin_chain.h"
 #include "resolve/impacts.h"
 #include "resolve/joints/joint_constraint.h"
+#include "resolve/joints/pin_statics.h"
 #include "resolve/joints/torn_joints.h"
 #include "resolve/support_lanes.h"
 #include "world/body_mass.h"
@@ -142,6 +144,8 @@ struct StaticsScratch {
 /// For the guard of fast bodies.
 struct WayScratch {
     std::vector<Displacement> displacements;  // by row of the motions
+    std::vector<std::uint8_t> strayed;        // by shape: the body went another way than was expected
+    std::vector<ItemPair> crossed;            // of those beside each other, shapes that may have met
     std::vector<float> free_shares;           // of their ways, by row
     std::vector<std::uint8_t> found;          // by block, bits: lanes across which something may have passed
 };
@@ -247,6 +251,7 @@ struct StepScratch {
     std::vector<NearAhead> near_ahead;  // in the order of their lanes
     ChunkedList<ItemPair> found_pairs;
     std::vector<ItemPair> pairs;
+    ChunkedList<ItemPair> beside;  // shapes that keep apart unless one goes another way than is expected
 };
 
 /// What is solved directly (world/direct_groups.h).
@@ -259,10 +264,17 @@ struct DirectGroups {
     std::vector<int> structure_of;            // by body
     int count = 0;                            // groups of this step, the first of the following
     std::vector<DirectStructure> groups;
+    // What solves each: as a row of pins, where it is one and nothing touches it, or as any structure.
+    std::vector<PinChain> chains;
     std::vector<DirectComponent> components;
+    std::vector<std::uint8_t> is_chain;
     std::vector<std::vector<int>> contacts;  // places in the plain form
     std::vector<int> of_body;                // group, by body
     StructureSearch search;
+    // Found with the others, and waiting for their loads to be estimated (world/pin_loads.h).
+    std::vector<DirectStructure> without_loads;
+    PinStatics statics;
+    std::vector<int> local;  // number in `statics`, by body
     // While groups are chosen and assembled:
     std::vector<int> reached;   // bodies from one seed
     std::vector<int> found;     // structures from one seed

@@ -5,28 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "resolve/direct/direct_tuning.h"
 #include "resolve/direct/numbers.h"
 
 namespace cairn::physics {
 namespace {
-
-// m and rad. Errors beyond it are left to the velocities: a projection along rows of the Jacobian is local.
-constexpr double kMaxProjected = 0.05;
-// m and rad. Errors below it are within the rounding of positions.
-constexpr double kNoError = 1e-7;
-// rad. A body that turns more in a substep has rows that have turned away from what they were.
-constexpr double kMaxTurn_rad = 0.35;
-// rad. What whips keep their energy at: a part of a substep turns a body no farther.
-constexpr double kResolvedTurn_rad = 0.02;
-constexpr int kMaxParts = 32;
-// m. Bodies that turn about a joint at their centre are resolved at any speed.
-constexpr double kNoArm_m = 1e-3;
-// A projection that leaves more of the error than this is undone.
-constexpr double kWorthwhile = 0.3;
-constexpr int kMaxEnlargements = 3;
-// rad/s. In a singular pose roundings press the joints of a loop against each other with any impulse. Inertia
-// by that would stop what turns faster, so it gets no more than it has.
-constexpr double kTurning_rad_s = 1;
 
 using State = DirectEquation::State;
 

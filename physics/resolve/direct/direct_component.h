@@ -23,22 +23,10 @@
 #include <span>
 #include <vector>
 
-#include "base/motion.h"
-#include "resolve/contact_constraint.h"
+#include "resolve/direct/direct_scene.h"
 #include "resolve/direct/direct_system.h"
-#include "resolve/joints/joint_constraint.h"
 
 namespace cairn::physics {
-
-/// What all structures of a step work on.
-struct DirectScene {
-    std::span<JointConstraint> joints;
-    std::span<ContactConstraint> contacts;
-    Motions& motions;
-    std::span<const Drive> drives;
-    ContactRules rules;
-    float h_s = 0;
-};
 
 class DirectComponent {
   public:

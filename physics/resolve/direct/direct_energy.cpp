@@ -11,18 +11,10 @@
 #include <cmath>
 
 #include "resolve/direct/direct_component.h"
+#include "resolve/direct/direct_tuning.h"
 #include "resolve/direct/numbers.h"
 
 namespace cairn::physics {
-namespace {
-
-// Of the energy: more than this is not the error of one substep that is resolved.
-constexpr double kTolerance = 0.01;
-// m/s. Energies of bodies this slow are let alone.
-constexpr double kSlow_m_s = 0.01;
-
-}  // namespace
-
 double DirectComponent::kinetic_energy(std::span<const double> velocity) const {
     double sum = 0;
     for (std::size_t i = 0; i < rows_.size(); ++i) {
@@ -97,8 +89,8 @@ double DirectComponent::work_done(const DirectScene& scene) const {
 // After a solution.
 double DirectComponent::surplus(const DirectScene& scene, double energy_before, int parts) const {
     const double gained = kinetic_energy(system_.velocity) - energy_before;
-    if (gained <= kTolerance * energy_before / parts) return 0;
-    if (gained <= (kTolerance * energy_before + indifferent_energy(scene)) / parts) return 0;
+    if (gained <= kEnergyTolerance * energy_before / parts) return 0;
+    if (gained <= (kEnergyTolerance * energy_before + indifferent_energy(scene)) / parts) return 0;
     return std::max(0.0, gained - work_done(scene));
 }
 

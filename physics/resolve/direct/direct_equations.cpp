@@ -6,26 +6,19 @@
 #include <cairn/physics/tuning.h>
 
 #include "resolve/direct/direct_component.h"
+#include "resolve/direct/direct_tuning.h"
 #include "resolve/direct/numbers.h"
 
 namespace cairn::physics {
 namespace {
 
-// Of J 1/M J^T: what makes joints that say the same thing twice solvable. Their gaps stay at round-off.
-constexpr double kGive = 1e-10;
-// The same for joints that contradict each other, as in a loop that was torn open: they meet in between.
-constexpr double kGiveOfContradictions = 1e-4;
-// And for contacts, which say the same thing twice where a body stands on two of them and is held by a joint:
-// as much, but no more than lets them sink with this speed under their load, m/s.
+// Give of contacts, as a part of J 1/M J^T; they say the same thing twice where a body stands on two of them
+// and is held by a joint. As much, but no more than lets them sink with this speed under their load, m/s.
 constexpr double kContactGive = 1e-3;
 constexpr double kSinking_m_s = 1e-4;
 // m. Contacts this deep or this far apart are let alone: errors of two that bear one body would be
 // contradictions.
 constexpr float kStill_m = 0.02f * tuning::kLinearSlop_m;
-// Impulses of this many times all there is to move betray a contradiction.
-constexpr double kMostLeverage = 100;
-// m/s. Joints that were torn apart come together no faster.
-constexpr double kMaxClosingSpeed_m_s = 40;
 
 using State = DirectEquation::State;
 

@@ -31,6 +31,8 @@ struct alignas(32) PinBlock {
     Lanes<float> offset_y;
     Lanes<float> total_x;  // N s, over the step
     Lanes<float> total_y;
+    Lanes<float> load_x;  // N, on b, if everything stood still; 0: unknown
+    Lanes<float> load_y;
 };
 
 /// A limit that is off is this far away, rad: no arithmetic with it is undefined.

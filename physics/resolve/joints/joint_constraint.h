@@ -110,7 +110,7 @@ struct JointConstraint {
 /// Where the directions of a joint point, and what follows from it; the same until bodies move on.
 struct JointPlace {
     Directions directions;
-    std::array<std::array<float, kMaxDirections>, kMaxDirections> inverse_mass{};  // K; the lower triangle
+    std::array<std::array<float, kMaxDirections>, kMaxDirections> inverse_mass{};  // K
     float least_mobility = 0;  // pivots of K up to this count as locked altogether (base/motion.h)
 };
 

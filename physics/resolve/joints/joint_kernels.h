@@ -7,6 +7,7 @@
 #include "base/motion.h"
 #include "base/place.h"
 #include "resolve/joints/joint_block.h"
+#include "resolve/joints/pin_loads.h"
 #include "resolve/soft.h"
 
 namespace cairn::physics {
@@ -32,6 +33,10 @@ bool place_joints(AnchorBlock* anchors, PinBlock* pool, std::span<const int> blo
                   const Place* places, const Motions& motions, float impulse_ratio);
 bool place_joints(AnchorBlock* anchors, DriveBlock* pool, std::span<const int> blocks, JointBlockKind kind,
                   const Place* places, const Motions& motions, float impulse_ratio);
+
+/// Once per step, when anchors are placed: pins with a load are soft about it.
+void take_off_loads(PinBlock* pool, std::span<const int> blocks, JointBlockKind kind,
+                    const VelocityRow* velocity, const PinLoads& loads);
 
 /// At the start of a substep: how fast springs are before anything acts.
 void note_joint_speeds(DriveBlock* pool, std::span<const int> blocks, const VelocityRow* velocity);

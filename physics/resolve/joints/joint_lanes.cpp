@@ -250,6 +250,20 @@ void JointLanes::set_impulses(const JointSeat& seat, const JointImpulses& impuls
     if (drive.own_upper[at] < kNoLimit_rad) drive.upper_impulse[at] = impulse(2, Role::Upper);
 }
 
+Vec2 JointLanes::load(const JointSeat& seat) const {
+    if (seat.drives) return {};
+    const PinBlock& block = pins_.block(seat.lane / kLanes);
+    return {block.load_x[place_in(seat.lane)], block.load_y[place_in(seat.lane)]};
+}
+
+void JointLanes::set_load(const JointSeat& seat, Vec2 force_n) {
+    if (seat.drives) return;
+    PinBlock& block = pins_.block(seat.lane / kLanes);
+    block.load_x[place_in(seat.lane)] = force_n.x;
+    block.load_y[place_in(seat.lane)] = force_n.y;
+    has_loads_ = has_loads_ || force_n != Vec2{};
+}
+
 void JointLanes::arrange() {
     pins_.arrange();
     drives_.arrange();
@@ -279,6 +293,13 @@ bool JointLanes::place(const std::vector<Place>& places, Motions& motions, float
     place_all(pins_);
     place_all(drives_);
     return torn.load(std::memory_order_relaxed);
+}
+
+void JointLanes::take_off_loads(const Motions& motions, const PinLoads& loads, TaskPool& tasks) {
+    if (!has_loads_) return;
+    pins_.for_each_bucket(tasks, [&](std::span<const int> blocks, JointBlockKind kind) {
+        physics::take_off_loads(pins_.data(), blocks, kind, motions.velocity.data(), loads);
+    });
 }
 
 void JointLanes::hide_tears(float rigid_rate, std::vector<TornJoint>& torn) {

@@ -153,6 +153,11 @@ class JointLanes {
     template <class Visit>
     void for_each_breakable(Visit&& visit) const;
 
+    /// What a plain pin would bear if everything stood still, N; 0: unknown.
+    [[nodiscard]] Vec2 load(const JointSeat& seat) const;
+    void set_load(const JointSeat& seat, Vec2 force_n);
+    [[nodiscard]] const PinBlock& pin_block(int block) const { return pins_.block(block); }
+
     /// Of the substeps for which the drives were made, s.
     float h_s = 0;
 
@@ -163,6 +168,8 @@ class JointLanes {
     /// some joint may be torn.
     bool place(const std::vector<Place>& places, Motions& motions, float impulse_ratio, float dt_s,
                TaskPool& tasks);
+    /// Makes pins that have loads soft about them. Costs nothing before the first load is set.
+    void take_off_loads(const Motions& motions, const PinLoads& loads, TaskPool& tasks);
     /// Hides torn joints from the passes, and appends how they were. Those softer than
     /// `rigid_rate` are let alone.
     void hide_tears(float rigid_rate, std::vector<TornJoint>& torn);
@@ -182,6 +189,7 @@ class JointLanes {
     JointPool<PinBlock> pins_;
     JointPool<DriveBlock> drives_;
     bool springs_changed_ = false;
+    bool has_loads_ = false;  // some pin may have one
     float dt_s_ = 0;
 };
 

@@ -26,65 +26,70 @@ float share(const Motion& body, const Jacobian& d, const Jacobian& e) {
     return dot(d.linear, velocity_change(body, e.linear)) + body.inverse_inertia * d.angular * e.angular;
 }
 
-// The bodies of one joint while it is worked on: two, or up to so many.
+// How the bodies of one joint move along its directions while it is worked on, and what they were pushed.
+// Laws need no more: K says what an impulse along one direction does along the others, and bodies get all
+// impulses at the end. There are two bodies, or up to so many.
 template <int kMany>
-class Bodies {
+class Along {
   public:
-    Bodies(const JointConstraint& c, const Motions& motions) : c_(c) {
-        for (int i = 0; i < count(); ++i) bodies_[i] = motions.get(c.rows[i]);
+    Along(const JointConstraint& c, const JointPlace& at, const Motions& motions) : c_(c), at_(at) {
+        for (int d = 0; d < kMaxDirections; ++d) speed_[d] = speed_of(c, at.directions[d], motions);
     }
 
-    [[nodiscard]] int count() const { return kMany == 2 ? 2 : c_.bodies; }
-
-    [[nodiscard]] float speed(const Direction& d) const {
+    static float speed_of(const JointConstraint& c, const Direction& d, const Motions& motions) {
         float sum = 0;
-        for (int i = 0; i < count(); ++i) {
-            sum += dot(d.j[i].linear, bodies_[i].v) + d.j[i].angular * bodies_[i].w;
+        for (int i = 0; i < count(c); ++i) {
+            const int row = c.rows[i];
+            sum += dot(d.j[i].linear, motions.velocity[row].v) + d.j[i].angular * motions.spin(row);
         }
         return sum;
     }
 
-    [[nodiscard]] float coupling(const Direction& d, const Direction& e) const {
-        float sum = 0;
-        for (int i = 0; i < count(); ++i) sum += share(bodies_[i], d.j[i], e.j[i]);
-        return sum;
-    }
+    [[nodiscard]] float speed(int direction) const { return speed_[direction]; }
 
-    void push(const Direction& d, float impulse) {
-        for (int i = 0; i < count(); ++i) {
-            bodies_[i].v += velocity_change(bodies_[i], impulse * d.j[i].linear);
-            bodies_[i].w += bodies_[i].inverse_inertia * (impulse * d.j[i].angular);
-        }
+    void push(int direction, float impulse) {
+        pushed_[direction] += impulse;
+        for (int d = 0; d < kMaxDirections; ++d) speed_[d] += at_.inverse_mass[direction][d] * impulse;
     }
 
     void write(Motions& motions) const {
-        for (int i = 0; i < count(); ++i) motions.set(c_.rows[i], bodies_[i]);
-    }
-
-    [[nodiscard]] float least_mobility() const {
-        bool locked = false;
-        float inverse_mass = 0;
-        for (int i = 0; i < count(); ++i) {
-            locked = locked || bodies_[i].locked != 0;
-            inverse_mass += bodies_[i].inverse_mass;
+        for (int i = 0; i < count(c_); ++i) {
+            Vec2 linear;
+            float angular = 0;
+            for (int d = 0; d < kMaxDirections; ++d) {
+                linear += pushed_[d] * at_.directions[d].j[i].linear;
+                angular += pushed_[d] * at_.directions[d].j[i].angular;
+            }
+            const int row = c_.rows[i];
+            VelocityRow& velocity = motions.velocity[row];
+            // An infinite impulse times no inverse mass is NaN, and would reach all that touches the world.
+            if (velocity.inverse_mass > 0)
+                velocity.v += velocity.inverse_mass * without_locked(linear, motions.locked_axes(row));
+            // 1/I over the scale of the row, which is its root.
+            if (motions.inverse_inertia[row] > 0) velocity.w += motions.pose[row].k * angular;
         }
-        return locked ? kLeastMobility * inverse_mass : 0;
     }
 
   private:
+    static int count(const JointConstraint& c) { return kMany == 2 ? 2 : c.bodies; }
+
     const JointConstraint& c_;
-    std::array<Motion, kMany> bodies_;
+    const JointPlace& at_;
+    std::array<float, kMaxDirections> speed_;
+    std::array<float, kMaxDirections> pushed_{};
 };
 
-// Calls work(bodies) with those of the joint; nearly all have two.
+// Calls work(along) for the joint and writes what comes of it; nearly all have two bodies.
 template <class Work>
-void with_bodies(const JointConstraint& c, const Motions& motions, Work&& work) {
+void with_bodies(const JointConstraint& c, const JointPlace& at, Motions& motions, Work&& work) {
     if (c.bodies == 2) {
-        Bodies<2> bodies(c, motions);
-        work(bodies);
+        Along<2> along(c, at, motions);
+        work(along);
+        along.write(motions);
     } else {
-        Bodies<kMaxJointBodies> bodies(c, motions);
-        work(bodies);
+        Along<kMaxJointBodies> along(c, at, motions);
+        work(along);
+        along.write(motions);
     }
 }
 
@@ -116,21 +121,27 @@ void with_task(JointConstraint& c, JointLaw& law, const JointPlace& place, Work&
     work(task_of<3>(c, law, place));
 }
 
+// Directions that a joint has not are 0 altogether.
 void place_joint(const JointConstraint& c, std::span<const JointConstraint> all, const Motions& motions,
                  JointPlace& at) {
     place(c, all, motions, at.directions);
-    with_bodies(c, motions, [&](const auto& bodies) {
-        at.least_mobility = bodies.least_mobility();
-        for (int i = 0; i < c.directions; ++i)
-            at.inverse_mass[i][i] = bodies.coupling(at.directions[i], at.directions[i]);
-        for (int l = 0; l < c.law_count; ++l) {
-            const int first = c.laws[l].direction;
-            for (int i = first + 1; i < first + c.laws[l].count; ++i) {
-                for (int j = first; j < i; ++j)
-                    at.inverse_mass[i][j] = bodies.coupling(at.directions[i], at.directions[j]);
-            }
+    for (int i = c.directions; i < kMaxDirections; ++i) at.directions[i] = {};
+    at.inverse_mass = {};
+    bool locked = false;
+    float inverse_mass = 0;
+    for (int b = 0; b < c.bodies; ++b) {
+        const Motion body = motions.get(c.rows[b]);
+        locked = locked || body.locked != 0;
+        inverse_mass += body.inverse_mass;
+        for (int i = 0; i < c.directions; ++i) {
+            for (int j = 0; j <= i; ++j)
+                at.inverse_mass[i][j] += share(body, at.directions[i].j[b], at.directions[j].j[b]);
         }
-    });
+    }
+    for (int i = 0; i < kMaxDirections; ++i) {
+        for (int j = 0; j < i; ++j) at.inverse_mass[j][i] = at.inverse_mass[i][j];
+    }
+    at.least_mobility = locked ? kLeastMobility * inverse_mass : 0;
 }
 
 // K x = b.
@@ -140,9 +151,9 @@ Values solve(const Task<kCount>& task, const Values& b) {
 }
 
 template <int kCount, int kMany>
-void apply(const Task<kCount>& task, Bodies<kMany>& bodies, const Values& wanted) {
+void apply(const Task<kCount>& task, Along<kMany>& along, const Values& wanted) {
     for (int i = 0; i < kCount; ++i) {
-        bodies.push(task.directions[i], task.sign * (wanted[i] - task.impulse(i)));
+        along.push(task.law.direction + i, task.sign * (wanted[i] - task.impulse(i)));
         task.impulse(i) = wanted[i];
     }
 }
@@ -160,10 +171,10 @@ void clamp(const JointLaw& law, Values& wanted) {
 }
 
 template <int kCount, int kMany>
-Values solve_soft(const Task<kCount>& task, const Bodies<kMany>& bodies, const Softness& soft) {
+Values solve_soft(const Task<kCount>& task, const Along<kMany>& along, const Softness& soft) {
     Values rhs{};
     for (int i = 0; i < kCount; ++i) {
-        rhs[i] = -(bodies.speed(task.directions[i]) * task.sign + soft.bias_rate * task.error(i));
+        rhs[i] = -(along.speed(task.law.direction + i) * task.sign + soft.bias_rate * task.error(i));
     }
     Values change = solve(task, rhs);
     for (int i = 0; i < kCount; ++i) {
@@ -173,22 +184,22 @@ Values solve_soft(const Task<kCount>& task, const Bodies<kMany>& bodies, const S
 }
 
 template <int kCount, int kMany>
-void solve_hold(const Task<kCount>& task, Bodies<kMany>& bodies, Pass pass) {
-    apply(task, bodies, solve_soft(task, bodies, pass == Pass::Biased ? task.law.softness : kRigid));
+void solve_hold(const Task<kCount>& task, Along<kMany>& along, Pass pass) {
+    apply(task, along, solve_soft(task, along, pass == Pass::Biased ? task.law.softness : kRigid));
 }
 
 // A gap may close, but no further.
 template <int kCount, int kMany>
-void solve_limit(const Task<kCount>& task, Bodies<kMany>& bodies, float h_s, Pass pass) {
+void solve_limit(const Task<kCount>& task, Along<kMany>& along, float h_s, Pass pass) {
     const float gap = task.error(0);
     Softness soft = pass == Pass::Biased ? task.law.softness : kRigid;
     if (gap > 0) soft = {1 / h_s, 1, 0};
     // Most limits have nothing to do: they bear nothing, and nothing comes to them within the substep.
-    const bool comes = bodies.speed(task.directions[0]) * task.sign + soft.bias_rate * gap <= 0;
+    const bool comes = along.speed(task.law.direction) * task.sign + soft.bias_rate * gap <= 0;
     if (!comes && task.impulse(0) == 0) return;
-    Values wanted = solve_soft(task, bodies, soft);
+    Values wanted = solve_soft(task, along, soft);
     wanted[0] = std::max(wanted[0], 0.0f);
-    apply(task, bodies, wanted);
+    apply(task, along, wanted);
 }
 
 // At limits it stops: one that pushed on would hold them open, by as much as they are soft.
@@ -208,14 +219,14 @@ float motor_speed(const Task<kCount>& task, int part, float h_s, Pass pass) {
 }
 
 template <int kCount, int kMany>
-void solve_motor(const Task<kCount>& task, Bodies<kMany>& bodies, float h_s, Pass pass) {
+void solve_motor(const Task<kCount>& task, Along<kMany>& along, float h_s, Pass pass) {
     Values rhs{};
     for (int i = 0; i < kCount; ++i)
-        rhs[i] = motor_speed(task, i, h_s, pass) - bodies.speed(task.directions[i]);
+        rhs[i] = motor_speed(task, i, h_s, pass) - along.speed(task.law.direction + i);
     Values wanted = solve(task, rhs);
     for (int i = 0; i < kCount; ++i) wanted[i] += task.impulse(i);
     clamp(task.law, wanted);
-    apply(task, bodies, wanted);
+    apply(task, along, wanted);
 }
 
 template <int kCount>
@@ -230,18 +241,18 @@ Values spring_impulse(const Task<kCount>& task, const Values& speed) {
 }
 
 template <int kCount, int kMany>
-void solve_spring(const Task<kCount>& task, Bodies<kMany>& bodies) {
+void solve_spring(const Task<kCount>& task, Along<kMany>& along) {
     Values speed{};
-    for (int i = 0; i < kCount; ++i) speed[i] = bodies.speed(task.directions[i]);
+    for (int i = 0; i < kCount; ++i) speed[i] = along.speed(task.law.direction + i);
     Values wanted = spring_impulse(task, speed);
     const float d1 = task.law.spring.d1;
     for (int i = 0; i < kCount; ++i) wanted[i] = (wanted[i] + d1 * task.impulse(i)) / (1 + d1);
     clamp(task.law, wanted);
-    apply(task, bodies, wanted);
+    apply(task, along, wanted);
 }
 
 template <int kCount, int kMany>
-void warm_start_law(const Task<kCount>& task, Bodies<kMany>& bodies) {
+void warm_start_law(const Task<kCount>& task, Along<kMany>& along) {
     if (task.law.kind == LawKind::Spring && !task.law.spring.damped) {
         // The impulse of the last substep is a quarter of a period late for what swings freely.
         Values guess = spring_impulse(task, {task.law.speed_before[0], task.law.speed_before[1]});
@@ -249,36 +260,36 @@ void warm_start_law(const Task<kCount>& task, Bodies<kMany>& bodies) {
         for (int i = 0; i < kCount; ++i) task.impulse(i) = guess[i];
     }
     for (int i = 0; i < kCount; ++i) {
-        if (task.impulse(i) != 0) bodies.push(task.directions[i], task.sign * task.impulse(i));
+        if (task.impulse(i) != 0) along.push(task.law.direction + i, task.sign * task.impulse(i));
     }
 }
 
 template <int kMany>
-void warm_start(JointConstraint& c, const JointPlace& at, Bodies<kMany>& bodies) {
+void warm_start(JointConstraint& c, const JointPlace& at, Along<kMany>& along) {
     for (int l = 0; l < c.law_count; ++l)
-        with_task(c, c.laws[l], at, [&](const auto& task) { warm_start_law(task, bodies); });
+        with_task(c, c.laws[l], at, [&](const auto& task) { warm_start_law(task, along); });
 }
 
 template <int kCount, int kMany>
-void solve_law(const Task<kCount>& task, Bodies<kMany>& bodies, float h_s, Pass pass) {
+void solve_law(const Task<kCount>& task, Along<kMany>& along, float h_s, Pass pass) {
     switch (task.law.kind) {
         case LawKind::Hold:
-            return solve_hold(task, bodies, pass);
+            return solve_hold(task, along, pass);
         case LawKind::Spring:
-            if (pass == Pass::Biased) solve_spring(task, bodies);
+            if (pass == Pass::Biased) solve_spring(task, along);
             return;
         case LawKind::Motor:
-            return solve_motor(task, bodies, h_s, pass);
+            return solve_motor(task, along, h_s, pass);
         case LawKind::Lower:
         case LawKind::Upper:
-            return solve_limit(task, bodies, h_s, pass);
+            return solve_limit(task, along, h_s, pass);
     }
 }
 
 template <int kMany>
-void solve_laws(JointConstraint& c, const JointPlace& at, Bodies<kMany>& bodies, float h_s, Pass pass) {
+void solve_laws(JointConstraint& c, const JointPlace& at, Along<kMany>& along, float h_s, Pass pass) {
     for (int l = 0; l < c.law_count; ++l)
-        with_task(c, c.laws[l], at, [&](const auto& task) { solve_law(task, bodies, h_s, pass); });
+        with_task(c, c.laws[l], at, [&](const auto& task) { solve_law(task, along, h_s, pass); });
 }
 
 // What the joint gave body b in this substep, as a force at its anchor and a torque.
@@ -329,14 +340,24 @@ void add_spring_loads(std::span<const JointConstraint> joints, std::span<const J
 }
 
 void make_springs(std::span<JointConstraint> joints, float h_s, const std::vector<double>& together) {
+    // One spring follows another that is mostly alike.
+    float last_frequency_hz = 0;
+    float last_damping_ratio = 0;
+    ExactSpring alone;
     for_each_spring(joints, [&](std::size_t joint, JointLaw& law) {
         const JointConstraint& c = joints[joint];
         const double frequency = static_cast<double>(law.spring_frequency_hz);
         const double w = 2 * static_cast<double>(kPi) * frequency;
         double sum = 0;
         for (int i = 0; i < c.bodies; ++i) sum += together[static_cast<std::size_t>(c.rows[i])];
-        law.spring = make_exact_spring(frequency, static_cast<double>(law.spring_damping_ratio),
-                                       static_cast<double>(h_s), std::max(sum / (w * w), 1.0));
+        if (law.spring_frequency_hz != last_frequency_hz || law.spring_damping_ratio != last_damping_ratio) {
+            last_frequency_hz = law.spring_frequency_hz;
+            last_damping_ratio = law.spring_damping_ratio;
+            alone = make_exact_spring(frequency, static_cast<double>(last_damping_ratio),
+                                      static_cast<double>(h_s), 1);
+        }
+        const double angle = w * static_cast<double>(h_s);
+        law.spring = calmed(alone, angle * angle, std::max(sum / (w * w), 1.0));
     });
 }
 
@@ -344,10 +365,12 @@ void note_spring_speeds(std::span<JointConstraint> joints, std::span<const Joint
                         const Motions& motions) {
     for_each_spring(joints, [&](std::size_t joint, JointLaw& law) {
         if (joints[joint].direct) return;
-        with_bodies(joints[joint], motions, [&](const auto& bodies) {
-            for (int i = 0; i < law.count; ++i)
-                law.speed_before[i] = bodies.speed(places[joint].directions[law.direction + i]);
-        });
+        for (int i = 0; i < law.count; ++i) {
+            const Direction& direction = places[joint].directions[law.direction + i];
+            law.speed_before[i] = joints[joint].bodies == 2
+                                      ? Along<2>::speed_of(joints[joint], direction, motions)
+                                      : Along<kMaxJointBodies>::speed_of(joints[joint], direction, motions);
+        }
     });
 }
 
@@ -356,10 +379,7 @@ void warm_start_joints(std::span<JointConstraint> joints, std::span<const JointP
     for (std::size_t joint = 0; joint < joints.size(); ++joint) {
         JointConstraint& c = joints[joint];
         if (c.direct) continue;
-        with_bodies(c, motions, [&](auto& bodies) {
-            warm_start(c, places[joint], bodies);
-            bodies.write(motions);
-        });
+        with_bodies(c, places[joint], motions, [&](auto& along) { warm_start(c, places[joint], along); });
     }
 }
 
@@ -370,10 +390,7 @@ void solve_joints(std::span<JointConstraint> joints, std::span<JointPlace> place
         if (c.direct) continue;
         JointPlace& at = places[joint];
         if (pass == Pass::Relax) place_joint(c, joints, motions, at);
-        with_bodies(c, motions, [&](auto& bodies) {
-            solve_laws(c, at, bodies, h_s, pass);
-            bodies.write(motions);
-        });
+        with_bodies(c, at, motions, [&](auto& along) { solve_laws(c, at, along, h_s, pass); });
         if (pass == Pass::Relax) add_reaction(c, at.directions, motions);
     }
 }

@@ -120,7 +120,8 @@ TEST_CASE("an empty tree answers with nothing") {
     CHECK(tree.is_valid());
     CHECK(tree.size() == 0);
     CHECK(items_in(tree, kEverywhere).empty());
-    tree.cast_ray({0, 0}, {1, 1}, [](int) -> float { throw std::logic_error("no leaf to visit"); });
+    tree.cast_box({0, 0}, {}, {1, 1}, 1, [](int) -> float { throw std::logic_error("no leaf to visit"); });
+    tree.query_segment({0, 0}, {1, 1}, [](int) { throw std::logic_error("no leaf to visit"); });
 }
 
 TEST_CASE("trees of any size hold all their boxes, and lose them one by one") {
@@ -266,13 +267,44 @@ TEST_CASE("a ray whose visits shorten nothing meets each box on it once") {
     }
 }
 
+TEST_CASE("a segment meets the boxes that a ray of its length meets, from near and far") {
+    Random random(10);
+    OrderScratch scratch;
+    BoxTree tree;
+    Entries entries;
+    for (int item = 0; item < 400; ++item) {
+        entries[item] = random_box(random);
+        tree.insert(item, entries[item], scratch);
+    }
+    int met = 0;
+    for (int segment = 0; segment < 2'000; ++segment) {
+        const bool is_far = segment % 4 == 0;
+        const Position origin = is_far ? Position{random.real(-1e7, -9e6), random.real(9e6, 1e7)}
+                                       : Position{random.real(-60, 60), random.real(-60, 60)};
+        Vec2 translation = is_far ? Vec2{static_cast<float>(-2 * origin.x), static_cast<float>(-2 * origin.y)}
+                                  : random.vector(-60, 60);
+        if (random.chance(0.1)) translation = {};
+        if (random.chance(0.1)) translation.x = 0;
+        std::vector<int> expected;
+        for (const auto& [item, box] : entries) {
+            if (BoxCast(origin, {}, translation).enter(box) <= 1) expected.push_back(item);
+        }
+        std::vector<int> items;
+        tree.query_segment(origin, translation, [&](int item) { items.push_back(item); });
+        std::sort(items.begin(), items.end());
+        REQUIRE(items == expected);
+        met += static_cast<int>(items.size());
+    }
+    CHECK(met > 2'000);
+}
+
 TEST_CASE("a ray visits nothing beyond the fraction that a visit returns") {
     OrderScratch scratch;
     const BoxTree tree = row_of(100, scratch);
     // Once a box has been visited, the segment is cut off where that box begins: later boxes lie behind.
     int nearest = 100;
     int visits = 0;
-    tree.cast_ray({-1, 0.5}, {1000, 0}, [&](int item) {
+    tree.cast_box({-1, 0.5}, {}, {1000, 0}, 1, [&](int item) {
         CHECK(item < nearest);
         nearest = item;
         ++visits;

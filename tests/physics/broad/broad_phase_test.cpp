@@ -2,7 +2,9 @@
 #include "broad/broad_phase.h"
 
 #include <algorithm>
+#include <array>
 #include <catch2/catch.hpp>
+#include <limits>
 #include <map>
 #include <set>
 #include <utility>
@@ -22,6 +24,8 @@ struct Entry {
     Layer layer = Layer::Awake;
     Aabb box;
     bool touched = false;
+    Vec2 way{};
+    bool moved = true;  // since the last search
 };
 using Entries = std::map<int, Entry>;  // by item
 
@@ -37,15 +41,27 @@ Layer random_layer(Random& random) {
     return kLayers[random.below(static_cast<int>(kLayers.size()))];
 }
 
-Pairs overlapping_pairs(const Entries& entries) {
+struct Overlaps {
     Pairs pairs;
+    Pairs beside;  // that keep apart
+};
+
+Overlaps find_overlaps(const Entries& entries) {
+    Overlaps all;
     for (auto a = entries.begin(); a != entries.end(); ++a) {
         for (auto b = std::next(a); b != entries.end(); ++b) {
-            if (a->second.layer == Layer::Static && b->second.layer == Layer::Static) continue;
-            if (overlap(a->second.box, b->second.box)) pairs.emplace(a->first, b->first);
+            const auto& [item_a, of_a] = *a;
+            const auto& [item_b, of_b] = *b;
+            if (of_a.layer == Layer::Static && of_b.layer == Layer::Static) continue;
+            if (!overlap(of_a.box, of_b.box)) continue;
+            if (!keep_apart(of_a.box, of_a.way, of_b.box, of_b.way)) {
+                all.pairs.emplace(item_a, item_b);
+            } else if (of_a.moved || of_b.moved) {
+                all.beside.emplace(item_a, item_b);
+            }
         }
     }
-    return pairs;
+    return all;
 }
 
 // What a caller keeps who takes every pair that is not marked, and looks the others up. Checks that no pair
@@ -64,23 +80,44 @@ class Model {
         entries.erase(item);
         std::erase_if(known_, [&](const Pair& p) { return p.first == item || p.second == item; });
     }
-    void move(int item, const Aabb& box) {
+    void move(int item, const Aabb& box, Vec2 way = {}) {
         broad.move(item, box);
+        if (way != Vec2{}) broad.set_way(item, way);
         entries[item].box = box;
+        entries[item].way = way;
+        entries[item].moved = true;
+    }
+    // What has a way goes on, some of it another way than before.
+    void go_on(Random& random) {
+        for (auto& [item, entry] : entries) {
+            if (entry.way == Vec2{}) continue;
+            const Aabb box{entry.box.lower - 0.5f * entry.way, entry.box.upper - 0.5f * entry.way};
+            move(item, box, random.chance(0.8) ? entry.way : Vec2{});
+        }
     }
     void touch(int item) {
         broad.touch(item);
-        entries[item].touched = true;
+        entries[item].touched = entries[item].moved = true;
     }
     void set_layer(int item, Layer layer) {
         broad.set_layer(item, layer);
         entries[item].layer = layer;
+        if (layer != Layer::Awake) entries[item].way = {};
     }
 
     void search() {
-        const Pairs expected = overlapping_pairs(entries);
+        const Overlaps overlaps = find_overlaps(entries);
+        const Pairs& expected = overlaps.pairs;
+        std::vector<ItemPair> fresh;
+        std::vector<ItemPair> beside;
+        broad.search(0, broad.start_search(), {fresh, beside});
+        broad.end_search(fresh);
+        Pairs found_beside;
+        for (const ItemPair& pair : beside) REQUIRE(found_beside.emplace(pair.a, pair.b).second);
+        REQUIRE(found_beside == overlaps.beside);
+        beside_ += beside.size();
         Pairs reported;
-        for (const ItemPair& pair : broad.find_new_pairs()) {
+        for (const ItemPair& pair : fresh) {
             REQUIRE(pair.a < pair.b);
             const Pair key{pair.a, pair.b};
             REQUIRE(reported.insert(key).second);
@@ -92,7 +129,7 @@ class Model {
             if (touched || known_.count(pair) == 0) REQUIRE(reported.count(pair) == 1);
         }
         reported_ += reported.size();
-        for (auto& [item, entry] : entries) entry.touched = false;
+        for (auto& [item, entry] : entries) entry.touched = entry.moved = false;
         // Contacts are ended by looking at those that are active: one of the two awake.
         known_.merge(reported);
         std::erase_if(known_, [&](const Pair& p) {
@@ -103,6 +140,7 @@ class Model {
     }
 
     [[nodiscard]] std::size_t reported() const { return reported_; }
+    [[nodiscard]] std::size_t beside() const { return beside_; }
 
     void check_trees() const {
         int held = 0;
@@ -121,6 +159,7 @@ class Model {
   private:
     Pairs known_;
     std::size_t reported_ = 0;
+    std::size_t beside_ = 0;
 };
 
 void change_at_random(Random& random, Model& model, double extent) {
@@ -145,7 +184,11 @@ void change_at_random(Random& random, Model& model, double extent) {
     if (layer == Layer::Asleep) model.set_layer(item, Layer::Awake);
     const Aabb old = chosen->second.box;
     const Vec2 by = random.vector(-1, 1);
-    model.move(item, random.chance(0.3) ? random_box(random, extent) : Aabb{old.lower + by, old.upper + by});
+    const Aabb box = random.chance(0.3) ? random_box(random, extent) : Aabb{old.lower + by, old.upper + by};
+    if (model.entries[item].layer != Layer::Awake || random.chance(0.4)) return model.move(item, box);
+    // Most go along with each other.
+    const Vec2 way = random.chance(0.8) ? Vec2{3, 2} + random.vector(-0.2, 0.2) : random.vector(-3, 3);
+    model.move(item, merged(box, {box.lower + way, box.upper + way}), way);
 }
 
 Pairs found(BroadPhase& broad) {
@@ -166,9 +209,56 @@ TEST_CASE("every new pair is reported once while boxes come, go, move, sleep, wa
             model.search();
             model.check_trees();
             if (random.chance(0.2)) REQUIRE(model.broad.find_new_pairs().empty());
+            model.go_on(random);
         }
         CHECK(model.reported() > 2'000);
+        CHECK(model.beside() > 500);
     }
+}
+
+TEST_CASE("boxes that keep apart on their ways do so at all times, and others come near along both axes") {
+    Random random(3);
+    int apart = 0;
+    for (int trial = 0; trial < 20'000; ++trial) {
+        const auto thing = [&](Vec2 way, double extent) {
+            const Vec2 lower = random.vector(-extent, extent);
+            const Aabb start{lower, lower + random.vector(0.1, 1)};
+            return std::pair(start, merged(start, {start.lower + way, start.upper + way}));
+        };
+        const Vec2 way_a = random.vector(-8, 8);
+        const Vec2 way_b = random.chance(0.2) ? Vec2{} : random.chance(0.5) ? way_a : random.vector(-8, 8);
+        const auto [start_a, box_a] = thing(way_a, 2);
+        const auto [start_b, box_b] = thing(way_b, 2);
+        const bool keeps_apart = keep_apart(box_a, way_a, box_b, way_b);
+        REQUIRE(keep_apart(box_b, way_b, box_a, way_a) == keeps_apart);
+        apart += keeps_apart && overlap(box_a, box_b) ? 1 : 0;
+        // The least gap along each axis at any time, with what rounding may add.
+        constexpr double kRounding = 1e-5;
+        double least = std::numeric_limits<double>::infinity();
+        std::array<double, 2> least_along{least, least};
+        for (int i = 0; i <= 1'000; ++i) {
+            const double t = i / 1'000.0;
+            const auto gap = [&](float low_1, float high_1, float low_2, float high_2, float way_1,
+                                 float way_2) {
+                const double shift = t * (static_cast<double>(way_1) - static_cast<double>(way_2));
+                return std::max(static_cast<double>(low_1) + shift - static_cast<double>(high_2),
+                                static_cast<double>(low_2) - static_cast<double>(high_1) - shift);
+            };
+            const double x =
+                gap(start_a.lower.x, start_a.upper.x, start_b.lower.x, start_b.upper.x, way_a.x, way_b.x);
+            const double y =
+                gap(start_a.lower.y, start_a.upper.y, start_b.lower.y, start_b.upper.y, way_a.y, way_b.y);
+            least = std::min(least, std::max(x, y));
+            least_along = {std::min(least_along[0], x), std::min(least_along[1], y)};
+        }
+        if (keeps_apart) REQUIRE(least > -kRounding);
+        if (!keeps_apart) {
+            // Between two samples a gap changes by less than this.
+            REQUIRE(least_along[0] < kRounding + 16.0 / 1'000);
+            REQUIRE(least_along[1] < kRounding + 16.0 / 1'000);
+        }
+    }
+    CHECK(apart > 1'000);
 }
 
 TEST_CASE("few boxes, on both sides of a group's size, find their pairs") {
@@ -265,13 +355,14 @@ TEST_CASE("searching in parts gives what the whole gives") {
         BroadPhase broad;
         std::vector<ItemPair> all;
         std::vector<ItemPair> found_now;
+        std::vector<ItemPair> beside;
         for (int i = 0; i < 400; ++i) broad.add(i, random_layer(random), random_box(random, 10));
         for (int round = 0; round < 30; ++round) {
             const int groups = broad.start_search();
             found_now.clear();
             // The last part first: threads end in any order.
             for (int part = parts - 1; part >= 0; --part)
-                broad.search(groups * part / parts, groups * (part + 1) / parts, found_now);
+                broad.search(groups * part / parts, groups * (part + 1) / parts, {found_now, beside});
             broad.end_search(found_now);
             all.insert(all.end(), found_now.begin(), found_now.end());
             for (int i = 0; i < 100; ++i) broad.move(random.below(400), random_box(random, 10));

@@ -78,6 +78,28 @@ TEST_CASE("fast bodies meet slow dynamic ones, and give them their momentum") {
     CHECK(world.body(bullet)->linear_velocity().x == Approx(150).epsilon(1e-3));
 }
 
+TEST_CASE("what flies behind another does not pass through it when a wall has stopped that") {
+    // On their expected ways the two never meet.
+    for (const float speed : {40.0f, 60.0f, 90.0f}) {
+        for (const float restitution : {0.0f, 0.5f, 1.0f}) {
+            World world({.gravity_m_s2 = {}, .enable_sleep = false});
+            const ShapeDef def{.material = {.friction = 0, .restitution = restitution}};
+            add(world, {.type = BodyType::Static, .position_m = {20, 0}}, Box{0.5f, 5}, def);
+            std::vector<BodyId> row;
+            for (int i = 0; i < 2; ++i) {
+                row.push_back(add(world, {.position_m = {-0.9 * i, 0}, .linear_velocity_m_s = {speed, 0}},
+                                  Circle{{}, 0.25f}, def));
+            }
+            for (int step = 0; step < 90; ++step) {
+                world.step(1.0f / 60).value();
+                INFO(speed << " m/s, restitution " << restitution << ", step " << step);
+                REQUIRE(world.body(row[0])->position().x < 20);
+                REQUIRE(world.body(row[1])->position().x < world.body(row[0])->position().x);
+            }
+        }
+    }
+}
+
 TEST_CASE("a fast box wakes the stack that it hits") {
     World world;
     add_ground(world);

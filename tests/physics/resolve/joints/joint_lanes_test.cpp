@@ -10,6 +10,7 @@
 #include "physics/support/random.h"
 #include "resolve/joints/joint_solver.h"
 #include "resolve/joints/kinds.h"
+#include "resolve/joints/pin_loads.h"
 
 namespace cairn::physics {
 namespace {
@@ -118,6 +119,37 @@ struct Twins {
         return drive;
     }
 
+    // Some bear more than their load, some less, some the opposite.
+    void set_loads() {
+        Random random(3);
+        const Softness soft = softness_of(JointStiffness{}, kSubstep_s);
+        const PinLoads loads{kSubstep_s, soft.impulse_scale / (soft.mass_scale * soft.bias_rate)};
+        for (std::size_t i = 0; i < constraints.size(); ++i) {
+            const Vec2 load_n = random.vector(-9, 9);
+            const Vec2 last = random.real_f(-0.5, 2) * kSubstep_s * load_n;
+            JointImpulses impulse{};
+            impulse[impulse_index(0, Role::HoldOrSpring)] = last.x;
+            impulse[impulse_index(1, Role::HoldOrSpring)] = last.y;
+            constraints[i].impulse = impulse;
+            lanes.set_impulses(seats[i], impulse);
+            lanes.set_load(seats[i], load_n);
+            CHECK(lanes.load(seats[i]) == load_n);
+            take_off_load(constraints[i], load_n, loads, swept);
+        }
+        lanes.take_off_loads(in_lanes, loads, tasks);
+        place_joints(constraints, swept, joint_places);
+    }
+
+    void check_errors_agree() {
+        for (std::size_t i = 0; i < constraints.size(); ++i) {
+            const int lane = seats[i].lane;
+            const PinBlock& block = lanes.pin_block(lane / kLanes);
+            const auto at = static_cast<std::size_t>(lane % kLanes);
+            const Vec2 expected{joint_places[i].directions[0].q, joint_places[i].directions[1].q};
+            CHECK(length(Vec2{block.error_x[at], block.error_y[at]} - expected) < 1e-5f);
+        }
+    }
+
     void substep() {
         const JointPassTime time{softness_of(JointStiffness{}, kSubstep_s), 1 / kSubstep_s};
         note_spring_speeds(constraints, joint_places, swept);
@@ -173,6 +205,49 @@ TEST_CASE("pins and drives in lanes do what the scalar solver does, at every SIM
         }
     }
     force_simd_level(levels.back()).value();
+}
+
+TEST_CASE("pins in lanes are soft about their loads as the scalar solver's are, at every SIMD level") {
+    const auto levels = available_simd_levels();
+    for (const SimdLevel level : levels) {
+        force_simd_level(level).value();
+        for (const bool anchored : {false, true}) {
+            INFO(name(level) << (anchored ? ", anchored" : ""));
+            Twins twins(false, anchored);
+            twins.set_loads();
+            twins.check_errors_agree();
+            for (int i = 0; i < 4; ++i) twins.substep();
+            twins.check_agree();
+        }
+    }
+    force_simd_level(levels.back()).value();
+}
+
+TEST_CASE("a pin that bears its load yields nothing, and otherwise to what the load misses") {
+    // It is closed, and what hangs on it at its centre has just got the speed of a substep by gravity.
+    for (const float share : {1.0f, 0.5f}) {
+        Twins twins(false, true);
+        const Softness soft = softness_of(JointStiffness{}, kSubstep_s);
+        const PinLoads loads{kSubstep_s, soft.impulse_scale / (soft.mass_scale * soft.bias_rate)};
+        JointConstraint& pin = twins.constraints[0];
+        pin.anchors.r_a = pin.anchors.r_b = pin.anchors.center_offset = {};
+        const float inverse_mass = twins.swept.get(pin.anchors.b).inverse_mass;
+        const Vec2 load_n{0, 10 / inverse_mass};
+        pin.impulse[impulse_index(1, Role::HoldOrSpring)] = share * kSubstep_s * load_n.y;
+        take_off_load(pin, load_n, loads, twins.swept);
+        twins.swept.velocity[static_cast<std::size_t>(pin.anchors.b)].v = {0, -10 * kSubstep_s};
+        twins.swept.velocity[static_cast<std::size_t>(pin.anchors.b)].w = 0;
+        twins.swept.velocity[static_cast<std::size_t>(pin.anchors.a)].v = {};
+        twins.swept.velocity[static_cast<std::size_t>(pin.anchors.a)].w = 0;
+        const std::span<JointConstraint> alone(&pin, 1);
+        place_joints(alone, twins.swept, twins.joint_places);
+        warm_start_joints(alone, twins.joint_places, twins.swept);
+        solve_joints(alone, twins.joint_places, twins.swept, kSubstep_s, Pass::Biased);
+        const float v = twins.swept.velocity[static_cast<std::size_t>(pin.anchors.b)].v.y;
+        if (share == 1) CHECK(std::fabs(v) < 1e-6f);
+        // One that bears half takes 1.1 times that as its load, and gives way to the rest.
+        if (share != 1) CHECK(v == Approx(-soft.impulse_scale * (1 - 0.55f) * 10 * kSubstep_s).margin(1e-6));
+    }
 }
 
 TEST_CASE("a lane that another takes keeps its impulses, and the rest stay dense") {
