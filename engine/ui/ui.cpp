@@ -10,7 +10,7 @@
 namespace cairn::engine {
 namespace {
 
-/// In updates of 1/60 s: long enough not to repeat unasked, short enough to run through a list.
+/// In 1/60 s: long enough not to repeat unasked, short enough to run through a list.
 constexpr int kRepeatAfter = 24;
 constexpr int kRepeatEvery = 7;
 constexpr float kStickPress = 0.6f;
@@ -129,6 +129,12 @@ Rect Ui::panel() const {
     return {center_.x - 0.5f * style_.width, center_.y - 0.5f * height, style_.width, height};
 }
 
+void Ui::fit_into(Vec2 center, float width, float max_height) {
+    center_ = center;
+    style_.width = width;
+    style_.max_height = max_height;
+}
+
 float Ui::scroll_limit() const {
     return std::max(0.0f, rows_height() - (panel().height - title_height() - 2 * style_.padding));
 }
@@ -152,7 +158,10 @@ Rect Ui::area(int place) const {
 void Ui::scroll_to_focus() {
     const std::vector<Row> all = rows();
     int row = row_of(all, focus_);
-    if (row < 0) return;
+    if (row < 0) {
+        scroll_ = std::clamp(scroll_, 0.0f, scroll_limit());
+        return;
+    }
     const float bottom = all[row].top + all[row].height;
     const float room = panel().height - title_height() - 2 * style_.padding;
     // What stands above it and cannot have the focus belongs to it, as far as there is room.
@@ -403,10 +412,12 @@ void Ui::apply(const InputEvent& event) {
     }
 }
 
-void Ui::update() {
+void Ui::update(int updates_per_second) {
     if (held_.x == 0 && held_.y == 0) return;
     ++held_updates_;
-    if (held_updates_ >= kRepeatAfter && (held_updates_ - kRepeatAfter) % kRepeatEvery == 0) move(held_);
+    const int after = std::max(1, kRepeatAfter * updates_per_second / 60);
+    const int every = std::max(1, kRepeatEvery * updates_per_second / 60);
+    if (held_updates_ >= after && (held_updates_ - after) % every == 0) move(held_);
 }
 
 std::vector<UiEvent> Ui::take_events() {

@@ -170,6 +170,7 @@ Pushed add_shape(lua_State* L, BodyRef self, TableArgument description) {
             for (const physics::ShapeId other : made) check_or_raise(L, world.world->destroy_shape(other));
             call_error(L, id.error());
         }
+        value_or_raise(L, world.world->shape(*id)).set_user_data(mark_of(*id));
         made.push_back(*id);
     }
     push_world_of(L, self.index);

@@ -49,6 +49,7 @@ struct Services {
     engine::Audio& audio;
     engine::Window& window;
     engine::Platform& platform;
+    int updates_per_second = kUpdatesPerSecond;
 };
 
 struct Context {
@@ -87,6 +88,14 @@ struct Context {
 
     /// In `cairn test`: what the running test does to its game; else null.
     TestDriver* test = nullptr;
+
+    /// What each update is told, and steps its worlds by.
+    [[nodiscard]] double step_s() const { return 1.0 / services.updates_per_second; }
+    /// Of the game, since its start.
+    [[nodiscard]] double time_s() const { return static_cast<double>(frame) / services.updates_per_second; }
+    [[nodiscard]] std::uint64_t frames_of(double time_s) const {
+        return Timers::frames_of(time_s, services.updates_per_second);
+    }
 };
 
 }  // namespace cairn::scripting

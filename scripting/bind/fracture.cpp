@@ -5,6 +5,7 @@
 #include <limits>
 #include <span>
 
+#include "bind/object_data.h"
 #include "data/nearest.h"
 #include "lua/state.h"
 
@@ -81,10 +82,40 @@ void copy_table(lua_State* L) {
     lua_remove(L, from);
 }
 
+/// Pushes a list with copies of the data of the shapes that pieces were cut from, and gives the shapes of the
+/// pieces to which they belong, in the same order. Before any of these has a value: it may have the slot of
+/// one that is gone.
+std::vector<physics::ShapeId> push_data_of_shapes(lua_State* L, int world_index, const physics::World& world,
+                                                  std::span<const BodyId> pieces) {
+    std::vector<physics::ShapeId> heirs;
+    lua_newtable(L);
+    const int list = lua_gettop(L);
+    lua_getiuservalue(L, world_index, static_cast<int>(WorldTable::Shapes));
+    const int shapes = lua_gettop(L);
+    for (const BodyId piece : pieces) {
+        for (const physics::ShapeId id : value_or_raise(L, world.body(piece)).shapes()) {
+            const std::uint64_t mark = value_or_raise(L, world.shape(id)).user_data();
+            lua_rawgeti(L, shapes, static_cast<lua_Integer>(physics::ShapeId::from_bits(mark).index1));
+            const auto* from = object_at<ShapeObject>(L, -1);
+            if (from != nullptr && mark_of(from->id) == mark &&
+                lua_getiuservalue(L, -1, kDataValue) == LUA_TTABLE) {
+                copy_table(L);
+                heirs.push_back(id);
+                lua_rawseti(L, list, static_cast<lua_Integer>(heirs.size()));
+            }
+            lua_settop(L, shapes);
+        }
+    }
+    lua_settop(L, list);
+    return heirs;
+}
+
 // The pieces get values, the body loses its own.
 void adopt(lua_State* L, int world_index, WorldObject& world, BodyId body, std::span<const BodyId> pieces) {
     if (pieces.empty()) return;
     world_index = lua_absindex(L, world_index);
+    const std::vector<physics::ShapeId> heirs = push_data_of_shapes(L, world_index, *world.world, pieces);
+    const int list = lua_gettop(L);
     push_body(L, world_index, body);
     const int from = lua_gettop(L);
     for (const BodyId piece : pieces) {
@@ -97,7 +128,14 @@ void adopt(lua_State* L, int world_index, WorldObject& world, BodyId body, std::
         push_new_body(L, world_index, world, piece);
         lua_pop(L, 1);
     }
-    lua_settop(L, from - 1);
+    lua_Integer number = 0;
+    for (const physics::ShapeId heir : heirs) {
+        push_shape(L, world_index, world, heir);
+        lua_rawgeti(L, list, ++number);
+        set_data(L);
+        lua_pop(L, 1);
+    }
+    lua_settop(L, list - 1);
     retire_body(L, world_index, world, body);
 }
 
@@ -194,10 +232,12 @@ Pushed breakable(lua_State* L, BodyRef self) {
     return {1};
 }
 
-Pushed cuts_along(lua_State* L, WorldRef self, double x1, double y1, double x2, double y2,
-                  std::optional<std::int64_t> mask) {
-    const physics::QueryFilter filter{.mask = static_cast<std::uint64_t>(mask.value_or(-1))};
-    const auto hits = value_or_raise(L, self.world.cuts_along({x1, y1}, {x2, y2}, filter));
+Pushed cuts_along(lua_State* L, WorldRef self, double x1, double y1, double x2, double y2, Filter filter,
+                  Ignored ignored) {
+    const auto hits =
+        value_or_raise(L, ask(Sight(L, self, filter, ignored), [&](const physics::QueryFilter& seen) {
+                           return self.world.cuts_along({x1, y1}, {x2, y2}, seen);
+                       }));
     lua_createtable(L, static_cast<int>(hits.size()), 0);
     lua_Integer count = 0;
     for (const physics::CutHit& hit : hits) {

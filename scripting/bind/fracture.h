@@ -1,10 +1,11 @@
-// Cutting and breaking bodies from Lua. A piece is a new body; its data is a copy, field by field, of that of
-// the body from which it came.
+// Cutting and breaking bodies from Lua. A piece is a new body; its data and that of its shapes are copies,
+// field by field, of those of what it came from.
 #pragma once
 
 #include "bind/fields.h"
 #include "bind/function.h"
 #include "bind/physics_objects.h"
+#include "bind/query_filter.h"
 
 namespace cairn::scripting {
 
@@ -23,8 +24,8 @@ Pushed breakable(lua_State* L, BodyRef self);
 
 // Of worlds.
 
-Pushed cuts_along(lua_State* L, WorldRef self, double x1, double y1, double x2, double y2,
-                  std::optional<std::int64_t> mask);
+Pushed cuts_along(lua_State* L, WorldRef self, double x1, double y1, double x2, double y2, Filter filter,
+                  Ignored ignored);
 /// After a step: Lua values for the pieces that it made.
 void adopt_pieces(lua_State* L, WorldRef world);
 

@@ -9,6 +9,7 @@
 namespace cairn::scripting {
 namespace {
 
+using physics::Position;
 using physics::Vec2;
 using Change = physics::Result<void>;
 
@@ -103,8 +104,36 @@ Pushed new_mover(lua_State* L, std::optional<TableArgument> fields) {
 
 namespace {
 
-Change move(MoverObject* self, WorldRef world, float vx, float vy, float dt_s, Mask mask, Ignored ignored) {
-    return self->mover.move(world.world, {vx, vy}, dt_s, query_filter(mask, ignored));
+/// m. How far from where it stands a mover may come to look in a call of `move`: its own size, the way it
+/// goes, what its ground carries it along, and the steps that it tries.
+float reach_of(const physics::Mover& mover, const physics::World& world, Vec2 velocity, float dt_s) {
+    const physics::MoverDef& def = mover.def();
+    const float size =
+        physics::length(def.capsule.a_m) + physics::length(def.capsule.b_m) + def.capsule.radius_m;
+    float speed = physics::length(velocity);
+    if (world.contains(mover.ground_body())) {
+        const physics::Body ground = *world.body(mover.ground_body());
+        speed += physics::length(ground.velocity_at(mover.position()));
+    }
+    return 2 * (size + def.step_height_m + speed * dt_s);
+}
+
+Change move(lua_State* L, MoverObject* self, WorldRef world, float vx, float vy, float dt_s, Filter filter,
+            Ignored ignored) {
+    const Sight sight(L, world, filter, ignored);
+    physics::QueryFilter seen = sight.filter();
+    if (!sight.asks()) return self->mover.move(world.world, {vx, vy}, dt_s, seen);
+    // It looks again and again on its way: all that is near is asked for first.
+    const float reach = reach_of(self->mover, world.world, {vx, vy}, dt_s);
+    const Position at = self->mover.position();
+    const std::vector<physics::ShapeId> near = value_or_raise(
+        L, world.world.shapes_in_box(at + Vec2{-reach, -reach}, at + Vec2{reach, reach}, seen));
+    const std::vector<std::uint64_t> accepted = sight.accepted(near);
+    const auto is_accepted = [&](physics::ShapeId shape, physics::BodyId) {
+        return std::binary_search(accepted.begin(), accepted.end(), shape.bits());
+    };
+    seen.accepts = is_accepted;
+    return self->mover.move(world.world, {vx, vy}, dt_s, seen);
 }
 Change teleport(MoverObject* self, double x, double y) {
     return self->mover.teleport({x, y});
@@ -137,9 +166,10 @@ constexpr std::array<std::string_view, 1> kReturnsBody = {"Body?"};
 constexpr std::array<std::string_view, 1> kReturnsShape = {"Shape?"};
 
 constexpr Function kFunctions[] = {
-    function<&move>("move", "world, vx [m/s], vy [m/s], dt [s], mask = -1, ignored = nil", "",
+    function<&move>("move", "world, vx [m/s], vy [m/s], dt [s], filter = -1, ignored = nil", "",
                     "Goes on for a step at a velocity, slides along what it meets, walks over steps and down "
-                    "slopes, and pushes dynamic bodies. `ignored` is a body that it does not see."),
+                    "slopes, and pushes dynamic bodies. What `filter` and `ignored` hide, as in queries of "
+                    "worlds, is walked through."),
     function<&teleport>("teleport", "x [m], y [m]", "", "Somewhere else at once, standing on nothing."),
     function<&position>("position", "", "x [m], y [m]", "Of its feet."),
     function<&velocity>("velocity", "", "x [m/s], y [m/s]",

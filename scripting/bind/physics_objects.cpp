@@ -206,6 +206,12 @@ void push_new_body(lua_State* L, int world_index, WorldObject& world, physics::B
     lua_pop(L, 1);
     know_body(L, world_index, id);
     lua_remove(L, data);
+    for (const physics::ShapeId shape : value_or_raise(L, world.world->body(id)).shapes())
+        value_or_raise(L, world.world->shape(shape)).set_user_data(mark_of(shape));
+}
+
+std::uint64_t mark_of(physics::ShapeId id) {
+    return physics::ShapeId::make(id.index1, id.generation, 0).bits();
 }
 
 void revive_body(lua_State* L, int world_index, WorldObject& world, physics::BodyId id) {

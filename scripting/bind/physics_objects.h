@@ -144,7 +144,8 @@ struct Argument<Maybe<T>> {
 
 // ---- Making and finding Lua values. `world_index` is where the world stands on the stack.
 
-/// Pushes the value of a new body; its data is the table on top of the stack, which is popped.
+/// Pushes the value of a new body and marks its shapes; its data is the table on top of the stack, which is
+/// popped.
 void push_new_body(lua_State* L, int world_index, WorldObject& world, physics::BodyId id);
 /// After a restore: what is on top of the stack, which is popped, is the value of the living body if it ever
 /// was; else it gets a new one, with empty data.
@@ -152,6 +153,9 @@ void revive_body(lua_State* L, int world_index, WorldObject& world, physics::Bod
 /// Pushes the value of a body that lives, or lived until after the last step; nil for any other.
 void push_body(lua_State* L, int world_index, physics::BodyId id);
 void push_shape(lua_State* L, int world_index, WorldObject& world, physics::ShapeId id);
+/// What a shape carries as the user data of the physics, which pieces take over: the handle of the one that
+/// they were cut from, without its world.
+std::uint64_t mark_of(physics::ShapeId id);
 void push_joint(lua_State* L, int world_index, WorldObject& world, physics::JointId id);
 void push_chain(lua_State* L, int world_index, WorldObject& world, physics::ChainId id);
 /// Pushes the world of a body, shape or joint.

@@ -142,7 +142,7 @@ void draw_layer(const Context& context, const TileMapObject& map, const MapLayer
     engine::Renderer& renderer = context.services.renderer;
     engine::Color color = context.draw.color;
     color.a *= layer.opacity;
-    TileMesh mesh(renderer, map, color, static_cast<double>(context.frame) / kUpdatesPerSecond);
+    TileMesh mesh(renderer, map, color, context.time_s());
     if (layer.kind == MapLayer::Kind::Objects) {
         for (const MapObject& object : layer.objects)
             if (object.shape == engine::MapShape::Tile && object.is_visible)

@@ -40,7 +40,7 @@ Pushed start(lua_State* L, double seconds, FunctionArgument action, bool repeats
     lua_pushvalue(L, action.index);
     const int reference = luaL_ref(L, LUA_REGISTRYINDEX);
     const std::uint64_t number =
-        context.timers.add(context.frame, Timers::frames_of(seconds), repeats, reference);
+        context.timers.add(context.frame, context.frames_of(seconds), repeats, reference);
     new_object<TimerObject>(L, 0, number);
     return {1};
 }
@@ -52,7 +52,7 @@ Pushed every(lua_State* L, double seconds, FunctionArgument action) {
     return start(L, seconds, action, true);
 }
 double time(lua_State* L) {
-    return static_cast<double>(context_of(L).frame) / kUpdatesPerSecond;
+    return context_of(L).time_s();
 }
 std::int64_t frame(lua_State* L) {
     return static_cast<std::int64_t>(context_of(L).frame);
@@ -79,11 +79,11 @@ constexpr Function kMethods[] = {
 
 }  // namespace
 
-const Module kTimerModule = {
-    "cairn.timer",
-    "Actions for later, in game time: 60 updates are a second, however fast the computer is. Due actions run "
-    "before `cairn.update`.",
-    kFunctions};
+const Module kTimerModule = {"cairn.timer",
+                             "Actions for later, in game time: 60 updates, or as many as conf.lua says, are "
+                             "a second, however fast the computer is. Due actions run "
+                             "before `cairn.update`.",
+                             kFunctions};
 const Module kTimerMethods = {"Timer", "An action that waits.", kMethods, true};
 
 }  // namespace cairn::scripting

@@ -6,9 +6,9 @@
 
 namespace cairn::scripting {
 
-std::uint64_t Timers::frames_of(double time_s) {
+std::uint64_t Timers::frames_of(double time_s, int updates_per_second) {
     // The tolerance lets 0.1 s be 6 updates although 0.1 * 60 is a little more than 6 in binary.
-    const double frames = std::ceil(time_s * kUpdatesPerSecond - 1e-6);
+    const double frames = std::ceil(time_s * updates_per_second - 1e-6);
     constexpr double kMost = 1e15;  // half a million years
     return static_cast<std::uint64_t>(std::clamp(frames, 1.0, kMost));
 }

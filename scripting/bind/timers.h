@@ -10,7 +10,7 @@
 
 namespace cairn::scripting {
 
-/// Updates per second of every game.
+/// Unless conf.lua says otherwise.
 inline constexpr int kUpdatesPerSecond = 60;
 
 class Timers {
@@ -22,7 +22,7 @@ class Timers {
     };
 
     /// Whole updates that make up a time, at least one: a timer never runs in the update that sets it.
-    static std::uint64_t frames_of(double time_s);
+    static std::uint64_t frames_of(double time_s, int updates_per_second = kUpdatesPerSecond);
 
     /// Returns the timer's number.
     std::uint64_t add(std::uint64_t now, std::uint64_t delay, bool repeats, int function);

@@ -118,8 +118,8 @@ Pushed to(lua_State* L, TableArgument target, TableArgument goals, double second
             call_error(L, "target." + field.name + " is " + describe_value(L, -1) + "; expected a number");
         lua_pop(L, 1);
     }
-    tween.begin = context.frame + (delay > 0 ? Timers::frames_of(delay) : 0);
-    tween.frames = Timers::frames_of(seconds);
+    tween.begin = context.frame + (delay > 0 ? context.frames_of(delay) : 0);
+    tween.frames = context.frames_of(seconds);
     tween.ways = static_cast<std::uint64_t>(repeats + 1);
     tween.is_yoyo = is_yoyo;
     tween.identity = lua_topointer(L, target.index);

@@ -22,6 +22,11 @@ struct UiObject : ObjectHeader {
     static constexpr ObjectTag kTag = ObjectTag::Ui;
     engine::Ui ui;
     engine::FontId font;
+    std::optional<double> x;  ///< of the middle, as the author said
+    std::optional<double> y;
+    float width;  ///< as the author said: no more than the screen has is taken
+    float max_height;
+    engine::Size screen{};    ///< for which it is laid out
     std::uint64_t frame = 0;  ///< of the last update
 };
 
@@ -42,8 +47,8 @@ namespace {
 /// More rows than anybody scrolls through.
 constexpr std::size_t kMaxWidgets = 1000;
 
-constexpr Field kX =
-    optional_field("x", FieldType::Number, "px; the panel's middle; absent: that of the screen");
+constexpr Field kX = optional_field(
+    "x", FieldType::Number, "px; the panel's middle; absent: that of the screen, also when its size changes");
 constexpr Field kY = optional_field("y", FieldType::Number, "px");
 constexpr Field kWidth = above(number_field("width", 420, "420", "px"), 40, 8192);
 constexpr Field kMaxHeight = above(
@@ -103,14 +108,26 @@ void keep_function(lua_State* L, int ui_index, lua_Integer number) {
     lua_pop(L, 1);
 }
 
+/// Lays it out for the screen as it is now.
+void follow_screen(lua_State* L, UiObject& self) {
+    const Services& services = context_of(L).services;
+    const engine::Size screen = services.window.logical_size();
+    if (self.screen == screen) return;
+    self.screen = screen;
+    const engine::Vec2 center = {static_cast<float>(self.x.value_or(0.5 * screen.width)),
+                                 static_cast<float>(self.y.value_or(0.5 * screen.height))};
+    self.ui.fit_into(center, std::min(self.width, static_cast<float>(screen.width)),
+                     std::min(self.max_height, static_cast<float>(screen.height)));
+    for (int place = 0; place < static_cast<int>(self.ui.widgets().size()); ++place)
+        self.ui.fit_text(services.renderer, self.font, place);
+    self.ui.scroll_to_focus();
+}
+
 Pushed new_ui(lua_State* L, std::optional<TableArgument> fields) {
     if (!fields) lua_newtable(L);
     const FieldReader reader(L, fields ? fields->index : -1, kUiFields);
     const Services& services = context_of(L).services;
-    const engine::Size screen = services.window.logical_size();
     engine::UiStyle style;
-    style.width = std::min(reader.real(kWidth), static_cast<float>(screen.width));
-    style.max_height = std::min(reader.real(kMaxHeight), static_cast<float>(screen.height));
     style.row_height = reader.real(kRowHeight);
     if (reader.push(kAccent)) {
         float* const parts[] = {&style.accent.r, &style.accent.g, &style.accent.b};
@@ -122,15 +139,17 @@ Pushed new_ui(lua_State* L, std::optional<TableArgument> fields) {
         }
         lua_pop(L, 1);
     }
-    const engine::Vec2 center = {
-        static_cast<float>(reader.optional_number(kX).value_or(0.5 * screen.width)),
-        static_cast<float>(reader.optional_number(kY).value_or(0.5 * screen.height))};
+    const std::optional<double> x = reader.optional_number(kX);
+    const std::optional<double> y = reader.optional_number(kY);
+    const float width = reader.real(kWidth);
+    const float max_height = reader.real(kMaxHeight);
     const std::string title(reader.text(kTitle));
     const engine::FontId font =
         value_or_raise(L, services.renderer.load_font("fonts/default.ttf", reader.real(kFontSize)));
     const bool has_back = reader.push(kBack);
-    auto& made = new_object<UiObject>(L, 1, engine::Ui(center, style), font);
+    auto& made = new_object<UiObject>(L, 1, engine::Ui({}, style), font, x, y, width, max_height);
     made.ui.title = title;
+    follow_screen(L, made);
     lua_newtable(L);
     lua_setiuservalue(L, -2, 1);
     if (has_back) {
@@ -351,17 +370,19 @@ void tell(lua_State* L, UiObject& self) {
 void update(lua_State* L, UiObject* self) {
     Context& context = context_of(L);
     if (std::exchange(self->frame, context.frame) == context.frame) return;  // these events were applied
+    follow_screen(L, *self);
     // One after the other: the second of two presses meets the menu that the first has made.
     for (const engine::InputEvent& event : context.events) {
         self->ui.apply(event);
         tell(L, *self);
     }
-    self->ui.update();
+    self->ui.update(context.services.updates_per_second);
     tell(L, *self);
 }
 
 void draw(lua_State* L, UiObject* self) {
     engine::Renderer& renderer = drawing_context(L).services.renderer;
+    follow_screen(L, *self);
     check_or_raise(L, renderer.push_transform());
     renderer.reset_transform();
     self->ui.draw(renderer, self->font);

@@ -203,29 +203,6 @@ Pushed bodies(lua_State* L, WorldRef self) {
     return push_list_of_bodies(L, self, self.world.bodies());
 }
 
-Pushed body_at(lua_State* L, WorldRef self, double x, double y) {
-    const auto found = value_or_raise(L, self.world.shape_at({x, y}));
-    if (!found) return lua_pushnil(L), Pushed{1};
-    push_body(L, self.index, value_or_raise(L, self.world.shape(*found)).body());
-    push_shape(L, self.index, self.object, *found);
-    return {2};
-}
-
-Pushed cast_ray(lua_State* L, WorldRef self, double x1, double y1, double x2, double y2,
-                std::optional<std::int64_t> mask) {
-    const physics::QueryFilter filter{.mask = static_cast<std::uint64_t>(mask.value_or(-1))};
-    const Position origin{x1, y1};
-    const auto hit = value_or_raise(L, self.world.cast_ray(origin, Position{x2, y2} - origin, filter));
-    if (!hit) return lua_pushnil(L), Pushed{1};
-    push_body(L, self.index, hit->body);
-    lua_pushnumber(L, hit->point_m.x);
-    lua_pushnumber(L, hit->point_m.y);
-    lua_pushnumber(L, static_cast<double>(hit->normal.x));
-    lua_pushnumber(L, static_cast<double>(hit->normal.y));
-    lua_pushnumber(L, static_cast<double>(hit->fraction));
-    return {6};
-}
-
 std::tuple<float, float> gravity(WorldRef self) {
     const Vec2 g = self.world.gravity();
     return {g.x, g.y};
@@ -279,8 +256,8 @@ constexpr std::array<std::string_view, 8> kReturnsShapeHit = {"Body?",  "number"
                                                               "number", "number", "number", "Shape"};
 constexpr std::array<std::string_view, 7> kReturnsClosest = {"Body?",  "number", "number", "number",
                                                              "number", "number", "Shape"};
-constexpr std::array<std::string_view, 6> kReturnsRayHit = {"Body?",  "number", "number",
-                                                            "number", "number", "number"};
+constexpr std::array<std::string_view, 7> kReturnsRayHit = {"Body?",  "number", "number", "number",
+                                                            "number", "number", "Shape"};
 
 constexpr Function kWorldFunctions[] = {
     function<&step>("step", "dt [s]", "",
@@ -391,7 +368,7 @@ constexpr Function kWorldFunctions[] = {
         "was "
         "not automatic or too small to break."),
     function_pushing<&cuts_along>(
-        "cuts_along", "x1 [m], y1 [m], x2 [m], y2 [m], mask = -1", "hits", kReturnsTable,
+        "cuts_along", "x1 [m], y1 [m], x2 [m], y2 [m], filter = -1, ignored = nil", "hits", kReturnsTable,
         "What lies across a cut, in the order of the way: tables with `body`, `x1, y1` and `x2, y2` where "
         "the way "
         "enters and leaves it, and `pieces`, how many bodies `body:cut` would make of it. Changes nothing."),
@@ -423,21 +400,20 @@ constexpr Function kWorldFunctions[] = {
                                    "each was put back to where it was "
                                    "and stopped. Empty unless forces beyond all measure act."),
     function_pushing<&body_at>(
-        "body_at", "x [m], y [m]", "body, shape", kReturnsBodyAndShape,
+        "body_at", "x [m], y [m], filter = -1, ignored = nil", "body, shape", kReturnsBodyAndShape,
         "A body with a shape that contains the point, and that shape; of several the newest "
         "shape's; nil when there is none."),
     function_pushing<&cast_ray>(
-        "cast_ray", "x1 [m], y1 [m], x2 [m], y2 [m], mask = -1", "body, x [m], y [m], nx, ny, fraction",
-        kReturnsRayHit,
+        "cast_ray", "x1 [m], y1 [m], x2 [m], y2 [m], filter = -1, ignored = nil",
+        "body, x [m], y [m], nx, ny, fraction, shape", kReturnsRayHit,
         "The first shape that the ray meets from outside: its body, the point, the normal out "
-        "of the shape and the share of the ray's length; nil when it meets none. Only shapes "
-        "with a category in `mask` are seen."),
+        "of the shape, the share of the ray's length, and the shape; nil when it meets none. A shape in "
+        "which "
+        "the ray begins is not met."),
     function_pushing<&cast_ray_all>(
-        "cast_ray_all", "x1 [m], y1 [m], x2 [m], y2 [m], mask = -1, ignored = nil", "hits", kReturnsTable,
-        "All shapes that the ray meets, in its order: tables with body, shape, x, y, nx, ny, fraction. "
-        "`ignored` "
-        "is a body that is not seen."),
-    function_pushing<&cast_shape>("cast_shape", "shape, dx [m], dy [m], mask = -1, ignored = nil",
+        "cast_ray_all", "x1 [m], y1 [m], x2 [m], y2 [m], filter = -1, ignored = nil", "hits", kReturnsTable,
+        "All shapes that the ray meets, in its order: tables with body, shape, x, y, nx, ny, fraction."),
+    function_pushing<&cast_shape>("cast_shape", "shape, dx [m], dy [m], filter = -1, ignored = nil",
                                   "body, x [m], y [m], nx, ny, fraction, overlap [m], shape",
                                   kReturnsShapeHit,
                                   "The first shape met by one that moves without turning: `{ shape = "
@@ -446,25 +422,25 @@ constexpr Function kWorldFunctions[] = {
                                   "`angle` where it starts. What it "
                                   "overlaps there is met at fraction 0. nil when it meets none."),
     function_pushing<&cast_shape_all>(
-        "cast_shape_all", "shape, dx [m], dy [m], mask = -1, ignored = nil", "hits", kReturnsTable,
+        "cast_shape_all", "shape, dx [m], dy [m], filter = -1, ignored = nil", "hits", kReturnsTable,
         "All shapes met: tables with body, shape, x, y, nx, ny, fraction, overlap."),
     function_pushing<&shapes_overlapping>(
-        "shapes_overlapping", "shape, mask = -1, ignored = nil", "shapes", kReturnsTable,
+        "shapes_overlapping", "shape, filter = -1, ignored = nil", "shapes", kReturnsTable,
         "A new list of the shapes that a shape, described as for cast_shape, "
         "touches or overlaps."),
     function_pushing<&shapes_in_box>(
-        "shapes_in_box", "x1 [m], y1 [m], x2 [m], y2 [m], mask = -1, ignored = nil", "shapes", kReturnsTable,
-        "A new list of the shapes that touch or overlap a box between two corners."),
-    function_pushing<&closest_point>("closest_point", "x [m], y [m], radius [m], mask = -1, ignored = nil",
+        "shapes_in_box", "x1 [m], y1 [m], x2 [m], y2 [m], filter = -1, ignored = nil", "shapes",
+        kReturnsTable, "A new list of the shapes that touch or overlap a box between two corners."),
+    function_pushing<&closest_point>("closest_point", "x [m], y [m], radius [m], filter = -1, ignored = nil",
                                      "body, x [m], y [m], nx, ny, distance [m], shape", kReturnsClosest,
                                      "The nearest surface within a radius; inside shapes the distance is "
                                      "negative. nil when there is none."),
     function_pushing<&closest_points>(
-        "closest_points", "x [m], y [m], radius [m], mask = -1, ignored = nil", "points", kReturnsTable,
+        "closest_points", "x [m], y [m], radius [m], filter = -1, ignored = nil", "points", kReturnsTable,
         "The nearest point of each shape within a radius: tables with body, shape, x, "
         "y, nx, ny, distance."),
     function_pushing<&collision_planes>(
-        "collision_planes", "shape, reach [m], mask = -1, ignored = nil", "planes", kReturnsTable,
+        "collision_planes", "shape, reach [m], filter = -1, ignored = nil", "planes", kReturnsTable,
         "What limits a shape, described as for cast_shape: a line for each "
         "shape within reach, as tables with "
         "body, shape, x, y, nx, ny, separation, dynamic, and, where edges meet at a corner, nx_before, "
@@ -550,6 +526,17 @@ const Module kPhysicsModule = {
     "moved and destroyed at any time, also while events are read.",
     kPhysicsFunctions,
 };
-const Module kWorldMethods = {"World", "A world of rigid bodies.", kWorldFunctions, true};
+const Module kWorldMethods = {
+    "World",
+    "A world of rigid bodies. **Which shapes a query sees** say its last two arguments. `ignored` is a body "
+    "that is not seen. `filter` is one of three: a bit set of categories, `-1` being all; a function, "
+    "`function(body, shape) return body.data.team ~= 1 end`, which may do anything; or a table with `mask`, "
+    "the "
+    "bit set of categories that are seen, `categories`, of which a shape's own mask must have one, for what "
+    "the one who asks would collide with, `accepts`, the function, and `ignored`. The function is asked, "
+    "once "
+    "and in a fixed order, about each shape whose surroundings the query looks at, before it is known which "
+    "of them are hit.",
+    kWorldFunctions, true};
 
 }  // namespace cairn::scripting

@@ -12,6 +12,7 @@ namespace cairn::scripting {
 namespace {
 
 using physics::Position;
+using physics::QueryFilter;
 using physics::Vec2;
 
 constexpr Field kShape = choice_field("shape", nullptr, "box circle capsule polygon segment", "");
@@ -121,15 +122,14 @@ constexpr Field kImpulse =
     number_field("impulse", 10, "10", "N s per metre of outline that faces the point; negative: inward");
 constexpr Field kShelter = integer_field(
     "shelter", 0, "0", "bit set: shapes of these categories keep it from what lies behind them");
-constexpr Field kMask = integer_field("mask", -1, "-1", "bit set: the categories that are met");
-constexpr const Field* kExplosionOwn[] = {&kX, &kY, &kRadius, &kFalloff, &kImpulse, &kShelter, &kMask};
+constexpr const Field* kExplosionOwn[] = {&kX, &kY, &kRadius, &kFalloff, &kImpulse, &kShelter};
 
 constexpr Field kWindX = number_field("velocity_x", 0, "0", "m/s, of the air; (0, 0) slows bodies down");
 constexpr Field kWindY = number_field("velocity_y", 0, "0", "m/s");
 constexpr Field kAirDensity = at_least(number_field("density", 1.2, "1.2", "kg/m^2, of the air"), 0);
 constexpr Field kDrag = at_least(number_field("drag", 1, "1", "1 suits most shapes"), 0);
 constexpr Field kLift = at_least(number_field("lift", 0, "0", "1 suits flat plates"), 0);
-constexpr const Field* kWindOwn[] = {&kWindX, &kWindY, &kAirDensity, &kDrag, &kLift, &kMask};
+constexpr const Field* kWindOwn[] = {&kWindX, &kWindY, &kAirDensity, &kDrag, &kLift};
 
 physics::WindDef read_wind(const FieldReader& reader) {
     physics::WindDef def;
@@ -137,7 +137,6 @@ physics::WindDef read_wind(const FieldReader& reader) {
     def.density_kg_m2 = reader.real(kAirDensity);
     def.drag = reader.real(kDrag);
     def.lift = reader.real(kLift);
-    def.filter.mask = static_cast<std::uint64_t>(reader.integer(kMask));
     return def;
 }
 
@@ -165,31 +164,50 @@ void set_mixing(lua_State* L, const Field& field, const Field& fixed, const phys
 
 }  // namespace
 
-const FieldSet kExplosionFields{kExplosionOwn};
-const FieldSet kWindFields{kWindOwn};
+const FieldSet kExplosionFields{kExplosionOwn, {&kSightFields}};
+const FieldSet kWindFields{kWindOwn, {&kSightFields}};
 const FieldSet kMaterialRuleFields{kMaterialRuleOwn};
 
-physics::QueryFilter query_filter(const Mask& mask, const Ignored& ignored) {
-    physics::QueryFilter filter;
-    filter.mask = static_cast<std::uint64_t>(mask.value_or(-1));
-    if (ignored) filter.ignored_body = ignored->object.id;
-    return filter;
+Pushed body_at(lua_State* L, WorldRef self, double x, double y, Filter filter, Ignored ignored) {
+    const auto found = value_or_raise(L, ask(Sight(L, self, filter, ignored), [&](const QueryFilter& seen) {
+                                          return self.world.shape_at({x, y}, seen);
+                                      }));
+    if (!found) return lua_pushnil(L), Pushed{1};
+    push_body(L, self.index, value_or_raise(L, self.world.shape(*found)).body());
+    push_shape(L, self.index, self.object, *found);
+    return {2};
 }
 
-Pushed cast_ray_all(lua_State* L, WorldRef self, double x1, double y1, double x2, double y2, Mask mask,
+Pushed cast_ray(lua_State* L, WorldRef self, double x1, double y1, double x2, double y2, Filter filter,
+                Ignored ignored) {
+    const Position origin{x1, y1};
+    const auto hit = value_or_raise(L, ask(Sight(L, self, filter, ignored), [&](const QueryFilter& seen) {
+                                        return self.world.cast_ray(origin, Position{x2, y2} - origin, seen);
+                                    }));
+    if (!hit) return lua_pushnil(L), Pushed{1};
+    push_place(L, self, hit->body, hit->point_m, hit->normal);
+    lua_pushnumber(L, static_cast<double>(hit->fraction));
+    push_shape(L, self.index, self.object, hit->shape);
+    return {7};
+}
+
+Pushed cast_ray_all(lua_State* L, WorldRef self, double x1, double y1, double x2, double y2, Filter filter,
                     Ignored ignored) {
     const Position origin{x1, y1};
-    return push_hits(L, self,
-                     value_or_raise(L, self.world.cast_ray_all(origin, Position{x2, y2} - origin,
-                                                               query_filter(mask, ignored))));
+    return push_hits(
+        L, self, value_or_raise(L, ask(Sight(L, self, filter, ignored), [&](const QueryFilter& seen) {
+                                    return self.world.cast_ray_all(origin, Position{x2, y2} - origin, seen);
+                                })));
 }
 
-Pushed cast_shape(lua_State* L, WorldRef self, TableArgument shape, float dx, float dy, Mask mask,
+Pushed cast_shape(lua_State* L, WorldRef self, TableArgument shape, float dx, float dy, Filter filter,
                   Ignored ignored) {
     AskingShape asking;
     read_asking(L, shape, asking);
-    const auto hit = value_or_raise(L, self.world.cast_shape(asking.geometry.parts.front(), asking.pose,
-                                                             {dx, dy}, query_filter(mask, ignored)));
+    const auto hit = value_or_raise(
+        L, ask(Sight(L, self, filter, ignored), [&](const QueryFilter& seen) {
+            return self.world.cast_shape(asking.geometry.parts.front(), asking.pose, {dx, dy}, seen);
+        }));
     if (!hit) return lua_pushnil(L), Pushed{1};
     push_place(L, self, hit->body, hit->point_m, hit->normal);
     lua_pushnumber(L, static_cast<double>(hit->fraction));
@@ -198,36 +216,43 @@ Pushed cast_shape(lua_State* L, WorldRef self, TableArgument shape, float dx, fl
     return {8};
 }
 
-Pushed cast_shape_all(lua_State* L, WorldRef self, TableArgument shape, float dx, float dy, Mask mask,
+Pushed cast_shape_all(lua_State* L, WorldRef self, TableArgument shape, float dx, float dy, Filter filter,
                       Ignored ignored) {
     AskingShape asking;
     read_asking(L, shape, asking);
-    return push_hits(L, self,
-                     value_or_raise(L, self.world.cast_shape_all(asking.geometry.parts.front(), asking.pose,
-                                                                 {dx, dy}, query_filter(mask, ignored))));
+    return push_hits(
+        L, self,
+        value_or_raise(
+            L, ask(Sight(L, self, filter, ignored), [&](const QueryFilter& seen) {
+                return self.world.cast_shape_all(asking.geometry.parts.front(), asking.pose, {dx, dy}, seen);
+            })));
 }
 
-Pushed shapes_overlapping(lua_State* L, WorldRef self, TableArgument shape, Mask mask, Ignored ignored) {
+Pushed shapes_overlapping(lua_State* L, WorldRef self, TableArgument shape, Filter filter, Ignored ignored) {
     AskingShape asking;
     read_asking(L, shape, asking);
-    return push_shapes(
-        L, self,
-        value_or_raise(L, self.world.shapes_overlapping(asking.geometry.parts.front(), asking.pose,
-                                                        query_filter(mask, ignored))));
+    return push_shapes(L, self,
+                       value_or_raise(L, ask(Sight(L, self, filter, ignored), [&](const QueryFilter& seen) {
+                                          return self.world.shapes_overlapping(asking.geometry.parts.front(),
+                                                                               asking.pose, seen);
+                                      })));
 }
 
-Pushed shapes_in_box(lua_State* L, WorldRef self, double x1, double y1, double x2, double y2, Mask mask,
+Pushed shapes_in_box(lua_State* L, WorldRef self, double x1, double y1, double x2, double y2, Filter filter,
                      Ignored ignored) {
     const Position lower{std::min(x1, x2), std::min(y1, y2)};
     const Position upper{std::max(x1, x2), std::max(y1, y2)};
-    return push_shapes(
-        L, self, value_or_raise(L, self.world.shapes_in_box(lower, upper, query_filter(mask, ignored))));
+    return push_shapes(L, self,
+                       value_or_raise(L, ask(Sight(L, self, filter, ignored), [&](const QueryFilter& seen) {
+                                          return self.world.shapes_in_box(lower, upper, seen);
+                                      })));
 }
 
-Pushed closest_point(lua_State* L, WorldRef self, double x, double y, float radius, Mask mask,
+Pushed closest_point(lua_State* L, WorldRef self, double x, double y, float radius, Filter filter,
                      Ignored ignored) {
-    const auto found =
-        value_or_raise(L, self.world.closest_point({x, y}, radius, query_filter(mask, ignored)));
+    const auto found = value_or_raise(L, ask(Sight(L, self, filter, ignored), [&](const QueryFilter& seen) {
+                                          return self.world.closest_point({x, y}, radius, seen);
+                                      }));
     if (!found) return lua_pushnil(L), Pushed{1};
     push_place(L, self, found->body, found->point_m, found->normal);
     lua_pushnumber(L, static_cast<double>(found->distance_m));
@@ -235,19 +260,23 @@ Pushed closest_point(lua_State* L, WorldRef self, double x, double y, float radi
     return {7};
 }
 
-Pushed closest_points(lua_State* L, WorldRef self, double x, double y, float radius, Mask mask,
+Pushed closest_points(lua_State* L, WorldRef self, double x, double y, float radius, Filter filter,
                       Ignored ignored) {
-    return push_hits(
-        L, self, value_or_raise(L, self.world.closest_points({x, y}, radius, query_filter(mask, ignored))));
+    return push_hits(L, self,
+                     value_or_raise(L, ask(Sight(L, self, filter, ignored), [&](const QueryFilter& seen) {
+                                        return self.world.closest_points({x, y}, radius, seen);
+                                    })));
 }
 
-Pushed collision_planes(lua_State* L, WorldRef self, TableArgument shape, float reach, Mask mask,
+Pushed collision_planes(lua_State* L, WorldRef self, TableArgument shape, float reach, Filter filter,
                         Ignored ignored) {
     AskingShape asking;
     read_asking(L, shape, asking);
     return push_hits(L, self,
-                     value_or_raise(L, self.world.collision_planes(asking.geometry.parts.front(), asking.pose,
-                                                                   reach, query_filter(mask, ignored))));
+                     value_or_raise(L, ask(Sight(L, self, filter, ignored), [&](const QueryFilter& seen) {
+                                        return self.world.collision_planes(asking.geometry.parts.front(),
+                                                                           asking.pose, reach, seen);
+                                    })));
 }
 
 physics::Result<void> explode(lua_State* L, WorldRef self, TableArgument fields) {
@@ -258,17 +287,31 @@ physics::Result<void> explode(lua_State* L, WorldRef self, TableArgument fields)
     def.falloff_m = reader.real(kFalloff);
     def.impulse_ns_m = reader.real(kImpulse);
     def.shelter = static_cast<std::uint64_t>(reader.integer(kShelter));
-    def.filter.mask = static_cast<std::uint64_t>(reader.integer(kMask));
-    return self.world.explode(def);
+    return ask(Sight(L, self, reader), [&](const QueryFilter& seen) {
+        def.filter = seen;
+        return self.world.explode(def);
+    });
 }
 
 physics::Result<void> apply_wind(lua_State* L, WorldRef self, TableArgument fields, float dt_s) {
-    return self.world.apply_wind(read_wind(FieldReader(L, fields.index, kWindFields)), dt_s);
+    const FieldReader reader(L, fields.index, kWindFields);
+    physics::WindDef def = read_wind(reader);
+    return ask(Sight(L, self, reader), [&](const QueryFilter& seen) {
+        def.filter = seen;
+        return self.world.apply_wind(def, dt_s);
+    });
 }
 
 physics::Result<void> apply_wind_to_body(lua_State* L, BodyRef self, TableArgument fields, float dt_s) {
-    return self.object.world->world->apply_wind(self.object.id,
-                                                read_wind(FieldReader(L, fields.index, kWindFields)), dt_s);
+    const FieldReader reader(L, fields.index, kWindFields);
+    physics::WindDef def = read_wind(reader);
+    const physics::BodyId body = self.object.id;
+    push_world_of(L, self.index);
+    const WorldRef world = Argument<WorldRef>::get(L, lua_gettop(L));
+    return ask(Sight(L, world, reader), [&](const QueryFilter& seen) {
+        def.filter = seen;
+        return world.world.apply_wind(body, def, dt_s);
+    });
 }
 
 physics::Result<void> set_material_rule(lua_State* L, WorldRef self, std::int64_t kind_a, std::int64_t kind_b,

@@ -5,6 +5,7 @@
 
 #include "bind/function.h"
 #include "bind/physics_objects.h"
+#include "bind/query_filter.h"
 
 namespace cairn::scripting {
 
@@ -12,26 +13,23 @@ extern const FieldSet kExplosionFields;
 extern const FieldSet kWindFields;
 extern const FieldSet kMaterialRuleFields;
 
-/// Bit set of categories; absent: all.
-using Mask = std::optional<std::int64_t>;
-/// A body that a query does not see.
-using Ignored = std::optional<BodyRef>;
-physics::QueryFilter query_filter(const Mask& mask, const Ignored& ignored);
-
-Pushed cast_ray_all(lua_State* L, WorldRef self, double x1, double y1, double x2, double y2, Mask mask,
+Pushed body_at(lua_State* L, WorldRef self, double x, double y, Filter filter, Ignored ignored);
+Pushed cast_ray(lua_State* L, WorldRef self, double x1, double y1, double x2, double y2, Filter filter,
+                Ignored ignored);
+Pushed cast_ray_all(lua_State* L, WorldRef self, double x1, double y1, double x2, double y2, Filter filter,
                     Ignored ignored);
-Pushed cast_shape(lua_State* L, WorldRef self, TableArgument shape, float dx, float dy, Mask mask,
+Pushed cast_shape(lua_State* L, WorldRef self, TableArgument shape, float dx, float dy, Filter filter,
                   Ignored ignored);
-Pushed cast_shape_all(lua_State* L, WorldRef self, TableArgument shape, float dx, float dy, Mask mask,
+Pushed cast_shape_all(lua_State* L, WorldRef self, TableArgument shape, float dx, float dy, Filter filter,
                       Ignored ignored);
-Pushed shapes_overlapping(lua_State* L, WorldRef self, TableArgument shape, Mask mask, Ignored ignored);
-Pushed shapes_in_box(lua_State* L, WorldRef self, double x1, double y1, double x2, double y2, Mask mask,
+Pushed shapes_overlapping(lua_State* L, WorldRef self, TableArgument shape, Filter filter, Ignored ignored);
+Pushed shapes_in_box(lua_State* L, WorldRef self, double x1, double y1, double x2, double y2, Filter filter,
                      Ignored ignored);
-Pushed closest_point(lua_State* L, WorldRef self, double x, double y, float radius, Mask mask,
+Pushed closest_point(lua_State* L, WorldRef self, double x, double y, float radius, Filter filter,
                      Ignored ignored);
-Pushed closest_points(lua_State* L, WorldRef self, double x, double y, float radius, Mask mask,
+Pushed closest_points(lua_State* L, WorldRef self, double x, double y, float radius, Filter filter,
                       Ignored ignored);
-Pushed collision_planes(lua_State* L, WorldRef self, TableArgument shape, float reach, Mask mask,
+Pushed collision_planes(lua_State* L, WorldRef self, TableArgument shape, float reach, Filter filter,
                         Ignored ignored);
 
 physics::Result<void> explode(lua_State* L, WorldRef self, TableArgument fields);

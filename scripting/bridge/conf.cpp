@@ -33,6 +33,10 @@ Schema conf_schema() {
     scaling.what = "scaling";
     scaling.one_of = {"fit", "follow"};
 
+    Schema updates = schema_of(SchemaType::Integer);
+    updates.min = kLeastUpdates;
+    updates.max = kMostUpdates;
+
     Schema conf = schema_of(SchemaType::Table);
     conf.has_fields = true;
     conf.fields.push_back({"background", std::move(color)});
@@ -44,6 +48,7 @@ Schema conf_schema() {
     conf.fields.push_back({"resizable", schema_of(SchemaType::Boolean)});
     conf.fields.push_back({"scaling", std::move(scaling)});
     conf.fields.push_back({"title", schema_of(SchemaType::String)});
+    conf.fields.push_back({"updates_per_second", std::move(updates)});
     conf.fields.push_back({"vsync", schema_of(SchemaType::Boolean)});
     conf.fields.push_back({"width", side_schema()});
     conf.fields.push_back({"window_height", side_schema()});
@@ -95,6 +100,7 @@ engine::Result<Conf> parse_conf(std::string_view text, const std::string& path,
     read(*value, "fullscreen", conf.is_fullscreen);
     read(*value, "high_dpi", conf.is_high_dpi);
     read(*value, "vsync", conf.has_vsync);
+    read(*value, "updates_per_second", conf.updates_per_second);
     read(*value, "developer_keys", conf.has_developer_keys);
     engine::Size own = conf.size;
     read(*value, "window_width", own.width);

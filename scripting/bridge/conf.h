@@ -12,6 +12,10 @@
 
 namespace cairn::scripting {
 
+/// Fewer would make input late; more cost more than they show.
+inline constexpr int kLeastUpdates = 10;
+inline constexpr int kMostUpdates = 240;
+
 struct Conf {
     std::string title;
     std::string identity;          ///< names the save folder
@@ -22,6 +26,7 @@ struct Conf {
     bool is_fullscreen = false;
     bool is_high_dpi = true;
     bool has_vsync = true;
+    int updates_per_second = 60;     ///< kLeastUpdates to kMostUpdates
     bool has_developer_keys = true;  ///< F1, F2 ... open tools instead of reaching the game
     engine::Color background{0, 0, 0, 1};
 

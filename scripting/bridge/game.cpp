@@ -6,8 +6,6 @@
 #include <string_view>
 #include <utility>
 
-#include <cairn/engine/fixed_step.h>
-
 #include "bind/callbacks.h"
 #include "bind/fields.h"
 #include "bind/module.h"
@@ -287,9 +285,9 @@ std::optional<ScriptError> Game::update(std::span<const InputEvent> events) {
         lua_pushcfunction(state_.get(), run_tweens);
         if (auto error = protected_call(state_.get(), 0, 0)) return error;
     }
-    auto error = call("update", nullptr, engine::FixedStep::kDefaultStep_s);
+    auto error = call("update", nullptr, context_.step_s());
     context_.events = {};
-    context_.services.audio.advance(engine::FixedStep::kDefaultStep_s);
+    context_.services.audio.advance(context_.step_s());
     return error;
 }
 

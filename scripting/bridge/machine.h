@@ -26,7 +26,9 @@ struct Machine {
 
     /// What a game may have changed of its picture is as conf.lua says again.
     void reset_window() { platform->window().set_logical_size(conf.size); }
-    [[nodiscard]] Services services() { return {*files, *renderer, *audio, platform->window(), *platform}; }
+    [[nodiscard]] Services services() {
+        return {*files, *renderer, *audio, platform->window(), *platform, conf.updates_per_second};
+    }
 };
 
 enum class MachineKind {

@@ -29,8 +29,10 @@ using engine::InputEvent;
 using engine::InputKind;
 using Outcome = std::optional<ScriptError>;
 
-/// Of videos: a picture for each update.
-constexpr int kFramesPerSecond = 60;
+/// As many updates as FixedStep's own limit takes of 1/60 s, in the time of others.
+int most_updates_at_once(int updates_per_second) {
+    return (engine::FixedStep::kDefaultMaxUpdates * updates_per_second + 59) / 60;
+}
 
 int fail(const std::string& message) {
     std::fprintf(stderr, "cairn: error: %s\n", message.c_str());
@@ -148,8 +150,9 @@ class Session {
     }
 
     Outcome start_video() {
-        auto video =
-            engine::VideoWriter::create(options_.video, machine_.platform->window().size(), kFramesPerSecond);
+        // A picture for each update.
+        auto video = engine::VideoWriter::create(options_.video, machine_.platform->window().size(),
+                                                 machine_.conf.updates_per_second);
         if (!video) return ScriptError{video.error().message, {}};
         video_ = *std::move(video);
         return std::nullopt;
@@ -183,13 +186,13 @@ class Session {
     Outcome run_headless() {
         // Pictures cost time and decide nothing, but a draw callback that fails must not go unnoticed: once a
         // second of game time is enough for that.
-        constexpr std::uint64_t kFramesPerPicture = 60;
+        const auto frames_per_picture = static_cast<std::uint64_t>(machine_.conf.updates_per_second);
         std::vector<InputEvent> events;
         while (!is_over()) {
             machine_.platform->poll_events(events);
             if (Outcome error = update(events)) return error;
             const bool captures = captures_now();
-            const bool is_sample = options_.screenshot.empty() && game_->frame() % kFramesPerPicture == 1;
+            const bool is_sample = options_.screenshot.empty() && game_->frame() % frames_per_picture == 1;
             if (captures || is_sample || video_ || tools_.needs_every_picture()) {
                 if (Outcome error = draw(1, captures)) return error;
             } else {
@@ -202,7 +205,8 @@ class Session {
     /// False when the session ends with an error that nobody could mend.
     bool run_in_window(Outcome error) {
         engine::Platform& platform = *machine_.platform;
-        engine::FixedStep step;
+        engine::FixedStep step(1.0 / machine_.conf.updates_per_second,
+                               most_updates_at_once(machine_.conf.updates_per_second));
         std::vector<InputEvent> waiting;
         double then = platform.now_s();
         while (true) {

@@ -129,7 +129,8 @@ void DeveloperTools::draw(const Game& game) {
     std::string label = time_.label();
     if (time_.goes_back()) {
         char left[32];
-        std::snprintf(left, sizeof left, ", %.1f s are left", static_cast<double>(rewind_.steps_back()) / 60);
+        std::snprintf(left, sizeof left, ", %.1f s are left",
+                      static_cast<double>(rewind_.steps_back()) * game.context().step_s());
         label += left;
     }
     if (!shows_help_ && !shows_profiler_ && !shows_inspector_ && layer_ == DebugLayer::Off && label.empty())

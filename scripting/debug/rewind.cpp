@@ -124,7 +124,8 @@ std::optional<ScriptError> Rewind::note(Game& game) {
     if (auto error = call(game.lua(), run_note, &noting)) return error;
     bytes_ += moment.bytes_of_worlds();
     moments_.push_back(std::move(moment));
-    while (moments_.size() > 1 && (moments_.size() > kMostMoments || bytes_ > kMostBytes)) drop_oldest();
+    const auto most = static_cast<std::size_t>(kMost_s * context.services.updates_per_second);
+    while (moments_.size() > 1 && (moments_.size() > most || bytes_ > kMostBytes)) drop_oldest();
     return std::nullopt;
 }
 

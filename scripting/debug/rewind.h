@@ -21,8 +21,8 @@ namespace cairn::scripting {
 /// Of one game, which must live longer, or be forgotten first.
 class Rewind {
   public:
-    /// Ten seconds of updates.
-    static constexpr std::size_t kMostMoments = 600;
+    /// How much of the past is kept, a moment for each update.
+    static constexpr int kMost_s = 10;
     /// Whatever a game holds, its past takes no more; then there is less of it.
     static constexpr std::size_t kMostBytes = std::size_t{128} << 20;
 

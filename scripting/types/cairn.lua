@@ -659,9 +659,10 @@ function World:breaks() end
 ---@param y1 number [m]
 ---@param x2 number [m]
 ---@param y2 number [m]
----@param mask integer?
+---@param filter integer|function|table?
+---@param ignored Body?
 ---@return table hits
-function World:cuts_along(x1, y1, x2, y2, mask) end
+function World:cuts_along(x1, y1, x2, y2, filter, ignored) end
 
 ---Iterates over the events of the last step: `for kind, a, b, impulse, x, y, nx, ny, speed in world:events("hit") do`. `kind` is "begin", "end" or "hit"; without an argument all come, begins first, then hits, then ends. `a` and `b` are the bodies, `x, y` the place, `nx, ny` the unit normal from a to b, `impulse` (N s) what the contact exchanged in the step and `speed` (m/s) how fast they met; what an event does not have is 0. A body destroyed since the step is still given: `is_valid()` tells, and its `data` can be read. With `with_shapes` the two shapes come last: `for kind, a, b, impulse, x, y, nx, ny, speed, shape_a, shape_b in world:events("hit", true) do`. Anything may be done in the loop; stepping the world ends it.
 ---@param kind string?
@@ -689,39 +690,43 @@ function World:quarantined() end
 ---A body with a shape that contains the point, and that shape; of several the newest shape's; nil when there is none.
 ---@param x number [m]
 ---@param y number [m]
+---@param filter integer|function|table?
+---@param ignored Body?
 ---@return Body? body
 ---@return Shape? shape
-function World:body_at(x, y) end
+function World:body_at(x, y, filter, ignored) end
 
----The first shape that the ray meets from outside: its body, the point, the normal out of the shape and the share of the ray's length; nil when it meets none. Only shapes with a category in `mask` are seen.
+---The first shape that the ray meets from outside: its body, the point, the normal out of the shape, the share of the ray's length, and the shape; nil when it meets none. A shape in which the ray begins is not met.
 ---@param x1 number [m]
 ---@param y1 number [m]
 ---@param x2 number [m]
 ---@param y2 number [m]
----@param mask integer?
+---@param filter integer|function|table?
+---@param ignored Body?
 ---@return Body? body
 ---@return number x [m]
 ---@return number y [m]
 ---@return number nx
 ---@return number ny
 ---@return number fraction
-function World:cast_ray(x1, y1, x2, y2, mask) end
+---@return Shape shape
+function World:cast_ray(x1, y1, x2, y2, filter, ignored) end
 
----All shapes that the ray meets, in its order: tables with body, shape, x, y, nx, ny, fraction. `ignored` is a body that is not seen.
+---All shapes that the ray meets, in its order: tables with body, shape, x, y, nx, ny, fraction.
 ---@param x1 number [m]
 ---@param y1 number [m]
 ---@param x2 number [m]
 ---@param y2 number [m]
----@param mask integer?
+---@param filter integer|function|table?
 ---@param ignored Body?
 ---@return table hits
-function World:cast_ray_all(x1, y1, x2, y2, mask, ignored) end
+function World:cast_ray_all(x1, y1, x2, y2, filter, ignored) end
 
 ---The first shape met by one that moves without turning: `{ shape = "circle", radius = 1, x = 0, y = 2 }`, with the fields of `world:add_circle` and its like, and `x`, `y`, `angle` where it starts. What it overlaps there is met at fraction 0. nil when it meets none.
 ---@param shape table
 ---@param dx number [m]
 ---@param dy number [m]
----@param mask integer?
+---@param filter integer|function|table?
 ---@param ignored Body?
 ---@return Body? body
 ---@return number x [m]
@@ -731,39 +736,39 @@ function World:cast_ray_all(x1, y1, x2, y2, mask, ignored) end
 ---@return number fraction
 ---@return number overlap [m]
 ---@return Shape shape
-function World:cast_shape(shape, dx, dy, mask, ignored) end
+function World:cast_shape(shape, dx, dy, filter, ignored) end
 
 ---All shapes met: tables with body, shape, x, y, nx, ny, fraction, overlap.
 ---@param shape table
 ---@param dx number [m]
 ---@param dy number [m]
----@param mask integer?
+---@param filter integer|function|table?
 ---@param ignored Body?
 ---@return table hits
-function World:cast_shape_all(shape, dx, dy, mask, ignored) end
+function World:cast_shape_all(shape, dx, dy, filter, ignored) end
 
 ---A new list of the shapes that a shape, described as for cast_shape, touches or overlaps.
 ---@param shape table
----@param mask integer?
+---@param filter integer|function|table?
 ---@param ignored Body?
 ---@return table shapes
-function World:shapes_overlapping(shape, mask, ignored) end
+function World:shapes_overlapping(shape, filter, ignored) end
 
 ---A new list of the shapes that touch or overlap a box between two corners.
 ---@param x1 number [m]
 ---@param y1 number [m]
 ---@param x2 number [m]
 ---@param y2 number [m]
----@param mask integer?
+---@param filter integer|function|table?
 ---@param ignored Body?
 ---@return table shapes
-function World:shapes_in_box(x1, y1, x2, y2, mask, ignored) end
+function World:shapes_in_box(x1, y1, x2, y2, filter, ignored) end
 
 ---The nearest surface within a radius; inside shapes the distance is negative. nil when there is none.
 ---@param x number [m]
 ---@param y number [m]
 ---@param radius number [m]
----@param mask integer?
+---@param filter integer|function|table?
 ---@param ignored Body?
 ---@return Body? body
 ---@return number x [m]
@@ -772,24 +777,24 @@ function World:shapes_in_box(x1, y1, x2, y2, mask, ignored) end
 ---@return number ny
 ---@return number distance [m]
 ---@return Shape shape
-function World:closest_point(x, y, radius, mask, ignored) end
+function World:closest_point(x, y, radius, filter, ignored) end
 
 ---The nearest point of each shape within a radius: tables with body, shape, x, y, nx, ny, distance.
 ---@param x number [m]
 ---@param y number [m]
 ---@param radius number [m]
----@param mask integer?
+---@param filter integer|function|table?
 ---@param ignored Body?
 ---@return table points
-function World:closest_points(x, y, radius, mask, ignored) end
+function World:closest_points(x, y, radius, filter, ignored) end
 
 ---What limits a shape, described as for cast_shape: a line for each shape within reach, as tables with body, shape, x, y, nx, ny, separation, dynamic, and, where edges meet at a corner, nx_before, ny_before, nx_after, ny_after. For characters of your own; see cairn.physics.solve_planes and new_mover.
 ---@param shape table
 ---@param reach number [m]
----@param mask integer?
+---@param filter integer|function|table?
 ---@param ignored Body?
 ---@return table planes
-function World:collision_planes(shape, reach, mask, ignored) end
+function World:collision_planes(shape, reach, filter, ignored) end
 
 ---@class World.explode.Fields
 ---@field x? number m
@@ -799,6 +804,9 @@ function World:collision_planes(shape, reach, mask, ignored) end
 ---@field impulse? number N s per metre of outline that faces the point; negative: inward
 ---@field shelter? integer bit set: shapes of these categories keep it from what lies behind them
 ---@field mask? integer bit set: the categories that are met
+---@field categories? integer bit set: only what would collide with one of these is met
+---@field accepts? function gets a body and a shape, says true or false: whether it is met
+---@field ignored? Body is not met
 
 ---Pushes the dynamic bodies around a point, as a pressure on the outline that faces it.
 ---@param fields World.explode.Fields
@@ -811,6 +819,9 @@ function World:explode(fields) end
 ---@field drag? number 1 suits most shapes
 ---@field lift? number 1 suits flat plates
 ---@field mask? integer bit set: the categories that are met
+---@field categories? integer bit set: only what would collide with one of these is met
+---@field accepts? function gets a body and a shape, says true or false: whether it is met
+---@field ignored? Body is not met
 
 ---Of moving air on all dynamic bodies that are awake, during the next step, which takes dt.
 ---@param fields World.apply_wind.Fields
@@ -1015,6 +1026,9 @@ function Body:apply_angular_impulse(impulse) end
 ---@field drag? number 1 suits most shapes
 ---@field lift? number 1 suits flat plates
 ---@field mask? integer bit set: the categories that are met
+---@field categories? integer bit set: only what would collide with one of these is met
+---@field accepts? function gets a body and a shape, says true or false: whether it is met
+---@field ignored? Body is not met
 
 ---Of moving air, or water, during the next step, which takes dt; wakes the body.
 ---@param fields Body.apply_wind.Fields
@@ -1598,14 +1612,14 @@ function Joint:is_valid() end
 ---@class Mover
 local Mover = {}
 
----Goes on for a step at a velocity, slides along what it meets, walks over steps and down slopes, and pushes dynamic bodies. `ignored` is a body that it does not see.
+---Goes on for a step at a velocity, slides along what it meets, walks over steps and down slopes, and pushes dynamic bodies. What `filter` and `ignored` hide, as in queries of worlds, is walked through.
 ---@param world World
 ---@param vx number [m/s]
 ---@param vy number [m/s]
 ---@param dt number [s]
----@param mask integer?
+---@param filter integer|function|table?
 ---@param ignored Body?
-function Mover:move(world, vx, vy, dt, mask, ignored) end
+function Mover:move(world, vx, vy, dt, filter, ignored) end
 
 ---Somewhere else at once, standing on nothing.
 ---@param x number [m]
@@ -2717,7 +2731,7 @@ function TileMap:objects(layer) end
 cairn.ui = {}
 
 ---@class cairn.ui.new.Fields
----@field x? number px; the panel's middle; absent: that of the screen
+---@field x? number px; the panel's middle; absent: that of the screen, also when its size changes
 ---@field y? number px
 ---@field width? number px
 ---@field max_height? number px of the panel; what does not fit is scrolled

@@ -7,7 +7,6 @@
 #include "audio/sdl/mixer_backend.h"
 
 #include <SDL.h>
-#include <SDL_mixer.h>
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -20,6 +19,7 @@
 
 #include <cairn/engine/log.h>
 
+#include "audio/sdl/mixer_library.h"
 #include "audio/sdl/voice_stream.h"
 
 namespace cairn::engine {
@@ -32,10 +32,10 @@ constexpr int kBufferFrames = 1024;
 constexpr std::size_t kMaxChunks = 128;
 
 struct ChunkDeleter {
-    void operator()(Mix_Chunk* chunk) const { Mix_FreeChunk(chunk); }
+    void operator()(Mix_Chunk* chunk) const { mixer().FreeChunk(chunk); }
 };
 struct MusicDeleter {
-    void operator()(Mix_Music* music) const { Mix_FreeMusic(music); }
+    void operator()(Mix_Music* music) const { mixer().FreeMusic(music); }
 };
 
 int to_mixer_volume(float volume) {
@@ -54,22 +54,22 @@ class MixerBackend final : public AudioBackend {
 
     void start_voice(int slot, const SoundData& sound, const VoiceSettings& settings) override {
         if (!open_device()) return;
-        Mix_HaltChannel(slot);
+        mixer().HaltChannel(slot);
         const Mix_Chunk* chunk = find_chunk(sound);
         if (!chunk) return;
         Voice& voice = voices_[static_cast<std::size_t>(slot)];
         voice.chunk = chunk;
         voice.stream.start({reinterpret_cast<const std::int16_t*>(chunk->abuf), chunk->alen / 2},
                            settings.pitch, settings.loop);
-        Mix_Volume(slot, to_mixer_volume(settings.volume));
-        if (Mix_PlayChannel(slot, silence_.get(), -1) < 0) return warn_once(sound.path, Mix_GetError());
+        mixer().Volume(slot, to_mixer_volume(settings.volume));
+        if (mixer().PlayChannel(slot, silence_.get(), -1) < 0) return warn_once(sound.path, Mix_GetError());
         // In this order: what the stream writes is panned.
-        Mix_RegisterEffect(slot, fill, nullptr, &voice.stream);
+        mixer().RegisterEffect(slot, fill, nullptr, &voice.stream);
         pan(slot, settings.pan);
     }
 
     void stop_voice(int slot) override {
-        if (is_open_) Mix_HaltChannel(slot);
+        if (is_open_) mixer().HaltChannel(slot);
     }
 
     void set_voice_pitch(int slot, float pitch) override {
@@ -77,7 +77,7 @@ class MixerBackend final : public AudioBackend {
     }
 
     void set_voice_volume(int slot, float volume) override {
-        if (is_open_) Mix_Volume(slot, to_mixer_volume(volume));
+        if (is_open_) mixer().Volume(slot, to_mixer_volume(volume));
     }
 
     void set_voice_pan(int slot, float where) override {
@@ -87,17 +87,17 @@ class MixerBackend final : public AudioBackend {
     void set_voice_paused(int slot, bool paused) override {
         if (!is_open_) return;
         if (paused)
-            Mix_Pause(slot);
+            mixer().Pause(slot);
         else
-            Mix_Resume(slot);
+            mixer().Resume(slot);
     }
 
     void set_music_paused(bool paused) override {
         if (!is_open_) return;
         if (paused)
-            Mix_PauseMusic();
+            mixer().PauseMusic();
         else
-            Mix_ResumeMusic();
+            mixer().ResumeMusic();
     }
 
     void start_music(SoundData music, float volume, bool loop) override {
@@ -111,13 +111,13 @@ class MixerBackend final : public AudioBackend {
 
     void stop_music() override {
         if (!is_open_) return;
-        Mix_HaltMusic();
+        mixer().HaltMusic();
         music_.reset();
     }
 
     void set_music_volume(float volume) override {
         music_volume_ = volume;
-        if (is_open_) Mix_VolumeMusic(to_mixer_volume(volume));
+        if (is_open_) mixer().VolumeMusic(to_mixer_volume(volume));
     }
 
     bool is_device_open() const override { return is_open_; }
@@ -136,17 +136,17 @@ class MixerBackend final : public AudioBackend {
     }
 
     static void pan(int slot, float where) {
-        Mix_SetPanning(slot, static_cast<Uint8>(255 * std::min(1.0f, 1 - where)),
-                       static_cast<Uint8>(255 * std::min(1.0f, 1 + where)));
+        mixer().SetPanning(slot, static_cast<Uint8>(255 * std::min(1.0f, 1 - where)),
+                           static_cast<Uint8>(255 * std::min(1.0f, 1 + where)));
     }
 
     /// From the first byte of music_data_.
     void play_music() {
         SDL_RWops* stream =
             SDL_RWFromConstMem(music_data_.file.data(), static_cast<int>(music_data_.file.size()));
-        music_.reset(stream ? Mix_LoadMUS_RW(stream, /*freesrc=*/1) : nullptr);
-        Mix_VolumeMusic(to_mixer_volume(music_volume_));
-        if (!music_ || Mix_PlayMusic(music_.get(), music_loops_ ? -1 : 0) != 0)
+        music_.reset(stream ? mixer().LoadMUS_RW(stream, /*freesrc=*/1) : nullptr);
+        mixer().VolumeMusic(to_mixer_volume(music_volume_));
+        if (!music_ || mixer().PlayMusic(music_.get(), music_loops_ ? -1 : 0) != 0)
             warn_once(music_data_.path, Mix_GetError());
     }
 
@@ -165,7 +165,7 @@ class MixerBackend final : public AudioBackend {
         const bool found = found_one_.exchange(false);
         const bool lost = lost_one_.exchange(false);
         if (is_open_ && lost) {
-            const bool has_music = music_ != nullptr && Mix_PlayingMusic() != 0;
+            const bool has_music = music_ != nullptr && mixer().PlayingMusic() != 0;
             close_device();
             has_tried_ = false;
             if (open_device() && has_music) play_music();
@@ -177,28 +177,32 @@ class MixerBackend final : public AudioBackend {
     void close_device() {
         if (!is_open_) return;
         is_open_ = false;
-        Mix_HaltChannel(-1);
+        mixer().HaltChannel(-1);
         silence_.reset();
         music_.reset();
-        Mix_CloseAudio();
+        mixer().CloseAudio();
     }
 
     bool open_device() {
         follow_devices();
         if (is_open_ || std::exchange(has_tried_, true)) return is_open_;
+        if (const auto loaded = load_mixer(); !loaded) {
+            log(LogLevel::Warning, "no sound: " + loaded.error().message);
+            return false;
+        }
         if (!has_audio_ && SDL_InitSubSystem(SDL_INIT_AUDIO) != 0) {
             log(LogLevel::Warning, std::string("no sound: ") + SDL_GetError());
             return false;
         }
         if (!std::exchange(has_audio_, true)) SDL_AddEventWatch(notice_devices, this);
         // The mixer may not change the format: streams rely on 16-bit stereo.
-        if (Mix_OpenAudioDevice(kRate_hz, AUDIO_S16SYS, 2, kBufferFrames, nullptr, 0) != 0) {
+        if (mixer().OpenAudioDevice(kRate_hz, AUDIO_S16SYS, 2, kBufferFrames, nullptr, 0) != 0) {
             log(LogLevel::Warning, std::string("no sound: ") + Mix_GetError());
             return false;
         }
         is_open_ = true;
-        Mix_AllocateChannels(Audio::kMaxVoices);
-        silence_.reset(Mix_QuickLoad_RAW(no_sound_.data(), static_cast<Uint32>(no_sound_.size())));
+        mixer().AllocateChannels(Audio::kMaxVoices);
+        silence_.reset(mixer().QuickLoad_RAW(no_sound_.data(), static_cast<Uint32>(no_sound_.size())));
         return true;
     }
 
@@ -212,7 +216,7 @@ class MixerBackend final : public AudioBackend {
         if (const auto known = chunks_.find(sound.key); known != chunks_.end()) return known->second.get();
         if (chunks_.size() >= kMaxChunks) drop_idle_chunks();
         SDL_RWops* stream = SDL_RWFromConstMem(sound.file.data(), static_cast<int>(sound.file.size()));
-        Chunk chunk(stream ? Mix_LoadWAV_RW(stream, /*freesrc=*/1) : nullptr);
+        Chunk chunk(stream ? mixer().LoadWAV_RW(stream, /*freesrc=*/1) : nullptr);
         if (!chunk) {
             warn_once(sound.path, Mix_GetError());
             return nullptr;
@@ -224,7 +228,7 @@ class MixerBackend final : public AudioBackend {
     void drop_idle_chunks() {
         std::erase_if(chunks_, [&](const auto& entry) {
             for (std::size_t slot = 0; slot < voices_.size(); ++slot) {
-                const bool plays = Mix_Playing(static_cast<int>(slot)) && !voices_[slot].stream.is_over();
+                const bool plays = mixer().Playing(static_cast<int>(slot)) && !voices_[slot].stream.is_over();
                 if (plays && voices_[slot].chunk == entry.second.get()) return false;
             }
             return true;

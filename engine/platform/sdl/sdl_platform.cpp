@@ -63,13 +63,18 @@ class SdlPlatform final : public Platform {
     }
 
     void poll_events(std::vector<InputEvent>& events) override {
+        // Those that still wait for an update are heard before what comes now.
+        for (const InputEvent& waiting : events) expect_size_of(waiting);
         SDL_Event sdl;
         while (SDL_PollEvent(&sdl)) {
             if (gamepads_.translate(sdl, events)) continue;
             std::optional<InputEvent> event = touches_.translate(sdl, *window_);
             if (!event) event = translate(sdl, *window_);
-            if (event) events.push_back(std::move(*event));
+            if (!event) continue;
+            events.push_back(std::move(*event));
+            expect_size_of(events.back());
         }
+        window_->expect_logical_size(std::nullopt);
     }
 
     double now_s() const override {
@@ -91,6 +96,11 @@ class SdlPlatform final : public Platform {
     }
 
   private:
+    void expect_size_of(const InputEvent& event) {
+        if (event.kind != InputKind::WindowResized) return;
+        window_->expect_logical_size(Size{static_cast<int>(event.delta.x), static_cast<int>(event.delta.y)});
+    }
+
     VideoSubsystem video_;
     std::unique_ptr<SdlWindow> window_;
     SdlGamepads gamepads_;

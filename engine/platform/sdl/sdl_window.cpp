@@ -62,7 +62,7 @@ bool SdlWindow::is_visible() const {
 Viewport SdlWindow::viewport() const {
     Size output;
     SDL_GetWindowSizeInPixels(native(), &output.width, &output.height);
-    return make_viewport(logical_, output);
+    return make_viewport(expected_.value_or(logical_), output);
 }
 
 Vec2 SdlWindow::pixels_per_point() const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include <cairn/engine/platform.h>
 
@@ -20,6 +21,9 @@ class SdlWindow final : public Window {
     void set_title(const std::string& title) override;
     Size logical_size() const override { return logical_; }
     void set_logical_size(Size size) override { logical_ = size; }
+    /// The logical size that the events now being read will lead to, before the game knows of it: where the
+    /// mouse is after a resize is told in the new size. Nothing: as it is.
+    void expect_logical_size(std::optional<Size> size) { expected_ = size; }
     Size size() const override;
     void set_size(Size size) override;
     bool is_resizable() const override;
@@ -51,6 +55,7 @@ class SdlWindow final : public Window {
     WindowDef def_;
     std::string title_;
     Size logical_;
+    std::optional<Size> expected_;
     std::unique_ptr<SDL_Window, Destroy> window_;
 };
 

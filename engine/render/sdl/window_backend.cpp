@@ -251,7 +251,8 @@ class UnacceleratedBackend final : public RenderBackend {
 Result<std::unique_ptr<RenderBackend>> make_window_backend(const SdlWindow& window) {
     // Else the software renderer would hand its picture to the imitated driver that it stands in for.
     SDL_SetHint(SDL_HINT_FRAMEBUFFER_ACCELERATION, "0");
-    const bool is_chosen = SDL_GetHint(SDL_HINT_RENDER_DRIVER) != nullptr;
+    const char* chosen = SDL_GetHint(SDL_HINT_RENDER_DRIVER);
+    const bool is_chosen = chosen != nullptr && *chosen != '\0';
     const Uint32 wanted = !is_chosen && !may_be_accelerated() ? SDL_RENDERER_SOFTWARE
                           : window.def().has_vsync            ? SDL_RENDERER_PRESENTVSYNC
                                                               : 0;

@@ -1,14 +1,16 @@
 // SDL2_mixer on SDL's dummy device, and the streams of voices against a formula.
 #include <SDL.h>
-#include <SDL_mixer.h>
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cstdlib>
+#include <fstream>
+#include <string>
 
 #include <cairn/engine/log.h>
 
 #include "audio/backend.h"
 #include "audio/sdl/mixer_backend.h"
+#include "audio/sdl/mixer_library.h"
 #include "audio/sdl/voice_stream.h"
 #include "engine/support/drawing.h"
 #include "engine/support/sounds.h"
@@ -23,6 +25,14 @@ class AudioDriver {
     explicit AudioDriver(const char* name) { setenv("SDL_AUDIODRIVER", name, 1); }
     ~AudioDriver() { unsetenv("SDL_AUDIODRIVER"); }
 };
+
+/// As the system tells of this process.
+bool is_mixer_in_memory() {
+    std::ifstream maps("/proc/self/maps");
+    for (std::string line; std::getline(maps, line);)
+        if (line.find("libSDL2_mixer") != std::string::npos) return true;
+    return false;
+}
 
 /// The first frames that a voice plays, in two buffers.
 std::vector<std::int16_t> heard(const std::vector<std::int16_t>& samples, float pitch, bool loop,
@@ -85,7 +95,8 @@ TEST_CASE("a voice changes its pitch where it is") {
     CHECK_FALSE(stream.is_over());
 }
 
-TEST_CASE("the audio device is opened by the first sound that plays, not before") {
+TEST_CASE("the audio device is opened and the mixer taken in by the first sound that plays, not before") {
+    const bool was_loaded = is_mixer_in_memory();  // by another test of this process
     SoundGame game("dummy");
     Audio& audio = game.audio;
     audio.set_group_volume(AudioGroup::Sound, 0.5f);
@@ -93,8 +104,10 @@ TEST_CASE("the audio device is opened by the first sound that plays, not before"
     audio.stop_music();
     audio.set_music_volume(0.5f);
     CHECK_FALSE(audio.stats().device_open);
+    CHECK(is_mixer_in_memory() == was_loaded);
     CHECK_FALSE(audio.play(game.tone, {.volume = 0.5f, .pan = -1, .pitch = 1.5f}).is_null());
     CHECK(audio.stats().device_open);
+    CHECK(is_mixer_in_memory());
     CHECK(audio.play_music("tone.wav"));
 }
 
@@ -128,12 +141,12 @@ TEST_CASE(
     };
     CHECK_FALSE(audio.play(game.tone, {.loop = true}).is_null());
     CHECK(audio.play_music("tone.wav"));
-    REQUIRE(Mix_PlayingMusic() != 0);
+    REQUIRE(mixer().PlayingMusic() != 0);
     tell(SDL_AUDIODEVICEREMOVED);
     CHECK_FALSE(audio.play(game.tone).is_null());
     CHECK(audio.stats().device_open);
-    CHECK(Mix_PlayingMusic() != 0);
-    CHECK(Mix_Playing(-1) == 1);  // the looping one ended with its device
+    CHECK(mixer().PlayingMusic() != 0);
+    CHECK(mixer().Playing(-1) == 1);  // the looping one ended with its device
 
     int warnings = 0;
     const LogSink before = set_log_sink([&](LogLevel, std::string_view) { ++warnings; });

@@ -206,6 +206,33 @@ TEST_CASE("a picture that follows the window tells its new size") {
     CHECK(game.renderer->logical_size() == Size{500, 300});
 }
 
+TEST_CASE("where the mouse is after a resize is told in the new size, before the game has taken it") {
+    if (!has_display()) return;
+    WindowGame game(WindowScaling::Follow);
+    (void)game.events();
+    game.platform->window().set_size({640, 500});
+    SDL_Event motion = sdl_event(SDL_MOUSEMOTION);
+    motion.motion.x = 600;
+    motion.motion.y = 450;
+    motion.motion.xrel = 4;
+    SDL_PushEvent(&motion);
+    // As in a loop that polls twice before an update is due.
+    std::vector<InputEvent> events;
+    game.platform->poll_events(events);
+    SDL_PushEvent(&motion);
+    game.platform->poll_events(events);
+    std::vector<Vec2> positions;
+    bool was_resized = false;
+    for (const InputEvent& event : events) {
+        was_resized = was_resized || event.kind == InputKind::WindowResized;
+        if (event.kind == InputKind::MouseMoved && event.delta.x != 0 && was_resized)
+            positions.push_back(event.position);
+    }
+    CHECK(game.platform->window().logical_size() == Size{320, 200});
+    REQUIRE(positions.size() >= 2);
+    for (const Vec2 position : positions) CHECK(position == Vec2{600, 450});
+}
+
 TEST_CASE("a window can be made with a size of its own, resized and given another picture") {
     if (!has_display()) return;
     WindowGame game(WindowScaling::Fit, Size{640, 400});

@@ -216,6 +216,7 @@ std::string good_value(std::string_view type) {
     if (type == "Shape") return "shape";
     if (type == "Joint") return "joint";
     if (type == "Image|Canvas|Quad") return "image";
+    if (type == "integer|function|table") return "function() return true end";
     return "nil";
 }
 

@@ -24,6 +24,67 @@ TEST_CASE("a cut makes two bodies of the same mass, with copies of the data") {
     CHECK(bench.value("w:body_count()") == "2");
 }
 
+TEST_CASE("shapes of pieces have copies of the data of the shape that they were cut from, again and again") {
+    LuaBench bench;
+    REQUIRE(bench.run(R"(
+        w = cairn.physics.new_world{}
+        hammer = w:new_body{}
+        handle = hammer:add_box{ width = 4, height = 0.4 }
+        handle.data.part = 'wood'
+        hammer:add_box{ x = 2.3, width = 0.6, height = 2, data = { part = 'iron' } }
+        hammer:add_box{ x = -2.3, width = 0.6, height = 0.6 }
+        function parts(pieces)
+            local out = {}
+            for _, piece in ipairs(pieces) do
+                for _, shape in ipairs(piece:shapes()) do
+                    local x = 0
+                    for k, v in ipairs{ shape:points() } do if k % 2 == 1 then x = x + v / 4 end end
+                    out[#out + 1] = (x > 2 and 'iron' or x > -2 and 'wood' or 'none') == (shape.data.part or 'none')
+                    shape.data.touched = true
+                end
+            end
+            return out
+        end
+        pieces = hammer:cut(0, 5, 0, -5)
+        first = parts(pieces)
+        again = {}
+        for _, piece in ipairs(pieces) do
+            local x = piece:world_center()
+            for _, half in ipairs(piece:cut(x, 5, x, -5)) do again[#again + 1] = half end
+        end
+        second = parts(again)
+        alone = true
+        for _, ok in ipairs(first) do alone = alone and ok end
+        for _, ok in ipairs(second) do alone = alone and ok end
+    )") == "");
+    CHECK(bench.value("#first") == "4");
+    CHECK(std::stoi(bench.value("#second")) >= 6);
+    CHECK(bench.value("alone") == "true");
+    CHECK(bench.value("handle.data.touched") == "nil");  // copies
+    // What the step breaks by itself too.
+    REQUIRE(bench.run(R"(
+        w = cairn.physics.new_world{ gravity_y = 0 }
+        glass = w:add_box{ width = 0.3, height = 2 }
+        glass:shapes()[1].data.color = 'green'
+        glass:set_breakable{ strength = 2, pieces = 8 }
+        w:add_circle{ x = -2, radius = 0.2, density = 20, linear_velocity_x = 10 }
+        green, all = 0, 0
+        for i = 1, 60 do
+            w:step(1 / 60)
+            for _, _, _, _, _, _, _, _, pieces in w:breaks() do
+                for _, piece in ipairs(pieces) do
+                    for _, shape in ipairs(piece:shapes()) do
+                        all = all + 1
+                        if shape.data.color == 'green' then green = green + 1 end
+                    end
+                end
+            end
+        end
+    )") == "");
+    CHECK(std::stoi(bench.value("all")) > 3);
+    CHECK(bench.value("green == all") == "true");
+}
+
 TEST_CASE("a cut beside the body changes nothing, and what lies across a cut can be asked for") {
     LuaBench bench;
     REQUIRE(bench.run(kCrate + "p = b:cut(5, 4, 5, 0) hits = w:cuts_along(0, 4, 0, 0)") == "");

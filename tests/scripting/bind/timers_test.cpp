@@ -34,6 +34,25 @@ TEST_CASE("timers run in the update that is due, in the order of their making") 
     CHECK(bench.value("cairn.timer.time()") == "0.1");
 }
 
+TEST_CASE("with another step, seconds are as many updates as conf.lua says") {
+    for (const int rate : {10, 24, 60, 120, 240}) {
+        INFO(rate << " updates per second");
+        LuaBench bench({{"conf.lua", "return { updates_per_second = " + std::to_string(rate) + " }"}});
+        REQUIRE(bench.run("log, slide = '', { x = 0 }\n"
+                          "cairn.timer.after(1, function() log = log .. cairn.timer.frame() end)\n"
+                          "cairn.tween.to(slide, { x = 1 }, 2, { ease = 'linear' })\n"
+                          "world = cairn.physics.new_world{} ball = world:add_circle{ y = 100, radius = 1 }\n"
+                          "function cairn.update(dt) step = dt world:step(dt) end") == "");
+        run(bench, 2 * rate);
+        CHECK(bench.value("log") == std::to_string(rate));
+        CHECK(bench.value("slide.x") == "1.0");
+        CHECK(bench.value("cairn.timer.time()") == "2.0");
+        CHECK(bench.value("step == 1 / " + std::to_string(rate)) == "true");
+        // After 2 s of free fall from rest: 100 - 10 * 2^2 / 2, whatever the step (decision 002).
+        CHECK(std::stod(bench.value("select(2, ball:position())")) == Approx(80).epsilon(1e-5));
+    }
+}
+
 TEST_CASE("timers end by cancel, by false, and after once") {
     LuaBench bench;
     REQUIRE(bench.run("n, m, k = 0, 0, 0 t = cairn.timer.every(1 / 60, function() n = n + 1 if n == 3 then "

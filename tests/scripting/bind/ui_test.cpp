@@ -56,6 +56,29 @@ TEST_CASE_METHOD(Menus, "each thing that the player does is called once, with it
     CHECK(value("menu:focus() == name") == "true");
 }
 
+TEST_CASE_METHOD(Menus, "a menu that is open keeps to the middle of a screen that changes its size") {
+    REQUIRE(
+        run("pressed = 0 menu = cairn.ui.new{} menu:add_button{ text = 'Go', action = function() pressed = "
+            "pressed + 1 end }") == "");
+    const auto click = [&](const std::string& place) {
+        lines({("mouse_pressed left " + place).c_str(), ("mouse_released left " + place).c_str()});
+        return value("pressed");
+    };
+    REQUIRE(value("cairn.window.size()") == "1280");
+    CHECK(click("640 360") == "1");
+    lines({"window_resized 800 1000"});
+    CHECK(click("640 360") == "1");
+    CHECK(click("400 500") == "2");
+    lines({"window_resized 200 100"});  // less than the panel wants
+    CHECK(click("100 50") == "3");
+    CHECK(click("190 50") == "3");  // the panel's edge, and not a button that reaches beyond the screen
+    REQUIRE(run("menu = cairn.ui.new{ x = 50, y = 60 } menu:add_button{ action = function() pressed = "
+                "pressed + 1 end "
+                "}") == "");
+    lines({"window_resized 800 600"});
+    CHECK(click("50 60") == "4");  // where the author put it
+}
+
 TEST_CASE_METHOD(Menus, "values set by the game are not told") {
     REQUIRE(run("menu:set_value(sound, false) menu:set_value(volume, 99) menu:set_value(detail, 1) "
                 "menu:set_value(name, "

@@ -44,6 +44,136 @@ TEST_CASE("rays and shapes find what lies in their way, in its order") {
                Contains("unknown field"));
 }
 
+// The same question to each query: with a filter it must give what it gives in a world that holds only what
+// the filter lets pass.
+TEST_CASE("each query sees what a bit set, a table or a function lets pass, and nothing else") {
+    LuaBench bench;
+    REQUIRE(bench.run(R"(
+        -- Rings of boxes about (0, 0), each box of one of three teams.
+        function make(only)
+            if w then w:destroy() end
+            w = cairn.physics.new_world{ gravity_y = 0 }
+            for i = 0, 35 do
+                local team, angle, r = i % 3, i * math.pi / 18, 2 + i % 4
+                if not only or team == only then
+                    w:add_box{ x = r * math.cos(angle), y = r * math.sin(angle), width = 0.7, height = 0.5,
+                        angle = angle, categories = 1 << team, mask = ~(1 << team), data = { team = team, i = i } }
+                end
+            end
+            return w
+        end
+        local function names(list)  -- in the order given
+            local out = {}
+            for i, v in ipairs(list) do
+                out[i] = (v.body and type(v.body) ~= 'function' and v.body or v:body()).data.i
+            end
+            return table.concat(out, ' ')
+        end
+        local ball = { shape = 'circle', radius = 0.8, x = 0.1, y = 0.2 }
+        queries = {
+            function(w, f) local b = w:body_at(4 * math.cos(math.pi / 9), 4 * math.sin(math.pi / 9), f) return b and b.data.i end,
+            function(w, f) local b = w:cast_ray(0, 0, 9, 1, f) return b and b.data.i end,
+            function(w, f) return names(w:cast_ray_all(-9, -1, 9, 1, f)) end,
+            function(w, f) local b = w:cast_shape(ball, -7, 3, f) return b and b.data.i end,
+            function(w, f) return names(w:cast_shape_all(ball, -7, 3, f)) end,
+            function(w, f) return names(w:shapes_overlapping({ shape = 'circle', radius = 3 }, f)) end,
+            function(w, f) return names(w:shapes_in_box(0, 0, 4, 4, f)) end,
+            function(w, f) local b = w:closest_point(0.3, 0, 9, f) return b and b.data.i end,
+            function(w, f) return names(w:closest_points(0, 0, 4, f)) end,
+            function(w, f) return names(w:collision_planes({ shape = 'circle', radius = 2 }, 1, f)) end,
+            function(w, f) return names(w:cuts_along(-9, 2, 9, 2, f)) end,
+            function(w, f)
+                w:explode{ radius = 5, impulse = 1, accepts = type(f) == 'function' and f or type(f) == 'table' and f.accepts or nil,
+                    mask = type(f) == 'number' and f or type(f) == 'table' and f.mask or nil,
+                    categories = type(f) == 'table' and f.categories or nil }
+                local out = {}
+                for _, b in ipairs(w:bodies()) do if b:linear_velocity() ~= 0 then out[#out + 1] = b.data.i end end
+                return table.concat(out, ' ')
+            end,
+        }
+        function compare(number)
+            local seen = 0
+            for team = 0, 2 do
+                local expected = queries[number](make(team), -1)
+                if expected and expected ~= '' then seen = seen + 1 end
+                for _, filter in ipairs{ 1 << team, { mask = 1 << team },
+                        function(body, shape) assert(shape:body() == body) return body.data.team == team end,
+                        { accepts = function(body) return body.data.team == team end } } do
+                    local got = queries[number](make(), filter)
+                    assert(got == expected, tostring(got) .. ' but expected ' .. tostring(expected))
+                end
+                -- What would collide with this team alone is all the others.
+                local others = queries[number](make(), function(body) return body.data.team ~= team end)
+                assert(queries[number](make(), { categories = 1 << team }) == others)
+            end
+            return seen
+        end
+    )") == "");
+    for (int number = 1; number <= 12; ++number) {
+        INFO("query " << number);
+        CHECK(bench.run("seen = compare(" + std::to_string(number) + ")") == "");
+        CHECK(bench.value("seen > 0") == "true");
+    }
+}
+
+TEST_CASE("a filter's function may do anything, and is asked in the order in which shapes were made") {
+    LuaBench bench;
+    REQUIRE(bench.run(std::string(kYard) + R"(
+        order = {}
+        first = w:cast_ray(0, 1, 20, 1, function(body) order[#order + 1] = body return true end)
+    )") == "");
+    CHECK(bench.value("first == a and order[1] == a and order[2] == b and #order") == "2");
+    CHECK(
+        bench.run("w:cast_ray(0, 1, 20, 1, function(body) w:add_circle{ radius = 1, x = 30 } w:step(1 / 60) "
+                  "return #w:cast_ray_all(0, 1, 20, 1) == 2 end)") == "");
+    // One that is destroyed in the middle is not met.
+    REQUIRE(bench.run("met = w:cast_ray_all(0, 1, 20, 1, function(body) if a:is_valid() then a:destroy() end "
+                      "return true end)") == "");
+    CHECK(bench.value("#met == 1 and met[1].body == b") == "true");
+    CHECK_THAT(bench.run("w:cast_ray(0, 1, 20, 1, function() return 1 end)"),
+               Contains("test.lua:1: World:cast_ray: the filter returned 1; expected true or false"));
+    CHECK_THAT(bench.run("w:cast_ray(0, 1, 20, 1, function() error('no') end)"), Contains("test.lua:1: no"));
+    CHECK_THAT(bench.run("w:cast_ray(0, 1, 20, 1, { accept = print })"),
+               Contains("did you mean \"accepts\"?"));
+    CHECK_THAT(bench.run("w:cast_ray(0, 1, 20, 1, 0.5)"), Contains("filter is 0.5; expected an integer"));
+    CHECK_THAT(bench.run("w:cast_ray(0, 1, 20, 1, 'all')"),
+               Contains("filter is \"all\"; expected a bit set of categories, a function, or a table"));
+    CHECK_THAT(bench.run("local dead = w:add_circle{ radius = 1 } dead:destroy() "
+                         "w:cast_ray(0, 1, 20, 1, { ignored = dead })"),
+               Contains("ignored = a Body: must be a body that was not destroyed"));
+    CHECK_THAT(bench.run("w:cast_ray(0, 1, 20, 1, function() w:destroy() return true end)"),
+               Contains("the filter has destroyed the world"));
+}
+
+TEST_CASE("a ray looks past the body that asks, and wind and movers past what a function refuses") {
+    LuaBench bench;
+    REQUIRE(bench.run(kYard) == "");
+    CHECK(bench.value("w:cast_ray(0, 1, 20, 1, -1, a) == b") == "true");
+    CHECK(bench.value("w:cast_ray(0, 1, 20, 1, { ignored = a }) == b") == "true");
+    CHECK(bench.value("select(7, w:cast_ray(0, 1, 20, 1)) == a:shapes()[1]") == "true");
+    REQUIRE(
+        bench.run(
+            "w:set_gravity(0, 0) w:apply_wind({ velocity_x = 20, accepts = function(body) return body == b "
+            "end }, 1 / 60) w:step(1 / 60)") == "");
+    CHECK(bench.value("b:linear_velocity() > 0 and a:linear_velocity() == 0") == "true");
+    REQUIRE(bench.run("a:apply_wind({ velocity_x = 20, accepts = function() return false end }, 1 / 60) "
+                      "w:step(1 / 60)") == "");
+    CHECK(bench.value("a:linear_velocity()") == "0.0");
+    REQUIRE(bench.run(R"(
+        w = cairn.physics.new_world{}
+        w:add_box{ type = 'static', y = -1, width = 100, height = 2 }
+        ghost = w:add_box{ type = 'static', x = 3, y = 2, width = 1, height = 4 }
+        w:add_box{ type = 'static', x = 6, y = 2, width = 1, height = 4 }
+        m = cairn.physics.new_mover{ y = 0.02 }
+        for i = 1, 180 do
+            local _, vy = m:velocity()
+            m:move(w, 3, vy - 10 / 60, 1 / 60, function(body) return body ~= ghost end)
+        end
+    )") == "");
+    // The second wall's face is at 5.5, the capsule 0.3 wide each way.
+    CHECK(bench.value("math.abs(m:position() - 5.2) < 0.02 and m:is_grounded()") == "true");
+}
+
 TEST_CASE("overlaps, boxes and nearest points see the shapes that are there") {
     LuaBench bench;
     REQUIRE(bench.run(kYard) == "");

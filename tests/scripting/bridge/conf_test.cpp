@@ -23,6 +23,7 @@ TEST_CASE("conf.lua is read as data") {
     CHECK(conf->size == engine::Size{640, 360});
     CHECK_FALSE(conf->is_resizable);
     CHECK(conf->background == engine::Color{0, 0.5f, 1, 1});
+    CHECK(conf->updates_per_second == 60);
 }
 
 TEST_CASE("conf.lua says all that a window can be made with") {
@@ -60,6 +61,10 @@ TEST_CASE("slips in conf.lua are named with line and rule") {
           "conf.lua:1: window_height = 9000: must be at most 8192");
     CHECK(error_of("return { scaling = 'follow', window_width = 5 }").find("conf.lua: window_width and") ==
           0);
+    CHECK(error_of("return { updates_per_second = 9 }") ==
+          "conf.lua:1: updates_per_second = 9: must be at least 10");
+    CHECK(error_of("return { updates_per_second = 241 }") ==
+          "conf.lua:1: updates_per_second = 241: must be at most 240");
     CHECK(error_of("return { title = os.getenv('HOME') }").find("this file is data") != std::string::npos);
 }
 

@@ -94,8 +94,8 @@ TEST_CASE("what the game saves goes back with the worlds") {
 
 TEST_CASE("the past is bounded, and ends where worlds were made or destroyed") {
     Past past;
-    past.go_on(static_cast<int>(Rewind::kMostMoments) + 20);
-    CHECK(past.rewind.steps_back() == Rewind::kMostMoments - 1);
+    past.go_on(60 * Rewind::kMost_s + 20);
+    CHECK(past.rewind.steps_back() == 60 * Rewind::kMost_s - 1);
     CHECK(past.rewind.bytes() <= Rewind::kMostBytes);
     REQUIRE(past.bench.run("other = cairn.physics.new_world{}") == "");
     past.go_on(3);

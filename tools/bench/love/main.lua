@@ -1,6 +1,6 @@
 -- What body:getPosition() costs in LÖVE: the same loops as scripting/bridge/lua_cost.cpp has, and the same count of
 -- bodies, calls and repeats. Prints nanoseconds for each call. Run by `cairn-bench lua` where `love` is installed.
-local BODIES, ROUNDS, REPEATS = 1000, 1000, 7
+local BODIES, ROUNDS, REPEATS = 1000, 20, 400
 
 local bodies = {}
 local world = love.physics.newWorld(0, 0, true)

@@ -77,7 +77,10 @@ class Ui {
     /// called for what is new or has another text; other texts that are too long are shortened where they are
     /// drawn.
     void fit_text(const Renderer& renderer, FontId font, int place);
-    void set_center(Vec2 center) { center_ = center; }
+    /// Elsewhere, and no larger than that. Labels need fit_text again, and then scroll_to_focus.
+    void fit_into(Vec2 center, float width, float max_height);
+    /// Moves the rows, if need be, so that the focus is in sight.
+    void scroll_to_focus();
     const UiStyle& style() const { return style_; }
 
     int focus() const { return focus_; }  ///< -1: none
@@ -87,7 +90,7 @@ class Ui {
 
     void apply(const InputEvent& event);
     /// Once per update, after its events: directions that are held on a gamepad repeat.
-    void update();
+    void update(int updates_per_second = 60);
     /// What happened since the last call, in order.
     std::vector<UiEvent> take_events();
 
@@ -115,7 +118,6 @@ class Ui {
     float title_height() const { return title.empty() ? 0 : style_.row_height; }
     float rows_height() const;
     float scroll_limit() const;
-    void scroll_to_focus();
     bool can_focus(int place) const;
     bool has_usable(const Row& row) const;
     void keep_focus();
