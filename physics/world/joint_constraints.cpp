@@ -197,11 +197,11 @@ void prepare_joints(Stores& stores, const StepTime& time, StepScratch& scratch, 
         for (int i = 0; i < c.bodies; ++i) mark_turning(scratch.motions, c.rows[static_cast<std::size_t>(i)]);
     }
     if (!joints.empty()) place_joints(joints, scratch.motions, scratch.joint_places);
-    if (!lanes.empty() &&
-        lanes.place(stores.bodies.places, scratch.motions, time.impulse_ratio, time.dt_s, tasks)) {
-        lanes.hide_tears(softness_of(JointStiffness{}, time.h_s).bias_rate, scratch.torn);
+    if (!lanes.empty()) {
+        if (lanes.place(stores.bodies.places, scratch.motions, time.impulse_ratio, time.dt_s, tasks))
+            lanes.hide_tears(softness_of(JointStiffness{}, time.h_s).bias_rate, scratch.torn);
+        lanes.take_off_loads(scratch.motions, loads, tasks);
     }
-    lanes.take_off_loads(scratch.motions, loads, tasks);
     if (!springs && !lanes.springs_changed()) return;
     scratch.spring_loads.assign(static_cast<std::size_t>(scratch.motions.size()), 0);
     add_spring_loads(joints, scratch.joint_places, scratch.motions, scratch.spring_loads);

@@ -1,5 +1,6 @@
 #include "world/pin_loads.h"
 
+#include "resolve/joints/pin_statics.h"
 #include "world/joint_frames.h"
 #include "world/joints.h"
 #include "world/prepare.h"
@@ -28,6 +29,7 @@ void set_first_impulse(JointStore& joints, JointRecord& pin, Vec2 impulse) {
     if (pin.seat.lane != kNone) joints.lanes.set_impulses(pin.seat, impulses);
 }
 
+// `local` gets the number in `statics`, by body.
 void estimate(Stores& stores, Vec2 gravity_m_s2, const StepTime& time, const DirectStructure& structure,
               PinStatics& statics, std::vector<int>& local) {
     JointStore& joints = stores.joints;
@@ -61,8 +63,11 @@ void estimate(Stores& stores, Vec2 gravity_m_s2, const StepTime& time, const Dir
 }  // namespace
 
 void estimate_pin_loads(Stores& stores, Vec2 gravity_m_s2, const StepTime& time, DirectGroups& groups) {
+    if (groups.without_loads.empty()) return;
+    PinStatics statics;
+    std::vector<int> local;
     for (const DirectStructure& structure : groups.without_loads)
-        estimate(stores, gravity_m_s2, time, structure, groups.statics, groups.local);
+        estimate(stores, gravity_m_s2, time, structure, statics, local);
     groups.without_loads.clear();
 }
 

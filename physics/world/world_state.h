@@ -22,7 +22,6 @@
 #include "resolve/direct/pin_chain.h"
 #include "resolve/impacts.h"
 #include "resolve/joints/joint_constraint.h"
-#include "resolve/joints/pin_statics.h"
 #include "resolve/joints/torn_joints.h"
 #include "resolve/support_lanes.h"
 #include "world/body_mass.h"
@@ -273,8 +272,6 @@ struct DirectGroups {
     StructureSearch search;
     // Found with the others, and waiting for their loads to be estimated (world/pin_loads.h).
     std::vector<DirectStructure> without_loads;
-    PinStatics statics;
-    std::vector<int> local;  // number in `statics`, by body
     // While groups are chosen and assembled:
     std::vector<int> reached;   // bodies from one seed
     std::vector<int> found;     // structures from one seed

@@ -1,6 +1,7 @@
 // The two loops around a game: with a window and real time, and headless. Both feed it the same way: whatever
 // enters the game is a list of events per update, taken from the platform or from a recording, and noted down
 // when asked for.
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <cstdio>
@@ -209,6 +210,7 @@ class Session {
                                most_updates_at_once(machine_.conf.updates_per_second));
         std::vector<InputEvent> waiting;
         double then = platform.now_s();
+        double picture_due_s = then;
         while (true) {
             if (error) {
                 report(*error);
@@ -252,12 +254,18 @@ class Session {
             const bool ends = is_over();
             error = draw(frame.alpha, captures_now() || (ends && captures_at_end()));
             if (ends && !error) return true;
-            constexpr double kPicture_s = engine::FixedStep::kDefaultStep_s;
-            if (!platform.window().is_visible())
-                platform.sleep_s(kPicture_s);
-            else if (!machine_.renderer->waits_for_display())
-                platform.sleep_s(kPicture_s - (platform.now_s() - now));
+            if (!platform.window().is_visible() || !machine_.renderer->waits_for_display())
+                wait_for_picture(picture_due_s);
         }
+    }
+
+    /// Until the next picture is due, where no display sets the pace. A picture that took too long is made up
+    /// for by shorter waits, but not more than one: after a pause the game goes on at its pace.
+    void wait_for_picture(double& due_s) {
+        constexpr double kPicture_s = engine::FixedStep::kDefaultStep_s;
+        const double now_s = machine_.platform->now_s();
+        due_s = std::max(due_s + kPicture_s, now_s - kPicture_s);
+        machine_.platform->sleep_s(due_s - now_s);
     }
 
     bool has_changes() { return reload_ && reload_->has_changes(machine_.platform->now_s()); }

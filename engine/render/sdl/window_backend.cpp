@@ -2,6 +2,8 @@
 #include "render/sdl/window_backend.h"
 
 #include <SDL.h>
+#include <cstdint>
+#include <cstring>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -194,12 +196,44 @@ class AcceleratedBackend final : public RenderBackend {
     bool has_warned_ = false;
 };
 
+/// What the window shows, in the form that the display wants. Asked anew each time: it follows the window's
+/// size.
+SDL_Surface* shown_by(const SdlWindow& window) {
+    return SDL_GetWindowSurface(window.native());
+}
+
+void copy_rows(const Image& picture, SDL_Surface& to) {
+    // Red and blue change places in what nearly every display wants. SDL's conversion looks at each pixel's
+    // format.
+    const bool is_bgr =
+        to.format->format == SDL_PIXELFORMAT_RGB888 || to.format->format == SDL_PIXELFORMAT_ARGB8888;
+    const int pitch = 4 * picture.size.width;
+    if (!is_bgr || SDL_BYTEORDER != SDL_LIL_ENDIAN) {
+        SDL_ConvertPixels(picture.size.width, picture.size.height, SDL_PIXELFORMAT_RGBA32,
+                          picture.rgba.data(), pitch, to.format->format, to.pixels, to.pitch);
+        return;
+    }
+    for (int y = 0; y < picture.size.height; ++y) {
+        const std::uint8_t* const from = picture.rgba.data() + static_cast<std::ptrdiff_t>(y) * pitch;
+        std::uint8_t* const row =
+            static_cast<std::uint8_t*>(to.pixels) + static_cast<std::ptrdiff_t>(y) * to.pitch;
+        for (int x = 0; x < picture.size.width; ++x) {
+            std::uint32_t rgba;
+            std::memcpy(&rgba, from + 4 * x, 4);
+            const std::uint32_t bgra = (rgba & 0xff00ff00u) | ((rgba >> 16) & 0xffu) | ((rgba & 0xffu) << 16);
+            std::memcpy(row + 4 * x, &bgra, 4);
+        }
+    }
+}
+
 /// Our rasterizer draws; SDL shows the picture.
 class UnacceleratedBackend final : public RenderBackend {
   public:
-    UnacceleratedBackend(const SdlWindow& window, RendererPtr renderer)
-        : renderer_(std::move(renderer)), surface_([&window, sdl = renderer_.get()] {
-              return make_viewport(window.logical_size(), output_size(sdl));
+    explicit UnacceleratedBackend(const SdlWindow& window)
+        : window_(window), surface_([&window] {
+              const SDL_Surface* shown = shown_by(window);
+              return make_viewport(window.logical_size(),
+                                   shown ? Size{shown->w, shown->h} : window.logical_size());
           }) {}
 
     Viewport viewport() const override { return surface_.viewport(); }
@@ -226,50 +260,43 @@ class UnacceleratedBackend final : public RenderBackend {
     Result<Image> read_pixels() override { return surface_.read_pixels(); }
 
     void present() override {
+        SDL_Surface* const shown = shown_by(window_);
         const Image& picture = surface_.picture();
-        if (!screen_ || screen_size_ != picture.size) {
-            screen_.reset(SDL_CreateTexture(renderer_.get(), SDL_PIXELFORMAT_RGBA32,
-                                            SDL_TEXTUREACCESS_STREAMING, picture.size.width,
-                                            picture.size.height));
-            screen_size_ = picture.size;
-        }
-        if (!screen_) return;
-        SDL_UpdateTexture(screen_.get(), nullptr, picture.rgba.data(), 4 * picture.size.width);
-        SDL_RenderCopy(renderer_.get(), screen_.get(), nullptr, nullptr);
-        SDL_RenderPresent(renderer_.get());
+        // The window may have been resized since the picture was begun; the next one has its size.
+        if (shown == nullptr || Size{shown->w, shown->h} != picture.size) return;
+        if (SDL_LockSurface(shown) != 0) return;
+        copy_rows(picture, *shown);
+        SDL_UnlockSurface(shown);
+        SDL_UpdateWindowSurface(window_.native());
     }
 
   private:
-    RendererPtr renderer_;
+    const SdlWindow& window_;
     SurfaceBackend surface_;
-    TexturePtr screen_;
-    Size screen_size_;
 };
 
 }  // namespace
 
 Result<std::unique_ptr<RenderBackend>> make_window_backend(const SdlWindow& window) {
-    // Else the software renderer would hand its picture to the imitated driver that it stands in for.
+    // Else the window's surface would go through the imitated driver that it stands in for.
     SDL_SetHint(SDL_HINT_FRAMEBUFFER_ACCELERATION, "0");
     const char* chosen = SDL_GetHint(SDL_HINT_RENDER_DRIVER);
     const bool is_chosen = chosen != nullptr && *chosen != '\0';
-    const Uint32 wanted = !is_chosen && !may_be_accelerated() ? SDL_RENDERER_SOFTWARE
-                          : window.def().has_vsync            ? SDL_RENDERER_PRESENTVSYNC
-                                                              : 0;
-    RendererPtr renderer(SDL_CreateRenderer(window.native(), -1, wanted));
-    SDL_RendererInfo info{};
-    if (renderer) SDL_GetRendererInfo(renderer.get(), &info);
-    if (!is_chosen && !(info.flags & SDL_RENDERER_SOFTWARE) && is_imitated_by_processor()) {
-        renderer.reset();
-        renderer.reset(SDL_CreateRenderer(window.native(), -1, SDL_RENDERER_SOFTWARE));
-        info.flags = SDL_RENDERER_SOFTWARE;
+    const bool wants_software = is_chosen ? std::string_view(chosen) == "software" : !may_be_accelerated();
+    if (!wants_software) {
+        RendererPtr renderer(
+            SDL_CreateRenderer(window.native(), -1, window.def().has_vsync ? SDL_RENDERER_PRESENTVSYNC : 0));
+        SDL_RendererInfo info{};
+        if (!renderer) return sdl_error("cannot draw into the window");
+        SDL_GetRendererInfo(renderer.get(), &info);
+        const bool by_processor =
+            (info.flags & SDL_RENDERER_SOFTWARE) || (!is_chosen && is_imitated_by_processor());
+        if (!by_processor)
+            return std::unique_ptr<RenderBackend>(std::make_unique<AcceleratedBackend>(
+                window, std::move(renderer), (info.flags & SDL_RENDERER_PRESENTVSYNC) != 0));
     }
-    if (!renderer) return sdl_error("cannot draw into the window");
-    if (info.flags & SDL_RENDERER_SOFTWARE)
-        return std::unique_ptr<RenderBackend>(
-            std::make_unique<UnacceleratedBackend>(window, std::move(renderer)));
-    return std::unique_ptr<RenderBackend>(std::make_unique<AcceleratedBackend>(
-        window, std::move(renderer), (info.flags & SDL_RENDERER_PRESENTVSYNC) != 0));
+    if (shown_by(window) == nullptr) return sdl_error("cannot draw into the window");
+    return std::unique_ptr<RenderBackend>(std::make_unique<UnacceleratedBackend>(window));
 }
 
 }  // namespace cairn::engine
