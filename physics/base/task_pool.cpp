@@ -131,14 +131,13 @@ void TaskPool::end_region() {
 }
 
 void TaskPool::run_in_order(std::span<const ParallelLoop> loops) {
-    CAIRN_ASSERT(!running_.load(std::memory_order_relaxed), "a loop of a pool must not run inside another");
+    if (loops.empty()) return;
     for (const ParallelLoop& loop : loops) {
         CAIRN_ASSERT(loop.count >= 0 && loop.grain > 0, "a loop has a count of 0 or more, and a grain");
         CAIRN_ASSERT(chunk_count(loop.count, loop.grain) <= kMaxChunks, "a loop has at most 2^20 - 1 chunks");
     }
-    running_.store(true, std::memory_order_relaxed);
-    const bool is_alone = threads_ == 1 || (loops.size() == 1 && loops[0].count <= loops[0].grain);
-    if (is_alone) {
+    begin_loops();
+    if (threads_ == 1) {
         for (const ParallelLoop& loop : loops) {
             const int chunks = chunk_count(loop.count, loop.grain);
             for (int chunk = 0; chunk < chunks; ++chunk) run_chunk(loop, chunk, 0);
@@ -149,7 +148,7 @@ void TaskPool::run_in_order(std::span<const ParallelLoop> loops) {
         const Region region(*this);
         run_job(loops);
     }
-    running_.store(false, std::memory_order_relaxed);
+    end_loops();
 }
 
 TaskPool::Part TaskPool::part_of(int chunks, int worker, int threads) {

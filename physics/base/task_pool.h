@@ -90,6 +90,14 @@ class TaskPool {
     /// pool.
     template <class F>
     void parallel_for(int count, int grain, const F& f) {
+        if (count == 0) return;
+        // What fits into one chunk is called in place: a step of few bodies is made of such loops.
+        if (0 < count && count <= grain) {
+            begin_loops();
+            f(Chunk{0, count, 0, 0});
+            end_loops();
+            return;
+        }
         const ParallelLoop loop = parallel_loop(count, grain, f);
         run_in_order({&loop, 1});
     }
@@ -140,6 +148,13 @@ class TaskPool {
         int begin;
         int size;
     };
+
+    // Between the two, no other loop of this pool may begin.
+    void begin_loops() {
+        CAIRN_ASSERT(!running_.load(std::memory_order_relaxed), "a loop of a pool must not run inside another");
+        running_.store(true, std::memory_order_relaxed);
+    }
+    void end_loops() { running_.store(false, std::memory_order_relaxed); }
 
     static Part part_of(int chunks, int worker, int threads);
 

@@ -263,6 +263,7 @@ void ContactLanes::blank(int lane) {
 // Buckets follow one another, since their colours may share bodies; the blocks of one may go at once.
 template <class BlockPass>
 void ContactLanes::for_each_bucket(TaskPool& tasks, const BlockPass& pass) const {
+    if (order_.empty()) return;
     struct Part {
         const BlockPass* pass;
         const ContactLanes* lanes;

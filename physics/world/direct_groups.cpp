@@ -29,10 +29,6 @@ void find_structures(Stores& stores, JointSolver solver, DirectGroups& groups) {
     for (const int joint : stores.joints.active) stores.joints.slots[joint].direct = false;
     groups.search.find(stores, solver, groups.structures, groups.without_loads);
     for (std::size_t s = 0; s < groups.structures.size(); ++s) {
-        for (const int joint : groups.structures[s].joints) {
-            unseat_joint(stores, joint);
-            stores.joints.slots[joint].direct = true;
-        }
         for (const int body : groups.structures[s].bodies)
             groups.structure_of[static_cast<std::size_t>(body)] = static_cast<int>(s);
     }
@@ -50,6 +46,12 @@ class Growth {
         groups_.of_body.resize(bodies, kNone);
         groups_.structure_of.resize(bodies, kNone);
         groups_.too_many.clear();
+    }
+
+    void from_structure(int i) {
+        const DirectStructure& s = structure(i);
+        if (s.only_free && !is_free(s)) return;
+        from(s.bodies.front());
     }
 
     void from(int body) {
@@ -81,6 +83,17 @@ class Growth {
     void visit(int body) {
         mark(body) = groups_.count;
         groups_.reached.push_back(body);
+    }
+
+    [[nodiscard]] bool is_free(const DirectStructure& s) const {
+        return std::all_of(s.bodies.begin(), s.bodies.end(), [&](int body) {
+            bool free = true;
+            for_each_edge(stores_.contacts.slots, stores_.bodies.slots[body].first_contact,
+                          [&](int contact, int) {
+                              free = free && special::has(stores_.contacts.slots[contact], special::kRefused);
+                          });
+            return free;
+        });
     }
 
     // With the structure that it is part of.
@@ -131,6 +144,10 @@ class Growth {
     }
 
     void close_group(const DirectStructure& group) {
+        for (const int joint : group.joints) {
+            leave_lane(stores_, joint);
+            stores_.joints.slots[joint].direct = true;
+        }
         for (const int body : group.bodies) {
             mark(body) = groups_.count;
             stores_.bodies.places[body].flags |= place_flag::kDirect;
@@ -154,6 +171,7 @@ class Growth {
             groups_.too_many.push_back(body);
         }
         for (const int found : groups_.found) {
+            if (structure(found).only_free) continue;
             DirectStructure& group = new_group();
             group.bodies.assign(structure(found).bodies.begin(), structure(found).bodies.end());
             group.joints.assign(structure(found).joints.begin(), structure(found).joints.end());
@@ -183,8 +201,12 @@ void choose_direct_groups(Stores& stores, JointSolver solver, DirectGroups& grou
     if (groups.version != stores.joints.version) find_structures(stores, solver, groups);
     const bool any = !groups.structures.empty() || stores.contacts.uneven.size() > 0;
     if (!any || solver == JointSolver::Sweeping) return;
+    for (const DirectStructure& structure : groups.structures) {
+        if (!structure.only_free) continue;
+        for (const int joint : structure.joints) stores.joints.slots[joint].direct = false;
+    }
     Growth growth(stores, groups);
-    for (const DirectStructure& structure : groups.structures) growth.from(structure.bodies.front());
+    for (int i = 0; i < static_cast<int>(groups.structures.size()); ++i) growth.from_structure(i);
     for (const int contact : stores.contacts.uneven) growth.from(stores.contacts.slots[contact].body_a);
     growth.end();
 }

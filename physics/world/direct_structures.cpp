@@ -9,7 +9,9 @@
 namespace cairn::physics {
 namespace {
 
-// Of a structure: a sweep needs some 2.3 rounds per decimal digit, times mass ratio, times depth.
+// Of a structure: a sweep needs some 2.3 rounds per decimal digit, times mass ratio, times depth. Fewer
+// joints are swept, but for pendulums that swing freely, which a sweep would make soft for the sake of what
+// touches them.
 constexpr int kFewestJoints = 3;
 constexpr float kMassRatio = 8;
 constexpr int kDepth = 8;  // from what holds the structure; one that is not held bears no load
@@ -112,8 +114,12 @@ void StructureSearch::sum_up(const Stores& stores) {
     }
 }
 
+bool StructureSearch::is_pendulum(const Summary& s) {
+    return s.joints < kFewestJoints && s.plain_pins && s.is_held;
+}
+
 bool StructureSearch::may_be_hard(const Summary& s) {
-    if (s.joints < kFewestJoints) return false;
+    if (s.joints < kFewestJoints) return is_pendulum(s);
     if (static_cast<float>(s.joints) > kJointsPerBody * static_cast<float>(s.bodies) + kSpareJoints)
         return false;
     const bool may_be_deep = s.is_held && s.joints > kDepth;
@@ -161,6 +167,7 @@ void StructureSearch::list(const Stores& stores, JointSolver solver, std::vector
             continue;
         }
         if (kept != i) structures[kept] = std::move(structures[i]);
+        structures[kept].only_free = is_pendulum(summary);
         ++kept;
     }
     structures.resize(kept);
@@ -172,6 +179,7 @@ void StructureSearch::number_bodies(const DirectStructure& s) {
 
 bool StructureSearch::is_hard_to_sweep(const DirectStructure& s, const Summary& summary,
                                        const Stores& stores) {
+    if (summary.joints < kFewestJoints) return true;
     const bool uneven = is_uneven(summary.least_inverse_mass, summary.most_inverse_mass);
     if (!uneven && depth_of(s, stores) <= kDepth) return false;
     return products_per_joint(s, stores) <= kMaxProducts;

@@ -19,6 +19,7 @@ struct Stores;
 struct DirectStructure {
     std::vector<int> joints;
     std::vector<int> bodies;
+    bool only_free = false;  // solved directly only in steps in which nothing can touch it
 };
 
 class StructureSearch {
@@ -45,6 +46,7 @@ class StructureSearch {
     [[nodiscard]] bool moves(int body) const { return moves_[static_cast<std::size_t>(body)] != 0; }
     void join(const Stores& stores);
     void sum_up(const Stores& stores);
+    [[nodiscard]] static bool is_pendulum(const Summary& s);
     [[nodiscard]] static bool may_be_hard(const Summary& s);
     [[nodiscard]] static bool may_need_loads(const Summary& s);
     void list(const Stores& stores, JointSolver solver, std::vector<DirectStructure>& structures,

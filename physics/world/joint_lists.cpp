@@ -101,7 +101,7 @@ double frame_angle(const JointRecord& record) {
     return static_cast<double>(def.local_angle_b_rad) - static_cast<double>(def.local_angle_a_rad);
 }
 
-void leave_lane(Stores& stores, int joint) {
+void forget_lane(Stores& stores, int joint) {
     JointStore& joints = stores.joints;
     JointRecord& record = joints.slots[joint];
     if (record.seat.lane == kNone) return;
@@ -141,15 +141,19 @@ void list_joint(Stores& stores, int joint) {
 void unlist_joint(Stores& stores, int joint) {
     if (stores.joints.slots[joint].active_index == kNone) return;
     ++stores.joints.version;
-    leave_lane(stores, joint);
+    forget_lane(stores, joint);
     stores.joints.active.remove(stores.joints.slots, joint);
     stores.joints.swept.remove(stores.joints.slots, joint);
 }
 
 void unseat_joint(Stores& stores, int joint) {
     ++stores.joints.version;
-    if (stores.joints.slots[joint].seat.lane == kNone) return;
     leave_lane(stores, joint);
+}
+
+void leave_lane(Stores& stores, int joint) {
+    if (stores.joints.slots[joint].seat.lane == kNone) return;
+    forget_lane(stores, joint);
     stores.joints.swept.add(stores.joints.slots, joint);
 }
 

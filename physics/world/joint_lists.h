@@ -15,6 +15,10 @@ void unlist_joint(Stores& stores, int joint);
 /// After something changed that lanes keep a copy of: the joint is swept until the next step, and remembers.
 void unseat_joint(Stores& stores, int joint);
 
+/// Takes it out of its lane, if it has one, and it remembers: it is swept, or solved directly, until the next
+/// step.
+void leave_lane(Stores& stores, int joint);
+
 /// Stage: lanes for joints that fit into them and have none.
 void seat_joints(Stores& stores, const StepTime& time, StepScratch& scratch);
 

@@ -43,8 +43,8 @@ std::vector<BodyId> add_bars(World& world, int count, double from_x, double leng
     return bars;
 }
 
-void pin(World& world, BodyId a, BodyId b, Vec2 on_a, Vec2 on_b) {
-    world
+JointId pin(World& world, BodyId a, BodyId b, Vec2 on_a, Vec2 on_b) {
+    return world
         .create_joint(
             RevoluteJointDef{.body_a = a, .body_b = b, .local_anchor_a_m = on_a, .local_anchor_b_m = on_b})
         .value();
@@ -154,6 +154,47 @@ TEST_CASE("a ring of bars in flight gains no energy, and keeps its momentum") {
     }
     CHECK(d(momentum().x) == Approx(d(before.x)).epsilon(1e-3));
     CHECK(d(momentum().y) == Approx(d(before.y)).epsilon(1e-3));
+}
+
+TEST_CASE("a bar on a pin swings for a minute with the energy that it had") {
+    World world({.enable_sleep = false});
+    const BodyId hook = world.create_body({.type = BodyType::Static}).value();
+    const BodyId bar = add_bars(world, 1, 0, 1, {.density_kg_m2 = 20}).front();
+    const JointId joint = pin(world, hook, bar, {}, {-0.5f, 0});
+    const double whole = 10 * d(world.body(bar)->mass()) * 0.5;  // from level to straight down
+    for (int i = 0; i < 3600; ++i) {
+        world.step(kStep_s).value();
+        REQUIRE(energy(world, 10) == Approx(0).margin(2e-4 * whole));
+        REQUIRE(world.joint(joint)->current_length() < 2e-6f);
+    }
+}
+
+TEST_CASE("a pendulum strikes a ball as mechanics say, is swept while it is near, and swings on freely") {
+    World world({.enable_sleep = false});
+    const BodyId hook = world.create_body({.type = BodyType::Static}).value();
+    const ShapeDef elastic{.density_kg_m2 = 10, .material = {.friction = 0, .restitution = 1}};
+    const float radius = 0.25f;
+    const BodyId bob = add(world, {.position_m = {2, 0}}, Circle{{}, radius}, elastic);
+    pin(world, hook, bob, {}, {-2, 0});
+    const BodyId ball =
+        add(world, {.position_m = {-2 * d(radius), -2}, .gravity_scale = 0}, Circle{{}, radius}, elastic);
+    const double m = d(world.body(ball)->mass());
+    const double arm = m * 2 * 2;                               // of the bob's mass about the hook
+    const double inertia = arm + 0.5 * m * d(radius * radius);  // it turns with its rod
+    const double before_rad_s = std::sqrt(2 * m * 10 * 2 / inertia);
+    while (world.body(ball)->linear_velocity().x == 0) {
+        world.step(kStep_s).value();
+        REQUIRE(world.step_count() < 120);
+    }
+    CHECK(d(-world.body(ball)->linear_velocity().x) ==
+          Approx(2 * before_rad_s * 2 * inertia / (inertia + arm)).epsilon(0.01));
+    const double after_rad_s = before_rad_s * (inertia - arm) / (inertia + arm);
+    double highest = -2;
+    for (int i = 0; i < 600; ++i) {
+        world.step(kStep_s).value();
+        highest = std::max(highest, world.body(bob)->position().y);
+    }
+    CHECK(highest + 2 == Approx(0.5 * inertia * after_rad_s * after_rad_s / (m * 10)).margin(0.01));
 }
 
 }  // namespace cairn::physics
