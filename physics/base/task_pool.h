@@ -151,7 +151,8 @@ class TaskPool {
 
     // Between the two, no other loop of this pool may begin.
     void begin_loops() {
-        CAIRN_ASSERT(!running_.load(std::memory_order_relaxed), "a loop of a pool must not run inside another");
+        CAIRN_ASSERT(!running_.load(std::memory_order_relaxed),
+                     "a loop of a pool must not run inside another");
         running_.store(true, std::memory_order_relaxed);
     }
     void end_loops() { running_.store(false, std::memory_order_relaxed); }
