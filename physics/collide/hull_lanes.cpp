@@ -210,8 +210,6 @@ HWY_INLINE unsigned collide_part(const PoseLanes& poses, const BoxLanes& offsets
     const V t1 = hn::IfThenElse(upright, one, share_at(last));
     const V gap0 = hn::Add(first_gap, hn::Mul(t0, rise));
     const V gap1 = hn::Add(first_gap, hn::Mul(t1, rise));
-    const V at0 = hn::Add(first, hn::Mul(t0, width));
-    const V at1 = hn::Add(first, hn::Mul(t1, width));
 
     const M beside = hn::Or(hn::Lt(last, zero), hn::Gt(first, length_base));
     const V in_sight = hn::Add(seen, set(kRounding_m));
@@ -226,10 +224,11 @@ HWY_INLINE unsigned collide_part(const PoseLanes& poses, const BoxLanes& offsets
     const V reference_radius = hn::IfThenElse(flipped, b.radius, a.radius);
     const V incident_radius = hn::IfThenElse(flipped, a.radius, b.radius);
     const V half = set(0.5f);
-    const auto point_at = [&](V at, V gap) HWY_ATTR {
-        const V height =
-            hn::Add(gap, hn::Mul(half, hn::Sub(hn::Sub(reference_radius, incident_radius), gap)));
-        return add(base, add(scale(at, tangent), scale(height, normal)));
+    // On the facing edge: the base may be long, like a ground, and its ends far away and known less well.
+    const Vec face_length = sub(face.from, face.to);
+    const auto point_at = [&](V t, V gap) HWY_ATTR {
+        const V to_middle = hn::Mul(half, hn::Sub(hn::Sub(reference_radius, incident_radius), gap));
+        return add(add(face.to, scale(t, face_length)), scale(to_middle, normal));
     };
     const VI which = hn::IfThenElseZero(hn::RebindMask(DI(), flipped), set_int(1 << 12));
     const VI edge = hn::IfThenElse(hn::RebindMask(DI(), flipped), edge_b.index, edge_a.index);
@@ -242,8 +241,8 @@ HWY_INLINE unsigned collide_part(const PoseLanes& poses, const BoxLanes& offsets
     const M same = hn::Or(incident_is_point, hn::Eq(t0, t1));
     const M use1 = hn::AndNot(hn::And(use0, same), reaches1);
 
-    const Vec point0 = point_at(at0, gap0);
-    const Vec point1 = point_at(at1, gap1);
+    const Vec point0 = point_at(t0, gap0);
+    const Vec point1 = point_at(t1, gap1);
     const V separation0 = hn::Sub(gap0, radii);
     const V separation1 = hn::Sub(gap1, radii);
     const VI none = set_int(kNoFeature);

@@ -26,14 +26,19 @@ HWY_INLINE void find_part(const ContactBlock& block, BlockKind kind, Vec2 up, in
     const auto b_stands_int = hn::RebindMask(DI(), b_stands);
     const M has_point = hn::Gt(load(block.points[0].mass, lane), zero);
     const M has_two = hn::Gt(load(block.points[1].mass, lane), zero);
-    M bears = hn::And(has_point, hn::Gt(hn::Abs(along), set(kBearing)));
+    M bears = hn::Gt(hn::Abs(along), set(kBearing));
     const VI a = load(block.a, lane);
     const VI b = load(block.b, lane);
     VI lower = hn::IfThenElse(b_stands_int, a, b);
     if (kind != BlockKind::TwoBodies) {  // a has no weight
-        bears = hn::And(bears, b_stands);
+        // With one point it does not matter where friction acts; with two it must hold, or they share
+        // otherwise.
+        const M holds = hn::Ge(hn::Mul(load(block.friction, lane), along), hn::Abs(across));
+        const M is_slope = hn::And(hn::Gt(along, set(kSlope)), hn::Or(hn::Not(has_two), holds));
+        bears = hn::Or(hn::And(bears, b_stands), is_slope);
         lower = set_int(kWorldRow);
     }
+    bears = hn::And(bears, has_point);
     const VI upper = hn::IfThenElse(b_stands_int, b, a);
     store(hn::IfThenElse(hn::RebindMask(DI(), bears), upper, set_int(kWorldRow)), out.upper, lane);
     store(lower, out.lower, lane);

@@ -14,14 +14,17 @@ namespace cairn::physics {
 /// degrees. On steeper ones friction and wedging decide, of which it knows nothing; with 60 degrees heaps
 /// were seen to tremble.
 inline constexpr float kBearing = 0.99f;
+/// Slopes of what does not move bear down to this cosine, 60 degrees, what touches nothing else: there is
+/// nothing to wedge.
+inline constexpr float kSlope = 0.5f;
 
 /// Places are along the horizontal, from the centre of mass, scaled as arms are.
 struct alignas(32) SupportLanes {
-    Lanes<std::int32_t> upper;      // row of the body borne; that of the world when nothing is borne here
-    Lanes<std::int32_t> lower;      // row of the body that bears it; that of the world when it has no weight
-    Lanes<std::int32_t> points;     // 1 or 2
-    Lanes<float> steepness;         // cosine between the normal and the upward direction
-    std::array<Lanes<float>, 2> x;  // of the points, seen from the body borne
+    Lanes<std::int32_t> upper;   // row of the body borne; that of the world when nothing is borne here
+    Lanes<std::int32_t> lower;   // row of the body that bears it; that of the world when it has no weight
+    Lanes<std::int32_t> points;  // 1 or 2
+    Lanes<float> steepness;  // cosine between the normal and the upward direction; below kBearing: a slope
+    std::array<Lanes<float>, 2> x;        // of the points, seen from the body borne
     std::array<Lanes<float>, 2> x_below;  // from the other
     std::array<Lanes<float>, 2> impulse;  // N s, the estimate: 0 at first
 };

@@ -77,15 +77,17 @@ void share_among(const float* x, float load, float moment, float* shares, std::s
 // form. A body has them in the order of the blocks' colours, which snapshots keep.
 class Estimate {
   public:
-    Estimate(ContactLanes& lanes, StepScratch& scratch, Vec2 up)
-        : lanes_(lanes),
+    Estimate(Stores& stores, StepScratch& scratch, Vec2 up)
+        : lanes_(stores.contacts.lanes),
+          stores_(stores),
           step_(scratch),
           motions_(scratch.motions),
           scratch_(scratch.statics),
           up_(up),
-          first_plain_(static_cast<std::size_t>(lanes.pool_size())) {
+          first_plain_(static_cast<std::size_t>(lanes_.pool_size())) {
         assign_amply(scratch_.stands, static_cast<std::size_t>(motions_.size()), {});
         scratch_.ready.clear();
+        scratch_.slopes.clear();
     }
 
     void find_supports(TaskPool& tasks) {
@@ -140,6 +142,7 @@ class Estimate {
             ContactConstraint& to = step_.contacts[step_.scalar_contacts[i]];
             for (std::size_t k = 0; k < 2; ++k) to.points[k].static_impulse = from.impulse[k][i % kLanes];
         }
+        for (const int support : scratch_.slopes) hold_by_friction(support);
     }
 
   private:
@@ -153,12 +156,19 @@ class Estimate {
         return nearest > c.unit * tuning::kSpeculativeDistance_m;
     }
 
+    // As find_supports has it.
+    [[nodiscard]] bool is_slope(const ContactConstraint& c, float along) const {
+        const float across = std::fabs(dot(c.normal, right_perp(up_)));
+        return along > kSlope && (c.count == 1 || c.friction * along >= across);
+    }
+
     void find_support(const ContactConstraint& c, SupportLanes& to, int lane) const {
         const float along = dot(c.normal, up_);
         const bool b_stands = along > 0;
         const int upper = b_stands ? c.b : c.a;
         const int lower = b_stands ? c.a : c.b;
-        if (std::fabs(along) <= kBearing || c.count == 0 || !has_weight(upper) || is_only_ahead(c)) return;
+        if (c.count == 0 || !has_weight(upper) || is_only_ahead(c)) return;
+        if (std::fabs(along) <= kBearing && (has_weight(lower) || !is_slope(c, std::fabs(along)))) return;
         to.upper[lane] = upper;
         to.lower[lane] = has_weight(lower) ? lower : kWorldRow;
         to.points[lane] = c.count;
@@ -189,11 +199,47 @@ class Estimate {
             const int upper = lanes.upper[lane];
             if (upper == kWorldRow) continue;
             const int support = static_cast<int>(block) * kLanes + lane;
+            if (lanes.steepness[lane] <= kBearing) {
+                if (!touches_only_one(upper)) continue;
+                scratch_.slopes.push_back(support);
+            }
             StaticsScratch::Stand& stand = scratch_.stands[upper];
             scratch_.next[support] = stand.first;
             stand.first = support;
             ++scratch_.stands[lanes.lower[lane]].above;
         }
+    }
+
+    // What lies on two points of a slope and is new there: its friction is guessed as its weight is, or it
+    // would turn while it is found. What has one point may roll.
+    void hold_by_friction(int support) {
+        const auto block = static_cast<std::size_t>(support / kLanes);
+        const int lane = support % kLanes;
+        const SupportLanes& s = scratch_.supports[block];
+        if (s.points[lane] != 2) return;
+        const auto hold = [&](Vec2 normal, float remembered, float& friction_impulse) {
+            if (remembered >= 0) return;
+            const float slope = dot(up_, right_perp(normal)) / dot(up_, normal);
+            friction_impulse = slope * (s.impulse[0][lane] + s.impulse[1][lane]);
+        };
+        if (block < first_plain_) {
+            ContactBlock& to = lanes_.block(static_cast<int>(block));
+            hold({to.normal_x[lane], to.normal_y[lane]}, to.points[0].impulse[lane],
+                 to.friction_impulse[lane]);
+        } else {
+            const std::size_t place = (block - first_plain_) * kLanes + static_cast<std::size_t>(lane);
+            ContactConstraint& to = step_.contacts[step_.scalar_contacts[place]];
+            hold(to.normal, to.points[0].normal_impulse, to.friction_impulse);
+        }
+    }
+
+    [[nodiscard]] bool touches_only_one(int row) const {
+        const int body = stores_.bodies.rows(RowSet::Awake).body[static_cast<std::size_t>(row - 1)];
+        int touching = 0;
+        for_each_edge(
+            stores_.contacts.slots, stores_.bodies.slots[body].first_contact,
+            [&](int contact, int) { touching += stores_.contacts.slots[contact].has_points ? 1 : 0; });
+        return touching == 1;
     }
 
     // Shares what stands on a body, and its own weight, among its supports.
@@ -230,6 +276,7 @@ class Estimate {
     }
 
     ContactLanes& lanes_;
+    const Stores& stores_;
     StepScratch& step_;
     const Motions& motions_;
     StaticsScratch& scratch_;
@@ -239,11 +286,11 @@ class Estimate {
 
 }  // namespace
 
-void estimate_statics(ContactLanes& lanes, Vec2 gravity_m_s2, const StepTime& time, StepScratch& scratch,
+void estimate_statics(Stores& stores, Vec2 gravity_m_s2, const StepTime& time, StepScratch& scratch,
                       TaskPool& tasks) {
     const float gravity = length(gravity_m_s2);
     if (gravity == 0) return;
-    Estimate estimate(lanes, scratch, (-1 / gravity) * gravity_m_s2);
+    Estimate estimate(stores, scratch, (-1 / gravity) * gravity_m_s2);
     estimate.find_supports(tasks);
     estimate.run(gravity * time.h_s);
     estimate.tell(tasks);

@@ -9,7 +9,7 @@ namespace cairn::physics {
 
 /// Stage: sets `static_impulse` of the points of all contacts of this step, N s per substep; 0 where nothing
 /// can be said.
-void estimate_statics(ContactLanes& lanes, Vec2 gravity_m_s2, const StepTime& time, StepScratch& scratch,
+void estimate_statics(Stores& stores, Vec2 gravity_m_s2, const StepTime& time, StepScratch& scratch,
                       TaskPool& tasks);
 
 }  // namespace cairn::physics

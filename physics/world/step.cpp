@@ -57,7 +57,7 @@ void step_world(WorldState& world, float dt_s) {
     estimate_pin_loads(stores, def.gravity_m_s2, time, world.direct);
     choose_movers(stores, scratch);
     prepare_joints(stores, time, scratch, tasks);
-    estimate_statics(stores.contacts.lanes, def.gravity_m_s2, time, scratch, tasks);
+    estimate_statics(stores, def.gravity_m_s2, time, scratch, tasks);
     start_direct_solve(stores, rules, time, scratch, world.direct, tasks);
 
     clock.enter(Stage::Solve);

@@ -136,6 +136,7 @@ struct StaticsScratch {
     std::vector<int> next;      // support of the same body, by support
     std::vector<Stand> stands;  // by row of the motions
     std::vector<int> ready;     // rows of which all above has been visited
+    std::vector<int> slopes;    // supports that are
     std::vector<float> x;       // of the supporting points of one body
     std::vector<float> shares;
 };

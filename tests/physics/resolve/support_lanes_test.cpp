@@ -21,12 +21,14 @@ struct Lane {
     float k_a = 0;
     float k_b = 0;
     int count = 0;
+    float friction = 0;
 };
 
 // A manifold lies along the tangent, so its points have the same tangential arm.
 Lane random_lane(Random& random, Vec2 up) {
     Lane lane;
-    const double tilt = random.real(-0.3, 0.3) + (random.chance(0.5) ? 3.14159 : 0);
+    const double steepest = random.chance(0.5) ? 0.3 : 1.5;
+    const double tilt = random.real(-steepest, steepest) + (random.chance(0.5) ? 3.14159 : 0);
     lane.normal = rotate(Rotation::from_angle(tilt), up);
     const Vec2 tangent = right_perp(lane.normal);
     const Vec2 between = random.vector(-1, 1);
@@ -36,6 +38,7 @@ Lane random_lane(Random& random, Vec2 up) {
     lane.k_a = random.real_f(0.1, 2);
     lane.k_b = random.real_f(0.1, 2);
     lane.count = random.below(3);
+    lane.friction = random.real_f(0, 1);
     return lane;
 }
 
@@ -43,6 +46,7 @@ void put(const Lane& from, int lane, ContactBlock& block) {
     const Vec2 tangent = right_perp(from.normal);
     block.a[lane] = 2 * lane + 1;
     block.b[lane] = 2 * lane + 2;
+    block.friction[lane] = from.friction;
     block.normal_x[lane] = from.normal.x;
     block.normal_y[lane] = from.normal.y;
     block.tangent_arm_a[lane] = from.k_a * cross(from.r_a[0], tangent);
@@ -60,6 +64,7 @@ void put(const Lane& from, int lane, ContactBlock& block) {
 TEST_CASE("what stands on what, and at which horizontal distance, follows from the arms of a block") {
     const std::vector<SimdLevel> levels = available_simd_levels();
     int found = 0;
+    int slopes = 0;
     for (std::uint64_t seed = 1; seed <= 300; ++seed) {
         Random random(seed);
         const Vec2 up = rotate(Rotation::from_angle(random.real(-3, 3)), Vec2{0, 1});
@@ -81,9 +86,14 @@ TEST_CASE("what stands on what, and at which horizontal distance, follows from t
                 const Lane& lane = lanes[i];
                 const float along = dot(lane.normal, up);
                 const bool b_stands = along > 0;
-                // The world stands on nothing.
-                const bool bears = lane.count > 0 && std::fabs(along) > kBearing &&
-                                   (kind == BlockKind::TwoBodies || b_stands);
+                // The world stands on nothing; its slopes bear what does not slide, or has one point.
+                const float across = std::fabs(dot(lane.normal, right_perp(up)));
+                const bool is_slope = kind == BlockKind::OneBody && along > kSlope &&
+                                      (lane.count == 1 || lane.friction * along >= across);
+                const bool is_flat =
+                    std::fabs(along) > kBearing && (kind == BlockKind::TwoBodies || b_stands);
+                const bool bears = lane.count > 0 && (is_flat || is_slope);
+                slopes += bears && !is_flat ? 1 : 0;
                 if (!bears) {
                     REQUIRE(supports.upper[i] == kWorldRow);
                     continue;
@@ -105,6 +115,7 @@ TEST_CASE("what stands on what, and at which horizontal distance, follows from t
         }
     }
     CHECK(found > 300);
+    CHECK(slopes > 100);
 }
 
 }  // namespace cairn::physics
