@@ -129,6 +129,7 @@ void make_constraint(const Stores& stores, int joint, const StepTime& time, Fram
     c.kind = kind_of(record);
     c.joint = joint;
     c.direct = record.direct;
+    c.is_new = !record.stepped;
     c.anchors = make_anchors(stores.bodies, record, frames);
     c.rows = {c.anchors.a, c.anchors.b};
     for (std::size_t i = 0; i < c.impulse.size(); ++i) c.impulse[i] = time.impulse_ratio * record.impulse[i];
@@ -207,12 +208,14 @@ void prepare_joints(Stores& stores, const StepTime& time, StepScratch& scratch, 
     add_spring_loads(joints, scratch.joint_places, scratch.motions, scratch.spring_loads);
     lanes.add_spring_loads(scratch.motions, scratch.spring_loads);
     make_springs(joints, time.h_s, scratch.spring_loads);
+    start_springs(joints, scratch.joint_places, time.h_s, scratch.motions);
     lanes.settle_springs(scratch.spring_loads, springs);
 }
 
 void store_joint_impulses(JointStore& joints, const StepTime& time, const StepScratch& scratch) {
     for (const JointConstraint& c : scratch.joints) {
         JointRecord& record = joints.slots[c.joint];
+        record.stepped = true;
         record.impulse = c.impulse;
         record.angle_rad += static_cast<double>(scratch.motions.angle(c.anchors.b)) -
                             static_cast<double>(scratch.motions.angle(c.anchors.a));

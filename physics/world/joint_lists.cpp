@@ -19,12 +19,14 @@ bool can_be_moved(const BodyRecord& body) {
     return body.inverse_mass > 0;
 }
 
-// Springs without damping start from a guess of their own, and gears and structures look at the constraints
-// of their joints: these are for the scalar solver, as are axes that do not move.
+// Springs without damping start from a guess of their own, new ones from a speed of their own, and gears and
+// structures look at the constraints of their joints: these are for the scalar solver, as are axes that do
+// not move.
 bool fits_lane(const Stores& stores, int joint) {
     const JointRecord& record = stores.joints.slots[joint];
     const auto* def = std::get_if<RevoluteJointDef>(&record.def);
-    if (record.direct || def == nullptr || (def->enable_spring && def->damping_ratio == 0)) return false;
+    if (record.direct || def == nullptr) return false;
+    if (def->enable_spring && (def->damping_ratio == 0 || !record.stepped)) return false;
     const BodyRecord& a = stores.bodies.slots[record.body_a];
     const BodyRecord& b = stores.bodies.slots[record.body_b];
     if (!can_be_moved(b) || locked_axes(a) != 0 || locked_axes(b) != 0) return false;

@@ -33,6 +33,9 @@ double pole_distance(double angle, double ratio) {
     return one_minus_exp(angle / fast) * one_minus_exp(angle * fast);
 }
 
+// A radian per substep: a start from where the spring never was should not be large.
+constexpr double kMostStartingTurn_rad = 1;
+
 // Beyond it, substeps see less than three points of a period: the poles would alias.
 constexpr double kMostTurn_rad = 2;
 
@@ -52,6 +55,17 @@ ExactSpring make_exact_spring(double frequency_hz, double damping_ratio, double 
     const ExactSpring spring{static_cast<float>(d1), static_cast<float>(d0), static_cast<float>(square / h_s),
                              damping_ratio > 0};
     return calmed(spring, square, stiffening);
+}
+
+// From where the true spring was a substep ago, q(-h) = e^(z W) (q cos Wd - (v + z w q) sin Wd / wd).
+float starting_speed(double frequency_hz, double damping_ratio, double h_s, double q, double speed) {
+    const double w = 2 * static_cast<double>(kPi) * frequency_hz;
+    if (damping_ratio >= 1 || w * h_s > kMostStartingTurn_rad) return 0;
+    const double wd = w * std::sqrt(1 - damping_ratio * damping_ratio);
+    const double before = deterministic::exp(damping_ratio * w * h_s) *
+                          (q * deterministic::cos(wd * h_s) -
+                           (speed + damping_ratio * w * q) * deterministic::sin(wd * h_s) / wd);
+    return static_cast<float>((q - before) / h_s - speed);
 }
 
 // What keeps the poles of springs that share bodies within the unit circle.

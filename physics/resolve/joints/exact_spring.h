@@ -17,6 +17,11 @@ struct ExactSpring {
 /// spring by itself.
 ExactSpring make_exact_spring(double frequency_hz, double damping_ratio, double h_s, double stiffening);
 
+/// Within a spring's steps Jv stands for the way of the last substep over h. The result is what to add to the
+/// true speed Jv of one that begins at q, so that it goes as the true spring from there on; 0 when it is too
+/// fast to be resolved well, or creeps.
+float starting_speed(double frequency_hz, double damping_ratio, double h_s, double q, double speed);
+
 /// The same of a spring that was made for itself alone, (w h)^2 its square.
 ExactSpring calmed(ExactSpring spring, double square, double stiffening);
 

@@ -101,6 +101,7 @@ struct JointConstraint {
     std::array<JointLaw, 6> laws;
     int law_count = 0;
     bool has_spring = false;
+    bool is_new = false;              // in its first step
     bool direct = false;              // solved with its whole structure at once, and not by sweeping
     JointImpulses impulse{};          // of one substep
     Vec2 total_impulse;               // on body b over the step, N s

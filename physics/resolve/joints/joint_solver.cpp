@@ -251,6 +251,21 @@ void solve_spring(const Task<kCount>& task, Along<kMany>& along) {
     apply(task, along, wanted);
 }
 
+// A cap of the substep is twice that of half an impulse.
+template <int kCount, int kMany>
+void start_spring(const Task<kCount>& task, Along<kMany>& along, float h_s) {
+    Values change{};
+    for (int i = 0; i < kCount; ++i) {
+        change[i] = 2 * starting_speed(static_cast<double>(task.law.spring_frequency_hz),
+                                       static_cast<double>(task.law.spring_damping_ratio),
+                                       static_cast<double>(h_s), static_cast<double>(task.error(i)),
+                                       static_cast<double>(along.speed(task.law.direction + i)));
+    }
+    Values impulse = solve(task, change);
+    clamp(task.law, impulse);
+    for (int i = 0; i < kCount; ++i) along.push(task.law.direction + i, 0.5f * impulse[i]);
+}
+
 template <int kCount, int kMany>
 void warm_start_law(const Task<kCount>& task, Along<kMany>& along) {
     if (task.law.kind == LawKind::Spring && !task.law.spring.damped) {
@@ -358,6 +373,17 @@ void make_springs(std::span<JointConstraint> joints, float h_s, const std::vecto
         }
         const double angle = w * static_cast<double>(h_s);
         law.spring = calmed(alone, angle * angle, std::max(sum / (w * w), 1.0));
+    });
+}
+
+void start_springs(std::span<JointConstraint> joints, std::span<const JointPlace> places, float h_s,
+                   Motions& motions) {
+    for_each_spring(joints, [&](std::size_t joint, JointLaw& law) {
+        JointConstraint& c = joints[joint];
+        if (!c.is_new) return;
+        with_bodies(c, places[joint], motions, [&](auto& along) {
+            with_task(c, law, places[joint], [&](const auto& task) { start_spring(task, along, h_s); });
+        });
     });
 }
 

@@ -18,6 +18,10 @@ void add_spring_loads(std::span<const JointConstraint> joints, std::span<const J
                       const Motions& motions, std::vector<double>& together);
 void make_springs(std::span<JointConstraint> joints, float h_s, const std::vector<double>& together);
 
+/// Once made, gives the bodies of springs in their first step the speeds that these go on from.
+void start_springs(std::span<JointConstraint> joints, std::span<const JointPlace> places, float h_s,
+                   Motions& motions);
+
 /// At the start of each substep, before anything acts: how fast springs are.
 void note_spring_speeds(std::span<JointConstraint> joints, std::span<const JointPlace> places,
                         const Motions& motions);

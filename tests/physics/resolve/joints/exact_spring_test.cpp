@@ -45,10 +45,11 @@ Fitted fit(const std::vector<double>& x, double dt) {
 }
 
 // A ball on a spring of 2 m that starts 0.1 m away from rest, without gravity.
-std::vector<double> swing(float frequency_hz, float damping_ratio) {
+std::vector<double> swing(float frequency_hz, float damping_ratio, float speed_m_s = 0) {
     World world({.gravity_m_s2 = {}, .enable_sleep = false});
     const BodyId hook = world.create_body({.type = BodyType::Static}).value();
-    const BodyId ball = add(world, {.position_m = {0, -2.1}}, Circle{{}, 0.25f});
+    const BodyId ball =
+        add(world, {.position_m = {0, -2.1}, .linear_velocity_m_s = {0, -speed_m_s}}, Circle{{}, 0.25f});
     world
         .create_joint(DistanceJointDef{.body_a = hook,
                                        .body_b = ball,
@@ -82,6 +83,46 @@ TEST_CASE("a spring has its frequency to 0.1 % and its damping ratio to 0.005, f
             INFO(frequency << " Hz, ratio " << ratio << ", " << enough << " samples");
             CHECK(fitted.frequency_hz == Approx(d(frequency)).epsilon(1e-3));
             CHECK(fitted.damping_ratio == Approx(d(ratio)).margin(5e-3));
+        }
+    }
+}
+
+TEST_CASE("a new spring is from its first step on where the oscillator is that starts as it does") {
+    // q(t) = e^(-z w t) (q0 cos wd t + (v0 + z w q0)/wd sin wd t)
+    const auto exact = [](double q0, double v0, double w, double z, double t) {
+        const double wd = w * std::sqrt(1 - z * z);
+        return std::exp(-z * w * t) * (q0 * std::cos(wd * t) + (v0 + z * w * q0) / wd * std::sin(wd * t));
+    };
+    for (const float frequency : {0.5f, 2.0f, 10.0f, 20.0f}) {
+        for (const float ratio : {0.0f, 0.2f, 0.7f}) {
+            const double w = 2 * kPiD * d(frequency);
+            INFO(frequency << " Hz, damping ratio " << ratio);
+            for (const float speed : {0.0f, 0.5f}) {
+                const std::vector<double> x = swing(frequency, ratio, speed);
+                const double amplitude = std::hypot(0.1, d(speed) / w);
+                // What a frequency that is off by 3e-5 adds up to.
+                for (int i = 0; i < 30; ++i) {
+                    REQUIRE(
+                        x[static_cast<std::size_t>(i)] ==
+                        Approx(exact(0.1, d(speed), w, d(ratio), (i + 1) / 60.0)).margin(2e-3 * amplitude));
+                }
+            }
+            // Of a pin: it has a lane from its second step on.
+            World world({.gravity_m_s2 = {}, .enable_sleep = false});
+            const BodyId hook = world.create_body({.type = BodyType::Static}).value();
+            const BodyId disc = add(world, {.angle_rad = 0.2}, Circle{{}, 0.25f});
+            world
+                .create_joint(RevoluteJointDef{.body_a = hook,
+                                               .body_b = disc,
+                                               .enable_spring = true,
+                                               .frequency_hz = frequency,
+                                               .damping_ratio = ratio})
+                .value();
+            for (int i = 1; i <= 30; ++i) {
+                world.step(kStep_s).value();
+                REQUIRE(world.body(disc)->angle() ==
+                        Approx(exact(0.2, 0, w, d(ratio), i / 60.0)).margin(2e-3 * 0.2));
+            }
         }
     }
 }
