@@ -109,7 +109,7 @@ Result<CommandLine> parse_command_line(const std::vector<std::string>& arguments
     add_options(*compare, texts, json);
 
     CLI::App* state = app.add_subcommand("state", "measure snapshots: size, saving, restoring, rollback");
-    state->add_option("--repeat", texts.repeat, "rounds; the least counts (1)")->type_name("R");
+    state->add_option("--repeat", texts.repeat, "rounds; the least counts (100)")->type_name("R");
     CLI::App* lua = app.add_subcommand("lua", "measure what calls from Lua cost");
     lua->add_option("--json", json, "one object a line to FILE, or to standard output")->type_name("FILE|-");
 
@@ -119,7 +119,11 @@ Result<CommandLine> parse_command_line(const std::vector<std::string>& arguments
     if (list->parsed()) return CommandLine{.command = Command::List};
     if (lua->parsed()) return CommandLine{.command = Command::Lua, .json = json};
     if (run->parsed()) return read(Command::Run, texts, json);
-    if (state->parsed()) return read(Command::State, texts, json);
+    if (state->parsed()) {
+        // The first rounds make room, which later ones have.
+        if (state->count("--repeat") == 0) texts.repeat = "100";
+        return read(Command::State, texts, json);
+    }
     if (texts.scenes.empty()) texts.scenes = {"all"};
     return read(Command::Compare, texts, json);
 }
