@@ -33,8 +33,9 @@ double pole_distance(double angle, double ratio) {
     return one_minus_exp(angle / fast) * one_minus_exp(angle * fast);
 }
 
-// A radian per substep: a start from where the spring never was should not be large.
-constexpr double kMostStartingTurn_rad = 1;
+// Velocities are those of half a substep ago. Of faster springs that would be seen as energy from nowhere
+// where they turn back.
+constexpr double kMostStartingTurn_rad = 0.5;
 
 // Beyond it, substeps see less than three points of a period: the poles would alias.
 constexpr double kMostTurn_rad = 2;

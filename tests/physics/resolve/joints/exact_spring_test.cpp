@@ -93,7 +93,7 @@ TEST_CASE("a new spring is from its first step on where the oscillator is that s
         const double wd = w * std::sqrt(1 - z * z);
         return std::exp(-z * w * t) * (q0 * std::cos(wd * t) + (v0 + z * w * q0) / wd * std::sin(wd * t));
     };
-    for (const float frequency : {0.5f, 2.0f, 10.0f, 20.0f}) {
+    for (const float frequency : {0.5f, 2.0f, 10.0f, 18.0f}) {
         for (const float ratio : {0.0f, 0.2f, 0.7f}) {
             const double w = 2 * kPiD * d(frequency);
             INFO(frequency << " Hz, damping ratio " << ratio);
