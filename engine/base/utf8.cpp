@@ -1,7 +1,7 @@
 // UTF-8 decoding. Invariant: overlong forms, surrogates and values above U+10FFFF are refused.
-#include "base/utf8.h"
-
 #include <cassert>
+
+#include <cairn/engine/utf8.h>
 
 namespace cairn::engine {
 

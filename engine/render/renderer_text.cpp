@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include <cairn/engine/renderer.h>
+#include <cairn/engine/utf8.h>
 
-#include "base/utf8.h"
 #include "render/renderer_state.h"
 #include "render/text_layout.h"
 

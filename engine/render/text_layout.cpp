@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "base/utf8.h"
+#include <cairn/engine/utf8.h>
 
 namespace cairn::engine {
 namespace {

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "base/utf8.h"
+#include <cairn/engine/utf8.h>
 
 namespace cairn::engine {
 namespace {

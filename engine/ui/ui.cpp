@@ -4,8 +4,7 @@
 #include <utility>
 
 #include <cairn/engine/ui.h>
-
-#include "base/utf8.h"
+#include <cairn/engine/utf8.h>
 
 namespace cairn::engine {
 namespace {

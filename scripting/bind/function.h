@@ -76,7 +76,10 @@ struct Argument<double> {
     static constexpr std::string_view kType = "number";
     static double get(lua_State* L, int index) {
         if (lua_type(L, index) != LUA_TNUMBER) argument_error(L, index, "a number");
-        return lua_tonumber(L, index);
+        const double value = lua_tonumber(L, index);
+        // No function has a use for it, and it would spread from there to all that it touches.
+        if (value != value) argument_error(L, index, "a number other than NaN");
+        return value;
     }
 };
 

@@ -3,15 +3,23 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <string_view>
+
+#include <cairn/engine/utf8.h>
 
 namespace cairn::scripting {
 namespace {
+
+/// What stands for bytes that are no UTF-8.
+constexpr char32_t kReplacement = 0xFFFD;
 
 /// For text and for attributes. XML 1.0 has no way to write most control characters: they become question
 /// marks.
 std::string escaped(const std::string& text) {
     std::string out;
-    for (const char c : text) {
+    for (std::string_view rest = text; !rest.empty();) {
+        const std::string_view from = rest;
+        const char32_t c = engine::take_character(rest);
         switch (c) {
             case '&':
                 out += "&amp;";
@@ -31,8 +39,14 @@ std::string escaped(const std::string& text) {
             case '\t':
                 out += "&#9;";
                 break;
+            case kReplacement:
+                out += "\xEF\xBF\xBD";
+                break;
             default:
-                out += static_cast<unsigned char>(c) < 0x20 ? '?' : c;
+                if (c < 0x20 || c == 0xFFFE || c == 0xFFFF)
+                    out += '?';
+                else
+                    out += from.substr(0, from.size() - rest.size());
         }
     }
     return out;

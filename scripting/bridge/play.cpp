@@ -85,6 +85,10 @@ class Session {
     }
 
   private:
+    /// Whether the run must not depend on what the player has saved, nor leave anything: a recording would
+    /// not know of it.
+    bool is_repeatable() const { return options_.headless || replay_ || !options_.record.empty(); }
+
     Outcome start() {
         tools_.forget_game();
         tools_.set_can_change(options_.record.empty() && !replay_);
@@ -94,7 +98,7 @@ class Session {
         game_ = std::make_unique<Game>(machine_.services(),
                                        GameOptions{.seed = seed_,
                                                    .visual_seed = options_.headless ? 1 : seed_by_clock(),
-                                                   .plays_saves = options_.headless || replay_.has_value()});
+                                                   .plays_saves = is_repeatable()});
         recorded_.clear();
         next_event_ = 0;
         return game_->load(machine_.main_path, options_.arguments);

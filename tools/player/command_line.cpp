@@ -152,7 +152,10 @@ ParsedLine parse_command_line(int argc, char** argv, bool can_launch) {
         ->type_name("N");
     play_command->add_option("--seed", texts.seed, "of the gameplay random stream (headless default: 1)")
         ->type_name("S");
-    play_command->add_option("--record", play.record, "write the run to FILE")->type_name("FILE");
+    play_command
+        ->add_option("--record", play.record,
+                     "write the run to FILE; it begins without saves, and keeps none")
+        ->type_name("FILE");
     play_command->add_option("--replay", play.replay, "take the input from FILE, and end with it")
         ->type_name("FILE");
     play_command

@@ -1,8 +1,8 @@
 // UTF-8 decoding against the examples of the Unicode standard and the usual forgeries.
-#include "base/utf8.h"
-
 #include <catch2/catch.hpp>
 #include <string>
+
+#include <cairn/engine/utf8.h>
 
 namespace {
 

@@ -457,8 +457,10 @@ TEST_CASE("what the physics itself refuses comes in the author's words") {
           "test.lua:1: World:step: dt is 0, but must be greater than 0 and at most 1 s");
     for (const char* nan : {"0/0", "-(0/0)"}) {
         CHECK(bench.run(std::string("w:set_gravity(") + nan + ", 0)") ==
-              "test.lua:1: World:set_gravity: gravity is (nan, 0), but must be finite");
+              "test.lua:1: World:set_gravity: x is nan; expected a number other than NaN");
     }
+    CHECK(bench.run("w:set_gravity(math.huge, 0)") ==
+          "test.lua:1: World:set_gravity: gravity is (inf, 0), but must be finite");
     CHECK(author_words("revolute_joint.body_a and .body_b are the same body, but must be two bodies") ==
           "body_a and body_b are the same body, but must be two bodies");
     CHECK(author_words("distance_joint.min_length_m is 3, but must be at most length_m") ==

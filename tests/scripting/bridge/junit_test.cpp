@@ -34,5 +34,12 @@ TEST_CASE("what XML cannot hold is escaped or replaced") {
         std::string::npos);
 }
 
+TEST_CASE("bytes that are no UTF-8 become replacement characters, and others stay") {
+    const std::string xml = junit_xml("g", {{"t", "\xff\xc3\xa9\xed\xa0\x80\xef\xbf\xbe", 0, std::nullopt}});
+    // One for 0xff, three for the surrogate, and U+FFFE is refused by XML.
+    const std::string bad = "\xef\xbf\xbd";
+    CHECK(xml.find("name=\"" + bad + "\xc3\xa9" + bad + bad + bad + "?\"") != std::string::npos);
+}
+
 }  // namespace
 }  // namespace cairn::scripting::test
