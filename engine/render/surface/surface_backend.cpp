@@ -41,12 +41,6 @@ bool is_much(std::span<const RenderVertex> vertices, std::span<const int> indice
     return pixels >= kMuch;
 }
 
-/// Whether a triangle may have pixels in these rows; a row too many does no harm.
-bool may_meet(const PixelRect& rows, float a_y, float b_y, float c_y) {
-    return std::max({a_y, b_y, c_y}) >= static_cast<float>(rows.y - 1) &&
-           std::min({a_y, b_y, c_y}) <= static_cast<float>(rows.y + rows.height + 1);
-}
-
 }  // namespace
 
 SurfaceBackend::SurfaceBackend(AskViewport viewport, int threads)
@@ -104,22 +98,29 @@ Result<Image> SurfaceBackend::read_pixels() {
 
 void SurfaceBackend::draw(std::span<const RenderVertex> vertices, std::span<const int> indices,
                           BackendTexture texture, BlendMode blend, const PixelRect& scissor) {
-    const Image* image = texture ? &textures_[texture - 1].image : nullptr;
-    const TextureFilter filter = texture ? textures_[texture - 1].filter : TextureFilter::Linear;
+    Paint paint{.blend = blend};
+    if (texture) {
+        paint.texture = &textures_[texture - 1].image;
+        paint.filter = textures_[texture - 1].filter;
+    }
     Image& to = target();
-    const bool draws_itself = image == &to;  // then what is read depends on what was written before
-    const int bands = !draws_itself && is_much(vertices, indices) ? kBandsPerThread * workers_.threads() : 1;
+    places_.clear();
+    for (const RenderVertex& vertex : vertices) places_.push_back(to_fixed(vertex.position));
+    const auto rasterize = [&](std::size_t i, const PixelRect& clip) {
+        const auto [a, b, c] = std::array{indices[i], indices[i + 1], indices[i + 2]};
+        rasterize_triangle({&vertices[a], &vertices[b], &vertices[c]}, {places_[a], places_[b], places_[c]},
+                           paint, clip, to);
+    };
+    const bool draws_itself = paint.texture == &to;  // then what is read depends on what was written before
+    if (draws_itself || workers_.threads() == 1 || !is_much(vertices, indices)) {
+        for (std::size_t i = 0; i + 2 < indices.size(); i += 3) rasterize(i, scissor);
+        return;
+    }
+    const int bands = kBandsPerThread * workers_.threads();
+    bins_.sort(places_, indices, scissor, bands, workers_);
     workers_.run(bands, [&](int band) {
-        PixelRect rows = scissor;
-        rows.y = scissor.y + scissor.height * band / bands;
-        rows.height = scissor.y + scissor.height * (band + 1) / bands - rows.y;
-        for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
-            const RenderVertex& a = vertices[indices[i]];
-            const RenderVertex& b = vertices[indices[i + 1]];
-            const RenderVertex& c = vertices[indices[i + 2]];
-            if (bands == 1 || may_meet(rows, a.position.y, b.position.y, c.position.y))
-                rasterize_triangle(a, b, c, image, filter, blend, rows, to);
-        }
+        const PixelRect rows = bins_.rows(band);
+        bins_.for_each(band, [&](std::size_t i) { rasterize(i, rows); });
     });
 }
 

@@ -9,6 +9,7 @@
 
 #include "render/backend.h"
 #include "render/surface/band_workers.h"
+#include "render/surface/triangle_bins.h"
 
 namespace cairn::engine {
 
@@ -45,7 +46,9 @@ class SurfaceBackend final : public RenderBackend {
     AskViewport viewport_;
     Image picture_;
     BackendTexture target_ = 0;
-    std::vector<Texture> textures_;  ///< texture id - 1
+    std::vector<Texture> textures_;   ///< texture id - 1
+    std::vector<FixedPoint> places_;  ///< of the vertices of a draw call
+    TriangleBins bins_;
 };
 
 }  // namespace cairn::engine
