@@ -1,4 +1,5 @@
-// Bodies as bytes: record, place and mass of each in the order of the slots; then the rows, column by column.
+// Bodies as bytes: in the order of the slots what each is made of, unless it is made as the one before it, and
+// what it has of its own; then the rows, column by column.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -13,8 +14,9 @@ namespace {
 constexpr std::uint32_t kKeptFlags = place_flag::kFast | place_flag::kTurnsFar | place_flag::kBoxesMoved |
                                      place_flag::kRouses | place_flag::kHasWay;
 
-constexpr std::size_t kBodyBytes =
-    packed_size<BodyRecord>() + packed_size<Place>() + packed_size<MassLedger::Entry>();
+constexpr std::size_t kMakeBytes = packed_size<BodyRecord>() + packed_size<MassLedger::Entry>();
+constexpr std::size_t kOwnBytes = packed_size<Place>() + sizeof(BodyRecord::joint_inertia) +
+                                  sizeof(BodyRecord::next_sleeper) + sizeof(BodyRecord::user_data);
 
 template <class T>
 bool all_zero(const std::vector<T>& values) {
@@ -103,19 +105,67 @@ void take_rows(Reader& in, BodyStore& bodies, RowSet set) {
 }
 
 // Every rule is looked at: to leave early would cost more.
-bool is_sound(const BodyRecord& body, const Place& place) {
+bool is_sound(const BodyRecord& body) {
     constexpr float kMost = std::numeric_limits<float>::max();
-    bool sound = (place.flags & ~kKeptFlags) == 0;
+    bool sound = true;
     for (const float x : {body.linear_damping_1_s, body.angular_damping_1_s, body.sleep_speed_m_s,
-                          body.joint_inertia, body.inverse_mass, body.inverse_inertia})
+                          body.inverse_mass, body.inverse_inertia})
         sound &= (x >= 0) & (x <= kMost);
     sound &= std::fabs(body.gravity_scale) <= kMost;
     sound &= (body.extent_m >= 0) & (body.extent_m <= kMostExtent_m);
     sound &= (body.turn_arm_m <= kMostExtent_m) & (body.inner_radius_m >= 0);
     sound &= (body.type == BodyType::Dynamic) | ((body.inverse_mass == 0) & (body.inverse_inertia == 0));
+    return sound && is_within_reach(body.mass.center_m);
+}
+
+bool is_sound(const Place& place) {
     const float turned = place.rotation.c * place.rotation.c + place.rotation.s * place.rotation.s;
-    sound &= std::fabs(turned - 1) < 1e-3f;
-    return sound && is_within_reach(body.mass.center_m) && is_finite(place.center);
+    return (place.flags & ~kKeptFlags) == 0 && std::fabs(turned - 1) < 1e-3f && is_finite(place.center);
+}
+
+void load_records(Reader& in, Stores& stores) {
+    BodyStore& bodies = stores.bodies;
+    std::vector<MassLedger::Entry>& masses = stores.masses.entries;
+    const auto slots = static_cast<std::size_t>(bodies.slots.end_index());
+    bodies.places.resize(slots);
+    masses.resize(slots);
+    if (slots > static_cast<std::size_t>(bodies.slots.size())) {  // places of bodies that are gone
+        std::fill(bodies.places.begin(), bodies.places.end(), Place{});
+        std::fill(masses.begin(), masses.end(), MassLedger::Entry{});
+    }
+    BodyRecord make;
+    MassLedger::Entry mass;
+    bool is_made = false;
+    const std::byte* at = in.rest().data();
+    std::size_t left = in.rest().size();
+    Reading reading;
+    for_each_alive(bodies.slots, [&](int body, BodyRecord& record) {
+        if (!in.ok()) return;
+        const bool is_new = left > 0 && *at != std::byte{0};
+        const std::size_t size = 1 + (is_new ? kMakeBytes : 0) + kOwnBytes;
+        if (!in.require(size <= left, "it ends in the middle of the bodies")) return;
+        left -= size;
+        ++at;
+        if (is_new) {
+            at = get(get(at, make, reading), mass, reading);
+            is_made = true;
+            if (!in.require(is_sound(make), "a body has a mass or an extent that no body has")) return;
+        } else if (!in.require(is_made, "the first body is as one before it")) {
+            return;
+        }
+        const auto slot = static_cast<std::size_t>(body);
+        record = make;
+        masses[slot] = mass;
+        Place& place = bodies.places[slot];
+        at = get(get(at, place, reading), record.joint_inertia, reading);
+        at = get(get(at, record.next_sleeper, reading), record.user_data, reading);
+        in.require(is_sound(place) && record.joint_inertia >= 0 && is_finite(record.joint_inertia),
+                   "a body is at no place in the world, or as heavy for joints as no body is");
+    });
+    if (!in.ok()) return;
+    in.end(at);
+    in.reading.bad |= reading.bad;
+    in.settle();
 }
 
 // Rings: each sleeper is followed by one, and follows one.
@@ -143,12 +193,21 @@ void check_sleepers(Reader& in, const BodyStore& bodies, std::vector<std::uint8_
 void save_bodies(const Stores& stores, Writer& out) {
     const BodyStore& bodies = stores.bodies;
     save_slots(bodies.slots, out);
-    std::byte* at = out.room(static_cast<std::size_t>(bodies.slots.size()) * kBodyBytes);
+    std::byte* at = out.room(static_cast<std::size_t>(bodies.slots.size()) * (1 + kMakeBytes + kOwnBytes));
+    const BodyRecord* last = nullptr;
+    const MassLedger::Entry* last_mass = nullptr;
     for_each_alive(bodies.slots, [&](int body, const BodyRecord& record) {
         const auto slot = static_cast<std::size_t>(body);
+        const MassLedger::Entry& mass = stores.masses.entries[slot];
+        const bool is_new =
+            last == nullptr || (differing_bits(*last, record) | differing_bits(*last_mass, mass)) != 0;
+        at = put(at, is_new);
+        if (is_new) at = put(put(at, record), mass);
+        last = &record;
+        last_mass = &mass;
         Place place = bodies.places[slot];
         place.flags &= kKeptFlags;
-        at = put(put(put(at, record), place), stores.masses.entries[slot]);
+        at = put(put(put(put(at, place), record.joint_inertia), record.next_sleeper), record.user_data);
     });
     out.end(at);
     for (const RowSet set : {RowSet::Static, RowSet::Awake, RowSet::Asleep}) save_rows(bodies.rows(set), out);
@@ -161,30 +220,8 @@ void load_bodies(Reader& in, RestoreSpace& to) {
     BodyStore& bodies = stores.bodies;
     in.begin("bodies");
     load_slots(in, bodies.slots);
-    const std::byte* at = in.take(static_cast<std::size_t>(bodies.slots.size()) * kBodyBytes);
-    if (at == nullptr) return;
-    const auto slots = static_cast<std::size_t>(bodies.slots.end_index());
-    bodies.places.resize(slots);
-    stores.masses.entries.resize(slots);
-    if (slots > static_cast<std::size_t>(bodies.slots.size())) {  // places of bodies that are gone
-        std::fill(bodies.places.begin(), bodies.places.end(), Place{});
-        std::fill(stores.masses.entries.begin(), stores.masses.entries.end(), MassLedger::Entry{});
-    }
-    static const BodyRecord kUnread;
-    bool sound = true;
-    Reading reading;
-    for_each_alive(bodies.slots, [&](int body, BodyRecord& record) {
-        const auto slot = static_cast<std::size_t>(body);
-        record = kUnread;
-        at = get(at, record, reading);
-        at = get(at, bodies.places[slot], reading);
-        stores.masses.entries[slot].is_listed = false;
-        at = get(at, stores.masses.entries[slot], reading);
-        sound &= is_sound(record, bodies.places[slot]);
-    });
-    in.reading.bad |= reading.bad;
-    in.settle();
-    in.require(sound, "a body is at no place in the world, or has a mass that no body has");
+    if (in.ok()) load_records(in, stores);
+    if (!in.ok()) return;
 
     in.begin("rows of bodies");
     for (const RowSet set : {RowSet::Static, RowSet::Awake, RowSet::Asleep}) {

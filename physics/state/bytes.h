@@ -341,7 +341,7 @@ class Reader {
     /// What is read from here on, for errors: "bodies".
     void begin(const char* section) { section_ = section; }
     /// The first fault is kept.
-    void fail(const std::string& what) {
+    [[gnu::cold, gnu::noinline]] void fail(const std::string& what) {
         if (fault_) return;
         fault_ = Error{"the " + std::string(name_) + " is damaged: " + section_ + ", before byte " +
                        std::to_string(at_) + ": " + what};
@@ -364,10 +364,7 @@ class Reader {
     /// So many bytes, or null.
     const std::byte* take(std::size_t bytes) {
         if (!ok()) return nullptr;
-        if (bytes > bytes_.size() - at_) {
-            fail("it ends in the middle, " + std::to_string(bytes - (bytes_.size() - at_)) + " bytes short");
-            return nullptr;
-        }
+        if (bytes > bytes_.size() - at_) return fail_short(bytes);
         const std::byte* from = bytes_.data() + at_;
         at_ += bytes;
         return from;
@@ -415,6 +412,11 @@ class Reader {
     }
 
   private:
+    [[gnu::cold, gnu::noinline]] const std::byte* fail_short(std::size_t bytes) {
+        fail("it ends in the middle, " + std::to_string(bytes - (bytes_.size() - at_)) + " bytes short");
+        return nullptr;
+    }
+
     std::span<const std::byte> bytes_;
     std::size_t at_;
     const char* name_;

@@ -37,8 +37,7 @@ template <Is<BodyRecord> R, class Visit>
            first_contact, first_joint, mass, last_shape, first_sensor, breakable, joint_inertia, next_sleeper,
            user_data] = r;
     visit(type, allow_sleep, locks, inverse_mass, inverse_inertia, extent_m, turn_arm_m, inner_radius_m,
-          linear_damping, angular_damping, gravity_scale, sleep_speed, mass, joint_inertia, next_sleeper,
-          user_data);
+          linear_damping, angular_damping, gravity_scale, sleep_speed, mass);
 }
 
 /// The row follows from the rows.
