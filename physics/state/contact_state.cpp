@@ -163,13 +163,18 @@ void save_memories(const ContactStore& contacts, Writer& out) {
 }
 
 void load_memories(Reader& in, ContactStore& contacts) {
-    const std::size_t count = in.count(sizeof(int) + packed_size<ContactMemory>());
+    constexpr std::size_t kBytes = sizeof(int) + packed_size<ContactMemory>();
+    const std::size_t count = in.count(kBytes);
+    const std::byte* at = in.take(count * kBytes);
+    if (at == nullptr) return;
+    Reading reading;
     for (std::size_t i = 0; i < count; ++i) {
         int contact = kNone;
-        in.value(contact);
+        at = get(at, contact, reading);
         if (!in.require(names(contacts.slots, contact), "a contact is remembered that there is not")) return;
-        in.value(contacts.slots[contact].memory);
+        at = get(at, contacts.slots[contact].memory, reading);
     }
+    in.reading.bad |= reading.bad;
     in.settle();
 }
 

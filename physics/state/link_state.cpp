@@ -71,13 +71,18 @@ class Linking {
 
     // Calls take(item), which tells whether the item may stand there, for each item of a list.
     template <class Take>
-    void for_each_listed(const char* fault, const Take& take) {
-        while (at_ + sizeof(std::uint32_t) <= rest_.size()) {
+    [[gnu::always_inline]] void for_each_listed(const char* fault, const Take& take) {
+        const std::byte* const bytes = rest_.data();
+        const std::size_t end = rest_.size();
+        for (std::size_t at = at_; at + sizeof(std::uint32_t) <= end;) {
             std::uint32_t word = 0;
-            std::memcpy(&word, rest_.data() + at_, sizeof word);
-            at_ += sizeof word;
-            if (!take(static_cast<int>(word & ~kLastBit))) return fail(fault);
-            if ((word & kLastBit) != 0) return;
+            std::memcpy(&word, bytes + at, sizeof word);
+            at += sizeof word;
+            const bool fits = take(static_cast<int>(word & ~kLastBit));
+            if (fits && (word & kLastBit) == 0) continue;
+            at_ = at;
+            if (!fits) fail(fault);
+            return;
         }
         fail("it ends in the middle of a list");
     }
@@ -113,8 +118,11 @@ class Linking {
     }
 
     template <class Records>
-    void read_edges(Records& records, int body, int& first, int& count, const char* fault) {
+    [[gnu::always_inline]] void read_edges(Records& records, int body, int& first, int& count,
+                                           const char* fault) {
+        int* link = &first;
         int previous = kNone;
+        int read = 0;
         for_each_listed(fault, [&](int key) {
             const int index = edge_record(key);
             const int side = edge_side(key);
@@ -124,12 +132,13 @@ class Linking {
             if (end != kNone || (side == 0 ? record.body_b : record.body_a) == body) return false;
             end = body;
             record.edges[side] = {previous, kNone};
-            (previous == kNone ? first : records[edge_record(previous)].edges[edge_side(previous)].next) =
-                key;
+            *link = key;
+            link = &record.edges[side].next;
             previous = key;
-            ++count;
+            ++read;
             return true;
         });
+        count += read;
     }
 
     Reader& in_;
