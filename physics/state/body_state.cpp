@@ -1,5 +1,5 @@
-// Bodies as bytes: in the order of the slots what each is made of, unless it is made as the one before it, and
-// what it has of its own; then the rows, column by column.
+// Bodies as bytes: in the order of the slots what each is made of, unless it is made as the one before it,
+// and what it has of its own; then the rows, column by column.
 #include <algorithm>
 #include <cmath>
 #include <limits>
