@@ -23,6 +23,9 @@ constexpr int kBodiesPerChunk = 64;
 constexpr int kRowsPerChunk = 512;
 constexpr int kBlocksPerChunk = 32;
 
+// Of a way, how far float may put what lies along it aside.
+constexpr float kRounding = 1e-6f;
+
 // The way of a point during the last step against another shape, as seen from that shape: what moved along
 // with the point, or was pushed ahead of it, was not passed. Ways up to the least one are not looked at.
 std::optional<LocalRayHit> cast_relative_way(const Stores& stores, int shape, Position from, Vec2 way,
@@ -66,16 +69,18 @@ class Way {
         way_ = transform_point(stores.bodies.transform(body), convex_.centroid) - from_;
         length_ = length(way_);
         least_way_ = kFastShare * record.inner_radius_m;
+        farthest_way_ = record.inner_radius_m / kRounding;
     }
 
     [[nodiscard]] Position from() const { return from_; }
     [[nodiscard]] Vec2 way() const { return way_; }
 
-    /// Too short to have taken the centre through anything.
-    [[nodiscard]] bool is_short() const { return length_ <= least_way_; }
+    /// Not where it is too short to have taken the centre through anything, nor where it is so long that
+    /// float cannot tell what lies beside it.
+    [[nodiscard]] bool is_looked_at() const { return length_ > least_way_ && length_ <= farthest_way_; }
 
     [[nodiscard]] float free_share(int other) const {
-        if (is_short()) return 1;
+        if (!is_looked_at()) return 1;
         const auto hit = cast_relative_way(stores_, other, from_, way_, least_way_);
         return hit ? std::max(hit->fraction - inner_radius(convex_) / length_, 0.0f) : 1;
     }
@@ -87,6 +92,7 @@ class Way {
     Vec2 way_;
     float length_ = 0;
     float least_way_ = 0;
+    float farthest_way_ = 0;
 };
 
 // While a body stays in the boxes that it had when contacts were updated, all that it could pass through has
@@ -99,7 +105,7 @@ float free_share_by_trees(const Stores& stores, int body) {
     float share = 1;
     for (int s = stores.bodies.slots[body].first_shape; s != kNone; s = stores.shapes[s].next_of_body) {
         const Way way(stores, s);
-        if (way.is_short()) continue;
+        if (!way.is_looked_at()) continue;
         const auto visit = [&](int other) {
             const float met = way.free_share(other);
             if (met < share && may_collide(stores, s, other) && !lets_pass(stores, s, other)) share = met;

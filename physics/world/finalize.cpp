@@ -6,6 +6,7 @@
 
 #include <cairn/physics/tuning.h>
 
+#include "world/fast_bodies.h"
 #include "world/tiny_contacts.h"
 
 namespace cairn::physics {
@@ -69,7 +70,8 @@ bool has_left(const Aabb& fat, const Aabb& reach) {
     return !contains(fat, reach);
 }
 
-void take_place(BodyStore& bodies, const StepScratch& scratch, int row, float dt_s, bool sleep_enabled) {
+// Whether the body went so far, unexpectedly, that it could have passed through others.
+bool take_place(BodyStore& bodies, const StepScratch& scratch, int row, float dt_s, bool sleep_enabled) {
     BodyRows& awake = bodies.rows(RowSet::Awake);
     const int body = awake.body[row];
     const BodyRecord& record = bodies.slots[body];
@@ -83,7 +85,8 @@ void take_place(BodyStore& bodies, const StepScratch& scratch, int row, float dt
     const bool fast = (place.flags & place_flag::kFast) != 0;
     const Vec2 aside = fast ? moved - dt_s * scratch.advances[row + 1].velocity_m_s : moved;
     const float turned_aside = fast ? turned - dt_s * awake.spin[row] : turned;
-    awake.box_slack[row] -= length(aside) + std::fabs(turned_aside) * record.turn_arm_m;
+    const float went = length(aside) + std::fabs(turned_aside) * record.turn_arm_m;
+    awake.box_slack[row] -= went;
 
     awake.rotation_before[row] = place.rotation;
     place.center = place.center + moved;
@@ -95,6 +98,7 @@ void take_place(BodyStore& bodies, const StepScratch& scratch, int row, float dt
     awake.torque[row] = 0;
     awake.rest_time[row] =
         sleep_enabled ? next_rest_time(record, velocity, spin, moved, turned, awake.rest_time[row], dt_s) : 0;
+    return !fast && went > kFastShare * record.inner_radius_m;
 }
 
 }  // namespace
@@ -152,18 +156,26 @@ void halt_lost_bodies(const BodyStore& bodies, Motions& motions, std::vector<Bod
 void finalize_bodies(Stores& stores, StepScratch& scratch, float dt_s, bool sleep_enabled, TaskPool& tasks) {
     BodyRows& awake = stores.bodies.rows(RowSet::Awake);
     scratch.untold_boxes.start(awake.size(), kRowsPerChunk, tasks);
+    scratch.fast_found.start(awake.size(), kRowsPerChunk, tasks);
     tasks.parallel_for(awake.size(), kRowsPerChunk, [&](const Chunk& chunk) {
         ChunkedList<int>::Appender untold(scratch.untold_boxes, chunk);
+        ChunkedList<int>::Appender fast(scratch.fast_found, chunk);
         for (int row = chunk.begin; row < chunk.end; ++row) {
-            take_place(stores.bodies, scratch, row, dt_s, sleep_enabled);
-            if (awake.box_slack[row] > 0) continue;
+            const bool was_hurled = take_place(stores.bodies, scratch, row, dt_s, sleep_enabled);
+            if (!was_hurled && awake.box_slack[row] > 0) continue;
             const int body = awake.body[row];
             std::uint32_t& flags = stores.bodies.places[body].flags;
+            if (was_hurled) {
+                flags |= place_flag::kFast;
+                fast.items().push_back(body);
+            }
+            if (awake.box_slack[row] > 0) continue;
             if ((flags & place_flag::kHasWay) != 0) flags |= place_flag::kStrayed;
             update_boxes(stores, body, untold.items());
         }
     });
     tell_fat_boxes(stores, scratch.untold_boxes);
+    scratch.fast_found.for_each([&](int body) { scratch.fast.push_back(body); });
 }
 
 }  // namespace cairn::physics

@@ -10,6 +10,8 @@ namespace cairn::physics {
 /// all stages from here on: events tell of places, and there is none at infinity.
 void halt_lost_bodies(const BodyStore& bodies, Motions& motions, std::vector<BodyId>& quarantined);
 
+/// Stage: bodies take their new places. Those that were hurled so far that they could have passed through
+/// others, though nobody expected it, join the fast ones.
 void finalize_bodies(Stores& stores, StepScratch& scratch, float dt_s, bool sleep_enabled, TaskPool& tasks);
 
 /// The box of a shape in the broad phase.

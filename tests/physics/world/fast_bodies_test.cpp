@@ -100,6 +100,31 @@ TEST_CASE("what flies behind another does not pass through it when a wall has st
     }
 }
 
+TEST_CASE("what stands at a wall is not driven through it by what flies in behind") {
+    // The first stops at the wall and is slow when the next ones come; seen from the wall nothing is fast
+    // then.
+    for (const float speed : {20.0f, 50.0f, 150.0f, 1000.0f}) {
+        for (const std::size_t count : {2u, 5u, 10u}) {
+            for (int phase = 0; phase < 20; ++phase) {
+                World world({.gravity_m_s2 = {}});
+                add(world, {.type = BodyType::Static}, Box{0.05f, 1000});
+                std::vector<BodyId> row;
+                for (std::size_t i = 0; i < count; ++i) {
+                    const double gap_m = 0.25 + 0.002 * phase;
+                    const BodyDef def{.position_m = {-1 - 0.04 * phase - gap_m * static_cast<double>(i),
+                                                     0.01 * static_cast<double>(i % 3)},
+                                      .linear_velocity_m_s = {speed, 0}};
+                    row.push_back(phase % 2 == 0 ? add(world, def, Circle{{}, 0.1f})
+                                                 : add(world, def, Box{0.1f, 0.1f}));
+                }
+                run_for(world, 0.5);
+                INFO(count << " at " << speed << " m/s, phase " << phase);
+                for (const BodyId id : row) REQUIRE(world.body(id)->position().x < 0);
+            }
+        }
+    }
+}
+
 TEST_CASE("a fast box wakes the stack that it hits") {
     World world;
     add_ground(world);
