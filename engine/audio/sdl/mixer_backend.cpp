@@ -19,6 +19,7 @@
 
 #include <cairn/engine/log.h>
 
+#include "audio/sdl/alsa_messages.h"
 #include "audio/sdl/mixer_library.h"
 #include "audio/sdl/voice_stream.h"
 
@@ -190,6 +191,7 @@ class MixerBackend final : public AudioBackend {
             log(LogLevel::Warning, "no sound: " + loaded.error().message);
             return false;
         }
+        silence_alsa();
         if (!has_audio_ && SDL_InitSubSystem(SDL_INIT_AUDIO) != 0) {
             log(LogLevel::Warning, std::string("no sound: ") + SDL_GetError());
             return false;

@@ -5,6 +5,7 @@
 
 #include <cairn/engine/image.h>
 
+#include "engine/support/standard_error.h"
 #include "engine/support/temporary_folder.h"
 #include "render/backend.h"
 
@@ -48,6 +49,57 @@ TEST_CASE("an image written as PNG decodes to the same pixels") {
     REQUIRE(decoded);
     CHECK(decoded->size == image.size);
     CHECK(decoded->rgba == image.rgba);
+}
+
+TEST_CASE("a PNG of few or many bits, or with a palette, decodes to what its bytes say") {
+    const auto decoded = [](std::string_view text) {
+        const auto image = decode_image(std::as_bytes(std::span(text)), "a.png");
+        REQUIRE(image);
+        return image->rgba;
+    };
+    using namespace std::string_view_literals;
+    // 4 x 1 of one bit: white, black, white, black.
+    CHECK(decoded("\x89\x50\x4e\x47\x0d\x0a\x1a\x0a\x00\x00\x00\x0d\x49\x48\x44\x52\x00\x00"
+                  "\x00\x04\x00\x00\x00\x01\x01\x00\x00\x00\x00\xd1\x47\x32\x60\x00\x00\x00"
+                  "\x0a\x49\x44\x41\x54\x78\x9c\x63\x58\x00\x00\x00\xa2\x00\xa1\xdc\x8d\xb1"
+                  "\xcc\x00\x00\x00\x00\x49\x45\x4e\x44\xae\x42\x60\x82"sv) ==
+          std::vector<std::uint8_t>{255, 255, 255, 255, 0, 0, 0, 255, 255, 255, 255, 255, 0, 0, 0, 255});
+    // One of 16 bits a color, of which the upper halves are 0x12, 0x34 and 0x56.
+    CHECK(decoded("\x89\x50\x4e\x47\x0d\x0a\x1a\x0a\x00\x00\x00\x0d\x49\x48\x44\x52\x00\x00"
+                  "\x00\x01\x00\x00\x00\x01\x10\x02\x00\x00\x00\xc0\xe7\x8f\x9d\x00\x00\x00"
+                  "\x0f\x49\x44\x41\x54\x78\x9c\x63\x10\xfa\x6f\xd2\x10\xc6\x00\x00\x08\x6a"
+                  "\x02\x1c\x83\xea\xf0\xa8\x00\x00\x00\x00\x49\x45\x4e\x44\xae\x42\x60\x82"sv) ==
+          std::vector<std::uint8_t>{0x12, 0x34, 0x56, 255});
+    // The two colors of a palette, of which the first is nearly transparent.
+    CHECK(decoded("\x89\x50\x4e\x47\x0d\x0a\x1a\x0a\x00\x00\x00\x0d\x49\x48\x44\x52\x00\x00"
+                  "\x00\x02\x00\x00\x00\x01\x08\x03\x00\x00\x00\xc3\xfc\x8f\xb8\x00\x00\x00"
+                  "\x06\x50\x4c\x54\x45\x0a\x14\x1e\x28\x32\x3c\xd5\x1b\xb4\xe9\x00\x00\x00"
+                  "\x01\x74\x52\x4e\x53\x07\xde\x82\x4d\xc5\x00\x00\x00\x0b\x49\x44\x41\x54"
+                  "\x78\x9c\x63\x60\x60\x04\x00\x00\x04\x00\x02\xbf\x7a\x3f\x4a\x00\x00\x00"
+                  "\x00\x49\x45\x4e\x44\xae\x42\x60\x82"sv) ==
+          std::vector<std::uint8_t>{10, 20, 30, 7, 40, 50, 60, 255});
+}
+
+TEST_CASE("what the PNG library has to say stands in the error, with the name, and never on standard error") {
+    const Image image = gradient(16, 16);
+    const auto png = png_of(image);
+    constexpr std::size_t kBehindHeader = 33;
+    // A text whose checksum is wrong: the library warns of it, and the picture is whole.
+    auto warned = png;
+    const auto text = bytes({0, 0, 0, 3, 't', 'E', 'X', 't', 'a', 0, 'b', 0, 0, 0, 0});
+    warned.insert(warned.begin() + kBehindHeader, text.begin(), text.end());
+    // The header's own checksum.
+    auto broken = png;
+    broken[kBehindHeader - 1] ^= std::byte{1};
+    const std::string written = written_to_standard_error([&] {
+        const auto decoded = decode_image(warned, "warned.png");
+        CHECK((decoded && decoded->rgba == image.rgba));
+        CHECK_THAT(error_of(decode_image(broken, "broken.png")),
+                   Catch::Contains("image 'broken.png': is damaged: ") && Catch::Contains("CRC"));
+        CHECK_THAT(error_of(decode_image(std::span(png).first(60), "short.png")),
+                   Catch::Contains("image 'short.png': is damaged: it ends too early"));
+    });
+    CHECK(written == "");
 }
 
 TEST_CASE("a saved PNG file holds the encoded image, and a path that cannot be written is named") {

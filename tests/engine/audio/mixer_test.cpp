@@ -14,6 +14,7 @@
 #include "audio/sdl/voice_stream.h"
 #include "engine/support/drawing.h"
 #include "engine/support/sounds.h"
+#include "engine/support/standard_error.h"
 
 using namespace cairn::engine;
 
@@ -180,4 +181,18 @@ TEST_CASE("a sound whose samples are damaged is warned about once and stays sile
     set_log_sink(before);
     CHECK_THAT(warnings, Catch::Contains("'odd.wav'"));
     CHECK(std::count(warnings.begin(), warnings.end(), '\n') == 1);
+}
+
+TEST_CASE("where ALSA finds no sound device, the only words about it are ours") {
+    std::string told;
+    const LogSink before = set_log_sink([&](LogLevel, std::string_view text) { told += text; });
+    setenv("ALSA_CONFIG_PATH", "/nonexistent", 1);
+    const std::string written = written_to_standard_error([] {
+        SoundGame game("alsa");
+        game.audio.play(game.tone);
+    });
+    unsetenv("ALSA_CONFIG_PATH");
+    set_log_sink(before);
+    CHECK(written == "");
+    CHECK_THAT(told, Catch::StartsWith("no sound: "));
 }
