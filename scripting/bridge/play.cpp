@@ -69,6 +69,13 @@ class Session {
     }
 
     int run() {
+        const int status = run_to_end();
+        const int signal = machine_.platform->end_signal();
+        return signal != 0 ? kSignalStatus + signal : status;
+    }
+
+  private:
+    int run_to_end() {
         for (const std::string& tool : options_.shown_tools) {
             if (auto shown = tools_.show(tool); !shown) return fail(shown.error().message);
         }
@@ -84,7 +91,6 @@ class Session {
         return finish();
     }
 
-  private:
     /// Whether the run must not depend on what the player has saved, nor leave anything: a recording would
     /// not know of it.
     bool is_repeatable() const { return options_.headless || replay_ || !options_.record.empty(); }
@@ -232,6 +238,7 @@ class Session {
             platform.poll_events(waiting);
             if (machine_.conf.has_developer_keys) tools_.take_keys(waiting);
             tools_.take_input(waiting, *game_);
+            if (platform.end_signal() != 0) return end_in_good_order(waiting);
             if (wants_restart()) {
                 error = start();
                 waiting.clear();
@@ -261,6 +268,15 @@ class Session {
             if (!platform.window().is_visible() || !machine_.renderer->waits_for_display())
                 wait_for_picture(picture_due_s);
         }
+    }
+
+    /// A signal ends the game whatever it answers; but it may save what is to be saved.
+    bool end_in_good_order(std::vector<InputEvent>& waiting) {
+        if (replay_) return true;
+        waiting.push_back({.kind = InputKind::QuitRequested});
+        const Outcome error = update(waiting);
+        if (error) report(*error);
+        return !error;
     }
 
     /// Until the next picture is due, where no display sets the pace. A picture that took too long is made up
@@ -300,6 +316,7 @@ class Session {
         while (!wants_restart()) {
             events.clear();
             machine_.platform->poll_events(events);
+            if (machine_.platform->end_signal() != 0) return false;
             for (const InputEvent& event : events) {
                 switch (choice_of(event, machine_.renderer->logical_size())) {
                     case ErrorChoice::None:

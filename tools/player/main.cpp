@@ -47,8 +47,9 @@ int launch(const std::string& program_path) {
         if (status != 0 || chosen.outcome != "play" || !chosen.level) return status;
         const auto source = cairn::player::locate_game(*chosen.level, program_path);
         if (!source) return fail(source.error().message);
-        // A game that failed has shown its error; the shelf is still of use.
-        static_cast<void>(cairn::scripting::play({.source = *source}));
+        // A game that failed has shown its error; the shelf is still of use, unless all is to end.
+        const int played = cairn::scripting::play({.source = *source});
+        if (played > cairn::scripting::kSignalStatus) return played;
     }
 }
 

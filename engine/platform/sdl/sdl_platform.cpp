@@ -12,6 +12,7 @@
 #include <cairn/engine/renderer.h>
 
 #include "audio/sdl/mixer_backend.h"
+#include "platform/sdl/end_signals.h"
 #include "platform/sdl/sdl_events.h"
 #include "platform/sdl/sdl_gamepads.h"
 #include "platform/sdl/sdl_window.h"
@@ -77,6 +78,8 @@ class SdlPlatform final : public Platform {
         window_->expect_logical_size(std::nullopt);
     }
 
+    int end_signal() const override { return EndSignals::received(); }
+
     double now_s() const override {
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
     }
@@ -101,6 +104,7 @@ class SdlPlatform final : public Platform {
         window_->expect_logical_size(Size{static_cast<int>(event.delta.x), static_cast<int>(event.delta.y)});
     }
 
+    EndSignals signals_;
     VideoSubsystem video_;
     std::unique_ptr<SdlWindow> window_;
     SdlGamepads gamepads_;
@@ -113,6 +117,7 @@ class SdlPlatform final : public Platform {
 Result<std::unique_ptr<Platform>> make_sdl_platform(const PlatformDef& def) {
     SDL_SetMainReady();  // the program's main is its own, not SDL's
     SDL_SetHint(SDL_HINT_TOUCH_MOUSE_EVENTS, "1");
+    SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");  // EndSignals tells them from the close button
     VideoSubsystem video;
     constexpr const char* kWayOut = "; set DISPLAY, or play without a display: --headless";
     if (!video.is_open()) return Error{std::string("there is no display: ") + SDL_GetError() + kWayOut};

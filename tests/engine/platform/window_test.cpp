@@ -2,6 +2,7 @@
 #include <SDL.h>
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <csignal>
 #include <cstdlib>
 
 #include <cairn/engine/platform.h>
@@ -312,4 +313,27 @@ TEST_CASE("fingers get small numbers, which are given again") {
     CHECK(lines == std::vector<std::string>{"touch_pressed 1 160 100", "touch_pressed 2 80 100",
                                             "touch_moved 1 240 100 80 0", "touch_released 1 240 100",
                                             "touch_pressed 1 160 50"});
+}
+
+TEST_CASE("a signal is told apart from a click on the close button, which a game may refuse") {
+    if (!has_display()) return;
+    for (const int signal : {SIGTERM, SIGINT}) {
+        // Those of the test program would be left alone.
+        const auto handler = std::signal(signal, SIG_DFL);
+        {
+            WindowGame game;
+            SDL_Event close = sdl_event(SDL_QUIT);
+            SDL_PushEvent(&close);
+            CHECK(game.events_of(InputKind::QuitRequested).size() == 1);
+            CHECK(game.platform->end_signal() == 0);
+            std::raise(signal);
+            CHECK(game.events_of(InputKind::QuitRequested).empty());
+            CHECK(game.platform->end_signal() == signal);
+            // A second one would end the program.
+            CHECK(std::signal(signal, SIG_DFL) == SIG_DFL);
+        }
+        CHECK(std::signal(signal, handler) == SIG_DFL);
+        WindowGame next;
+        CHECK(next.platform->end_signal() == 0);
+    }
 }

@@ -88,6 +88,11 @@ class Platform {
     /// the size of its window.
     virtual void poll_events(std::vector<InputEvent>& events) = 0;
 
+    /// The number of the signal (SIGINT, SIGTERM) by which the system or a terminal asked the program to end:
+    /// unlike InputKind::QuitRequested it must; a second signal ends it at once. 0: none. Headless: always 0,
+    /// because there the first one ends the program.
+    virtual int end_signal() const = 0;
+
     /// Seconds since the platform was made; only differences mean something. Headless: 0 for ever.
     virtual double now_s() const = 0;
     /// Lets other programs run. Headless: returns at once.

@@ -45,8 +45,11 @@ struct PlayOptions {
 /// Ten seconds of game time.
 inline constexpr std::uint64_t kDefaultHeadlessFrames = 600;
 
-/// Returns the exit status: 0 when the game ran to its end without an error. Results go to standard output,
-/// errors to standard error.
+/// What is added to the number of a signal in the exit status of a program that it ended, as shells do.
+inline constexpr int kSignalStatus = 128;
+
+/// Returns the exit status: 0 when the game ran to its end without an error, kSignalStatus + SIGTERM or
+/// SIGINT when such a signal ended its window. Results go to standard output, errors to standard error.
 int play(const PlayOptions& options);
 
 }  // namespace cairn::scripting

@@ -1,0 +1,2 @@
+function cairn.load() print("ready") end
+function cairn.quit_requested() return true end
