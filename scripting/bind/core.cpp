@@ -162,6 +162,7 @@ int require_module(lua_State* L) {
         lua_pushstring(L, error->message.c_str());
         return lua_error(L);
     }
+    State::of(L).keep_source(path, *text);
     lua_pushvalue(L, 1);
     lua_call(L, 1, 1);
     if (lua_isnil(L, -1)) {
@@ -176,6 +177,7 @@ int require_module(lua_State* L) {
 }  // namespace
 
 void forget_modules(lua_State* L) {
+    State::of(L).forget_sources();
     lua_newtable(L);
     lua_setfield(L, LUA_REGISTRYINDEX, kLoadedModules);
 }

@@ -100,9 +100,13 @@ ErrorScreen make_error_screen(const ScriptError& error, const engine::Files& fil
     ErrorScreen screen{error, {}};
     const auto place = place_of(error.message);
     if (!place) return screen;
-    const auto text = files.read_text(place->file);
-    if (!text) return screen;
-    const std::vector<std::string> lines = split_lines(*text);
+    std::string text = error.source;
+    if (text.empty()) {
+        auto read = files.read_text(place->file);
+        if (!read) return screen;
+        text = *std::move(read);
+    }
+    const std::vector<std::string> lines = split_lines(text);
     const int last = std::min(place->line + kLinesAround, static_cast<int>(lines.size()));
     for (int line = std::max(1, place->line - kLinesAround); line <= last; ++line) {
         const std::string& source = lines[static_cast<std::size_t>(line - 1)];

@@ -30,7 +30,8 @@ enum class ErrorChoice { None, TryAgain, Copy, Quit };
 /// mouse or finger; closing the window.
 ErrorChoice choice_of(const engine::InputEvent& event, engine::Size screen);
 
-/// Reads the lines around the place of the error, if the game has that file.
+/// With the lines around the place of the error, out of the text that the error knows, else of the file of
+/// that name, if the game has one.
 ErrorScreen make_error_screen(const ScriptError& error, const engine::Files& files);
 
 /// Draws it, between begin_frame and end_frame.

@@ -72,6 +72,7 @@ std::optional<ScriptError> Game::run_file(const std::string& path,
     const auto text = context_.services.files.read_text(path);
     if (!text) return ScriptError{text.error().message, {}};
     if (auto error = load_text(L, *text, path)) return error;
+    state_.keep_source(path, *text);
     luaL_checkstack(L, static_cast<int>(arguments.size()), "arguments of a script");
     for (const std::string& argument : arguments) push(L, std::string_view(argument));
     return protected_call(L, static_cast<int>(arguments.size()), 0);

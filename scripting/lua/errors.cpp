@@ -75,6 +75,20 @@ std::string without_repeated_place(std::string message) {
     return message;
 }
 
+/// The text in which the place of a message was counted, when a script that runs has raised it. A place that
+/// no call stands at was named by whoever read a file just now.
+std::string source_of(lua_State* L, const ScriptError& error) {
+    const auto place = place_of(error.message);
+    if (!place) return "";
+    const std::string start = place->file + ':' + std::to_string(place->line) + ": ";
+    for (const std::string& call : error.traceback) {
+        if (!call.starts_with(start)) continue;
+        const std::string* source = State::of(L).source(place->file);
+        return source == nullptr ? "" : *source;
+    }
+    return "";
+}
+
 constexpr const char* kOutOfMemory = "not enough memory: the script used up what a game may have";
 
 /// Where handle_error puts what it finds: the error of the innermost protected call on this thread. A closure
@@ -101,6 +115,7 @@ int handle_error(lua_State* L) {
             }
         }
     }
+    error.source = source_of(L, error);
     return 1;
 }
 
@@ -150,6 +165,7 @@ std::optional<ScriptError> load_text(lua_State* L, const std::string& text, cons
         return std::nullopt;
     ScriptError error;
     error.message = message_at(L, -1);
+    error.source = text;
     lua_pop(L, 1);
     return error;
 }

@@ -12,6 +12,8 @@ namespace cairn::scripting {
 struct ScriptError {
     std::string message;                 ///< "src/aim.lua:12: attempt to ..."
     std::vector<std::string> traceback;  ///< innermost call first: "src/aim.lua:12: in function 'release'"
+    /// What the file that the message names said when it was loaded; empty: what it says now.
+    std::string source = {};
 
     /// The message, and below it the traceback with four spaces before each line.
     [[nodiscard]] std::string to_text() const;

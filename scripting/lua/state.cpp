@@ -12,7 +12,7 @@ namespace cairn::scripting {
 
 State::State(std::size_t memory_cap) {
     memory_.cap = memory_cap;
-    lua_ = lua_newstate(&State::allocate, &memory_);
+    lua_ = lua_newstate(&State::allocate, this);
     if (lua_ == nullptr)
         throw std::bad_alloc();  // the machine has no 20 kB left: nothing sensible can follow
     memory_.lua = lua_;
@@ -43,14 +43,23 @@ void State::note_place(Memory& memory) {
     }
 }
 
-std::string State::place_of_refusal(lua_State* L) {
-    void* memory = nullptr;
-    lua_getallocf(L, &memory);
-    return static_cast<const Memory*>(memory)->place;
+State& State::of(lua_State* L) {
+    void* state = nullptr;
+    lua_getallocf(L, &state);
+    return *static_cast<State*>(state);
 }
 
-void* State::allocate(void* memory_pointer, void* block, std::size_t old_size, std::size_t new_size) {
-    auto& memory = *static_cast<Memory*>(memory_pointer);
+std::string State::place_of_refusal(lua_State* L) {
+    return of(L).memory_.place;
+}
+
+const std::string* State::source(std::string_view path) const {
+    const auto found = sources_.find(path);
+    return found == sources_.end() ? nullptr : &found->second;
+}
+
+void* State::allocate(void* state, void* block, std::size_t old_size, std::size_t new_size) {
+    Memory& memory = static_cast<State*>(state)->memory_;
     if (block == nullptr) old_size = 0;  // then it tells the kind of object instead
     if (new_size == 0) {
         std::free(block);

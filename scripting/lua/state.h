@@ -1,10 +1,11 @@
-// One Lua state: its memory, its safe libraries, its end. Invariant: scripts in it reach nothing but what was
-// put there.
+// One Lua state: its memory, its safe libraries, its scripts' texts, its end. Invariant: scripts in it reach
+// nothing but what was put there.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <lua.hpp>
+#include <map>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -24,6 +25,9 @@ class State {
     State(const State&) = delete;
     State& operator=(const State&) = delete;
 
+    /// The one that L, a coroutine or not, belongs to.
+    static State& of(lua_State* L);
+
     [[nodiscard]] lua_State* get() const { return lua_; }
     [[nodiscard]] std::size_t used_bytes() const { return memory_.used; }
     /// All that was ever asked for, whether it has been freed since or not.
@@ -32,6 +36,13 @@ class State {
     /// Where the script was when it was last refused memory, "main.lua:12"; empty if that is not known. A
     /// coroutine counts as the place that resumed it.
     static std::string place_of_refusal(lua_State* L);
+
+    /// Notes what a script said when it was loaded; its file may say something else by the time an error
+    /// asks.
+    void keep_source(const std::string& path, std::string text) { sources_[path] = std::move(text); }
+    /// Of scripts that were loaded since the last forget_sources(), else null.
+    [[nodiscard]] const std::string* source(std::string_view path) const;
+    void forget_sources() { sources_.clear(); }
 
     /// What bindings find with context_of(); null until it is set. Must outlive the state.
     void set_context(Context* context);
@@ -45,9 +56,10 @@ class State {
         char place[LUA_IDSIZE + 16] = "";  ///< of the last refusal
     };
     static void note_place(Memory& memory);
-    static void* allocate(void* memory, void* block, std::size_t old_size, std::size_t new_size);
+    static void* allocate(void* state, void* block, std::size_t old_size, std::size_t new_size);
 
     Memory memory_;
+    std::map<std::string, std::string, std::less<>> sources_;  ///< by path
     lua_State* lua_ = nullptr;
 };
 

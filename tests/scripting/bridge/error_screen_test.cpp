@@ -1,6 +1,7 @@
 #include "bridge/error_screen.h"
 
 #include <catch2/catch.hpp>
+#include <fstream>
 
 #include "scripting/support/lua_bench.h"
 
@@ -19,6 +20,38 @@ TEST_CASE("the excerpt shows the lines around the error and marks its own") {
     CHECK(make_error_screen({"src/a.lua:1: no", {}}, *bench.machine().files).excerpt.size() == 4);
     CHECK(make_error_screen({"src/none.lua:1: no", {}}, *bench.machine().files).excerpt.empty());
     CHECK(make_error_screen({"no place", {}}, *bench.machine().files).excerpt.empty());
+}
+
+TEST_CASE("the excerpt shows what a script said when it was loaded, whatever its file says by now") {
+    LuaBench bench(GameFiles{{"main.lua", "\nfunction fail()\n  error('old')\nend\nrequire 'helper'\n"},
+                             {"helper.lua", "function help() local a = nil + 1 end"},
+                             {"level.lua", "{\n  bodies = 5,\n}"}});
+    REQUIRE_FALSE(bench.game().run_file("main.lua"));
+    const auto save = [&](const char* name, const char* text) {
+        const auto path = bench.machine().files->native_path(name);
+        REQUIRE(path);
+        std::ofstream(*path) << text;
+    };
+    save("main.lua", "-- new\n-- new\n-- new\n-- new\n");
+    save("helper.lua", "-- new");
+    const auto line_of = [&](const std::string& code, const std::string& expected_place) {
+        REQUIRE_FALSE(load_text(bench.game().lua(), code, "test.lua"));
+        const auto error = protected_call(bench.game().lua(), 0, 0);
+        REQUIRE(error);
+        CHECK(error->message.find(expected_place) == 0);
+        for (const SourceLine& line : make_error_screen(*error, *bench.machine().files).excerpt) {
+            if (line.is_faulty) return line.text;
+        }
+        return std::string();
+    };
+    CHECK(line_of("fail()", "main.lua:3: ") == "  error('old')");
+    CHECK(line_of("help()", "helper.lua:1: ") == "function help() local a = nil + 1 end");
+    // Data is as its file is; and so is a script that does not compile.
+    CHECK(line_of("cairn.level.load 'level.lua'", "level.lua:2:") == "  bodies = 5,");
+    save("main.lua", "\n\nlocal = 5\n");
+    const auto error = bench.game().run_file("main.lua");
+    REQUIRE(error);
+    CHECK(make_error_screen(*error, *bench.machine().files).excerpt[2].text == "local = 5");
 }
 
 TEST_CASE("the screen is drawn, with text of several colors on a dark ground") {
