@@ -194,7 +194,18 @@ bool Files::exists(std::string_view path) const {
     return static_cast<bool>(kind(path));
 }
 
+void Files::note(std::string_view path) const {
+    if (asked_for_.size() < kMostNoted && !asked_for_.contains(path)) asked_for_.emplace(path);
+}
+
+bool Files::was_asked_for(std::string_view path) const {
+    const std::size_t slash = path.rfind('/');
+    const std::string_view folder = slash == std::string_view::npos ? "" : path.substr(0, slash);
+    return asked_for_.contains(path) || asked_for_.contains(folder) || asked_for_.size() >= kMostNoted;
+}
+
 Result<FileKind> Files::kind(std::string_view path) const {
+    note(path);
     if (is_unmade_save_folder(path)) return FileKind::Folder;
     const Result<PHYSFS_Stat> info = stat(path);
     if (!info) return info.error();
@@ -204,10 +215,12 @@ Result<FileKind> Files::kind(std::string_view path) const {
 }
 
 Result<std::string> Files::read_text(std::string_view path) const {
+    note(path);
     return read_whole<std::string>(path, max_file_bytes_);
 }
 
 Result<std::vector<std::byte>> Files::read_bytes(std::string_view path) const {
+    note(path);
     return read_whole<std::vector<std::byte>>(path, max_file_bytes_);
 }
 

@@ -46,7 +46,8 @@ bool HotReload::has_changes(double now_s) {
     for (std::string& path : watch_.changes(now_s)) {
         if (path == "conf.lua")
             engine::log(engine::LogLevel::Info, "conf.lua counts when the game is started the next time");
-        if (!is_image(path) && !is_sound(path) && !is_script(path)) continue;
+        const bool is_used_script = is_script(path) && machine_.files->was_asked_for(path);
+        if (!is_image(path) && !is_sound(path) && !is_used_script) continue;
         changed_.insert(std::move(path));
         has_news_ = true;
     }
@@ -78,9 +79,9 @@ void HotReload::take_in_assets() {
     }
 }
 
-std::optional<ScriptError> HotReload::check_syntax(Game& game, const std::set<std::string>& scripts) const {
-    for (const std::string& path : scripts) {
-        if (!path.ends_with(".lua")) continue;
+std::optional<ScriptError> HotReload::check_syntax(Game& game, const std::set<std::string>& files) const {
+    for (const std::string& path : files) {
+        if (game.state().source(path) == nullptr) continue;  // data, or a script that it no longer requires
         const auto text = machine_.files->read_text(path);
         if (!text) continue;  // gone again
         if (auto error = load_text(game.lua(), *text, path)) return error;

@@ -1,5 +1,6 @@
 // Takes in what was saved while a game runs: levels, images and sounds in place, scripts as the game allows.
-// Invariant: a fault in a file leaves the game as it was, so that the next save can mend it.
+// Invariant: a fault in a file leaves the game as it was, so that the next save can mend it; a file that the
+// game does not use changes nothing.
 #pragma once
 
 #include <optional>
@@ -38,7 +39,8 @@ class HotReload {
   private:
     /// Of those that changed; they are taken out.
     std::set<std::string> take(bool (*belongs)(const std::string& path));
-    std::optional<ScriptError> check_syntax(Game& game, const std::set<std::string>& scripts) const;
+    /// Of those among the files that the game runs.
+    std::optional<ScriptError> check_syntax(Game& game, const std::set<std::string>& files) const;
     void take_in_assets();
 
     Machine& machine_;

@@ -46,6 +46,24 @@ TEST_CASE("a path that could leave its mount is refused with the rule that it br
         CHECK(check_virtual_path(good));
 }
 
+TEST_CASE("a file counts as asked for when it was read, looked for or listed, be it there or not") {
+    TemporaryFolder game;
+    game.put("read.lua", "1");
+    game.put("data/one.json", "1");
+    game.put("other/two.json", "1");
+    const auto files = make_files();
+    REQUIRE(files->mount(game.path().string()));
+    CHECK_FALSE(files->was_asked_for("read.lua"));
+    CHECK(files->read_text("read.lua"));
+    CHECK_FALSE(files->read_bytes("gone.lua"));
+    CHECK_FALSE(files->exists("maybe.lua"));
+    CHECK(files->list("data"));
+    for (const char* path : {"read.lua", "gone.lua", "maybe.lua", "data/one.json", "data/new.json"})
+        CHECK(files->was_asked_for(path));
+    for (const char* path : {"new.lua", "other/two.json", "data/below/new.json", "rea"})
+        CHECK_FALSE(files->was_asked_for(path));
+}
+
 TEST_CASE("files of a mounted folder are read, listed and told apart from folders") {
     TemporaryFolder game;
     game.put("main.lua", "print 'hello'");

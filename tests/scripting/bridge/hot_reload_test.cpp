@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "bridge/error_screen.h"
 #include "lua/sandbox.h"
 #include "scripting/support/lua_bench.h"
 
@@ -198,6 +199,55 @@ TEST_CASE("a game that says what to keep goes on with its world, by new scripts 
     outcome = run.reload->take_in(*run.game);
     REQUIRE(outcome.error);
     CHECK_FALSE(outcome.keeps_the_game);
+}
+
+TEST_CASE("a file that the game does not use changes nothing, whatever is in it") {
+    for (const char* keeps : {"", "function cairn.before_reload() end\n"}) {
+        Running run({{"main.lua", std::string(keeps) +
+                                      "runs = (runs or 0) + 1 local all = cairn.files.list 'levels'\n"
+                                      "old = runs == 1 and require 'old'"},
+                     {"old.lua", "return true"},
+                     {"levels/one.lua", "{}"}});
+        run.save("new.lua", "return return");
+        run.save("data/new.json", "{");
+        CHECK_FALSE(run.look());
+        CHECK_FALSE(run.reload->take_in(*run.game).error);
+        CHECK(run.value("runs") == "1");
+        // What stands in a folder that it has listed may be of use.
+        run.save("levels/two.lua", "{}");
+        REQUIRE(run.look());
+        auto outcome = run.reload->take_in(*run.game);
+        CHECK_FALSE(outcome.error);
+        CHECK(outcome.wants_restart == (*keeps == '\0'));
+        if (*keeps == '\0') continue;
+        // The new run has not required this one.
+        CHECK(run.value("runs") == "2");
+        run.save("old.lua", "return return");
+        REQUIRE(run.look());
+        CHECK_FALSE(run.reload->take_in(*run.game).error);
+        // It is of use, and so is its fault, when a script that is used requires it.
+        run.save("main.lua", std::string(keeps) + "require 'new'");
+        REQUIRE(run.look());
+        outcome = run.reload->take_in(*run.game);
+        REQUIRE(outcome.error);
+        CHECK_THAT(outcome.error->message, Contains("new.lua:1:"));
+        run.save("new.lua", "new = 1");
+        CHECK(run.look());
+        CHECK_FALSE(run.reload->take_in(*run.game).error);
+        CHECK(run.value("new") == "1");
+    }
+}
+
+TEST_CASE("an error while the old scripts say what to keep is shown with their text") {
+    Running run(GameFiles{{"main.lua", "\n\nfunction cairn.before_reload() error 'old' end"}});
+    run.save("main.lua", "-- the first\n-- and the second\n-- and the third of the new lines");
+    REQUIRE(run.look());
+    const auto outcome = run.reload->take_in(*run.game);
+    REQUIRE(outcome.error);
+    CHECK_THAT(outcome.error->message, Contains("main.lua:3: old"));
+    const ErrorScreen screen = make_error_screen(*outcome.error, *run.machine->files);
+    REQUIRE(screen.excerpt.size() == 3);
+    CHECK(screen.excerpt[2].text == "function cairn.before_reload() error 'old' end");
 }
 
 TEST_CASE("images show what their files hold now; one that is damaged leaves the old picture") {

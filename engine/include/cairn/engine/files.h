@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -59,6 +60,10 @@ class Files {
     /// Names, not paths, of what a folder holds, sorted by byte value; "" is the root.
     Result<std::vector<std::string>> list(std::string_view folder) const;
 
+    /// Whether anybody has asked for the file, with or without success: read it, looked whether it is there,
+    /// or listed its folder. What nobody asked for can be of no effect.
+    bool was_asked_for(std::string_view path) const;
+
     /// A number that changes whenever the file is saved: nanoseconds since some fixed time.
     Result<std::int64_t> modified_ns(std::string_view path) const;
 
@@ -81,6 +86,11 @@ class Files {
     /// "save" before the first write: an empty folder to whoever looks.
     bool is_unmade_save_folder(std::string_view path) const;
 
+    /// Of was_asked_for; more files than that is more than anybody edits, and all of them then count.
+    static constexpr std::size_t kMostNoted = 65'536;
+    void note(std::string_view path) const;
+
+    mutable std::set<std::string, std::less<>> asked_for_;  ///< files and folders
     std::string save_folder_;
     std::string no_save_folder_;  ///< why there is none
     std::uint64_t max_file_bytes_;
