@@ -1,6 +1,8 @@
 // Messages of wrong calls.
 #include "bind/function.h"
 
+#include <charconv>
+
 #include "bind/fields.h"
 #include "bind/module.h"
 
@@ -38,6 +40,17 @@ std::string_view author_name(std::string_view word) {
     return word.substr(word.rfind('.') + 1);  // all of it without a dot
 }
 
+/// The physics counts from 0, and Lua from 1: "[2]" at the beginning of a text becomes "[3]". Takes it out of
+/// the text; what is no such index is left there.
+std::string take_index(std::string_view& text) {
+    if (text.empty() || text[0] != '[') return "";
+    std::size_t index = 0;
+    const auto end = std::from_chars(text.data() + 1, text.data() + text.size(), index);
+    if (end.ec != std::errc() || end.ptr == text.data() + text.size() || *end.ptr != ']') return "";
+    text.remove_prefix(static_cast<std::size_t>(end.ptr + 1 - text.data()));
+    return '[' + std::to_string(index + 1) + ']';
+}
+
 }  // namespace
 
 std::string author_words(std::string_view physics_message) {
@@ -48,8 +61,13 @@ std::string author_words(std::string_view physics_message) {
         const std::string_view name = author_name(physics_message.substr(0, length));
         if (name == "nan" && words.ends_with('-')) words.pop_back();
         words += name;
-        if (length < physics_message.size()) words += physics_message[length++];
         physics_message.remove_prefix(length);
+        const std::string index = length > 0 ? take_index(physics_message) : "";
+        words += index;
+        if (index.empty() && !physics_message.empty()) {
+            words += physics_message[0];
+            physics_message.remove_prefix(1);
+        }
     }
     return words;
 }

@@ -465,6 +465,10 @@ TEST_CASE("what the physics itself refuses comes in the author's words") {
           "body_a and body_b are the same body, but must be two bodies");
     CHECK(author_words("distance_joint.min_length_m is 3, but must be at most length_m") ==
           "min_length is 3, but must be at most length");
+    CHECK(author_words("the distance from chain.points_m[0] to chain.points_m[19] is 0.001, [at] [2, 3] [") ==
+          "the distance from points[1] to points[20] is 0.001, [at] [2, 3] [");
+    CHECK_THAT(bench.run("w:add_chain{ points = { {0, 0}, {-1, 0}, {-1, 0.001}, {-2, 0} } }"),
+               Catch::Contains("the distance from points[2] to points[3] is 0.001"));
     CHECK(author_words("the distance is 0.001, but must be greater than 0.005 m (-nan)") ==
           "the distance is 0.001, but must be greater than 0.005 m (nan)");
 }
