@@ -12,12 +12,14 @@ namespace cairn::engine {
 
 using Json = nlohmann::ordered_json;
 
-/// Thrown while a map is read and caught in load_tile_map, which makes an Error of it: a fault can lie deep.
+/// Thrown while a part of a map is read and caught by whoever reads its parts one by one: a fault can lie
+/// deep.
 struct Fault {
     std::string message;
 };
 
-/// A value of the file with the way to it, "layers[2].objects[5]", for messages.
+/// A value of the file with the way to it, "layers[2].objects[5]", for messages. Members of lists are counted
+/// from 1, as in Lua and in the messages about levels.
 class Node {
   public:
     Node(const Json& json, std::string place) : json_(json), place_(std::move(place)) {
@@ -31,6 +33,7 @@ class Node {
         throw Fault{(place_.empty() ? "" : place_ + '.') + field + " is " + value + ", but " + rule};
     }
 
+    const std::string& place() const { return place_; }
     bool has(const char* field) const { return json_.contains(field) && !json_[field].is_null(); }
     const Json& at(const char* field) const { return json_[field]; }
 
@@ -73,7 +76,7 @@ class Node {
         if (!json_[field].is_array()) fail(field, "must be a list");
         const std::string place = (place_.empty() ? "" : place_ + '.') + field + '[';
         for (std::size_t i = 0; i < json_[field].size(); ++i)
-            nodes.emplace_back(json_[field][i], place + std::to_string(i) + ']');
+            nodes.emplace_back(json_[field][i], place + std::to_string(i + 1) + ']');
         return nodes;
     }
 

@@ -44,11 +44,8 @@ Pushed load(lua_State* L, std::string_view path, std::optional<TableArgument> fi
             L, services.renderer.load_texture(set.image_path, is_nearest ? engine::TextureFilter::Nearest
                                                                          : engine::TextureFilter::Linear)));
         const engine::Size size = services.renderer.texture_size(textures.back());
-        const Rect last = set.source(set.first_id + static_cast<std::uint32_t>(set.tile_count) - 1);
-        if (last.x + last.width > static_cast<float>(size.width) ||
-            last.y + last.height > static_cast<float>(size.height))
-            call_error(L, "the tile set '" + set.name + "' has more tiles than its picture '" +
-                              set.image_path + "' has room for");
+        if (const auto fits = set.check_image(size); !fits)
+            call_error(L, "map '" + std::string(path) + "': " + fits.error().message);
     }
     new_object<TileMapObject>(L, 0, std::move(map), std::move(textures), reader.real(kScale),
                               reader.boolean(kYUp), is_nearest);

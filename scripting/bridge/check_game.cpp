@@ -36,8 +36,7 @@ class Inspector {
             if (is_level) return inspect_level(path);
             inspect_script(path);
         } else if (ending == ".tmx" || ending == ".tmj") {
-            if (is_level) return inspect_level(path);
-            inspect_asset(path, engine::load_tile_map(*machine_.files, path));
+            inspect_map(path, is_level);
         } else if (ending == ".png" || ending == ".jpg" || ending == ".jpeg") {
             inspect_asset(path, machine_.renderer->load_texture(path));
         } else if (ending == ".wav" || ending == ".ogg" || ending == ".mp3" || ending == ".flac") {
@@ -102,6 +101,28 @@ class Inspector {
         if (!text) return note(path, text.error().message);
         ++files_;
         for (const std::string& fault : faults_of_conf(*text, path)) tell(path, fault);
+    }
+
+    /// A map, which may be a level, and the pictures of its tiles.
+    void inspect_map(const std::string& path, bool is_level) {
+        const engine::TileMapReading reading = engine::read_tile_map(*machine_.files, path);
+        if (is_level) {
+            inspect_level(path);
+        } else {
+            ++files_;
+            for (const std::string& fault : reading.faults) tell(path, fault);
+        }
+        for (const engine::TileSet& set : reading.map.sets) {
+            if (set.image_path.empty()) continue;  // a fault, told above
+            const auto texture = machine_.renderer->load_texture(set.image_path);
+            const std::string start = "map '" + path + "': " + set.place + ".";
+            if (!texture) {
+                tell(path, start + "image is \"" + set.image_path + "\", but " + texture.error().message);
+            } else if (reading.faults.empty()) {
+                const auto fits = set.check_image(machine_.renderer->texture_size(*texture));
+                if (!fits) tell(path, "map '" + path + "': " + fits.error().message);
+            }
+        }
     }
 
     void inspect_level(const std::string& path) {

@@ -181,9 +181,9 @@ TEST_CASE_METHOD(Maps, "what is wrong with the chunks of an infinite map is told
     };
     CHECK(fault("").empty());
     CHECK_THAT(fault(R"({"x": 0.5, "y": 0, "width": 1, "height": 1, "data": [0]})"),
-               Catch::Contains("layers[0].chunks[0].x is 0.5, but must be a whole number"));
+               Catch::Contains("layers[1].chunks[1].x is 0.5, but must be a whole number"));
     CHECK_THAT(fault(R"({"x": 0, "y": 0, "width": 2, "height": 1, "data": [0]})"),
-               Catch::Contains("layers[0].chunks[0]: data has 1 tiles, but there are 2 cells"));
+               Catch::Contains("layers[1].chunks[1]: data has 1 tiles, but there are 2 cells"));
     CHECK_THAT(fault(R"({"x": 0, "y": 0, "width": 1, "height": 1, "data": [0]},
                         {"x": 99999, "y": 0, "width": 1, "height": 1, "data": [0]})"),
                Catch::Contains("100000 x 1 tiles large, but must be at most 10000"));
@@ -236,7 +236,7 @@ TEST_CASE_METHOD(Maps, "a wrong map is an error that names the file, the place a
                Catch::Contains("maps/w.tmx") && Catch::Contains("the XML is broken at byte"));
     CHECK_THAT(message("<game/>"), Catch::Contains("neither a <map> nor a <tileset>"));
     CHECK_THAT(data("<data encoding=\"csv\">1,2,3</data>"),
-               Catch::Contains("layers[0]") && Catch::Contains("3 tiles, but the layer has 6 cells"));
+               Catch::Contains("layers[1]") && Catch::Contains("3 tiles, but the layer has 6 cells"));
     CHECK_THAT(data("<data encoding=\"csv\">1,2,3,4,5,6,7</data>"), Catch::Contains("7 tiles"));
     CHECK_THAT(data("<data encoding=\"csv\">1,2,x,4,5,6</data>"),
                Catch::Contains("'x,4,5,6' is no tile number"));
@@ -269,7 +269,60 @@ TEST_CASE_METHOD(Maps, "a wrong map is an error that names the file, the place a
     CHECK_THAT(load("w.tmj", R"({"width": 1, "height": 1, "tilewidth": 1, "tileheight": 1, "layers": [3]})")
                    .error()
                    .message,
-               Catch::Contains("layers[0]: must be an object"));
+               Catch::Contains("layers[1]: must be an object"));
+    CHECK_THAT(load("w.tmj", R"({"width": 1, "height": 1, "tilewidth": 1, "tileheight": 1})").error().message,
+               Catch::Contains("maps/w.tmj': layers is missing, but must be a list"));
+}
+
+TEST_CASE_METHOD(Maps, "all that is wrong with a map is told at once, each fault with its place") {
+    folder.put("maps/bad.tmj", R"({"width": 2, "height": 0, "tilewidth": 1.5, "tileheight": 1, "layers": [],
+        "tilesets": [{"firstgid": 1, "name": 3, "tilewidth": 8, "tileheight": 8, "tilecount": 0, "columns": 2},
+            {"firstgid": 1, "source": "none.tsx"}], "backgroundcolor": "red"})");
+    const std::string start = "map 'maps/bad.tmj': ";
+    CHECK(read_tile_map(*files, "maps/bad.tmj").faults ==
+          std::vector<std::string>{
+              start + "tilewidth is 1.5, but must be a whole number from 1 to 4096",
+              start + "height is 0, but must be a whole number from 1 to 10000",
+              start + "backgroundcolor is \"red\", but must be a color like \"#rrggbb\"",
+              start + "tilesets[1].name is 3, but must be a text",
+              start +
+                  "tilesets[1].image is missing, but must name the picture of all its tiles; sets of single "
+                  "pictures are not known",
+              start + "tilesets[1].tilecount is 0, but must be a whole number from 1 to 16777216",
+              start + "the tile set 'maps/none.tsx': file 'maps/none.tsx': not found"});
+    folder.put("maps/parts.tmj", R"({"width": 2, "height": 1, "tilewidth": 8, "tileheight": 8, "layers": [
+        {"type": "tilelayer", "name": "a", "data": [1]}, {"type": "sky", "name": "b"},
+        {"type": "objectgroup", "name": "c", "objects": [{"x": 0}, {"x": 0, "y": 0}, {"x": 0, "y": 0, "gid": 9}]},
+        {"type": "objectgroup", "name": "d"}]})");
+    const std::string parts = "map 'maps/parts.tmj': layers[";
+    CHECK(read_tile_map(*files, "maps/parts.tmj").faults ==
+          std::vector<std::string>{
+              parts + "1]: data has 1 tiles, but there are 2 cells",
+              parts + "2].type is \"sky\", but must be a tilelayer, an objectgroup, a group or an imagelayer",
+              parts + "3].objects[1].y is missing, but must be a number",
+              parts + "3].objects[3]: it has a tile 9 that no tile set has",
+              parts + "4].objects is missing, but must be a list"});
+}
+
+TEST_CASE("a picture must have room for the tiles that a set says") {
+    // 3 tiles in a row take 1 + 3 * 8 + 2 * 2 pixels, 2 rows 1 + 2 * 8 + 2.
+    const TileSet set{.tile_count = 5,
+                      .tile_size = {8, 8},
+                      .columns = 3,
+                      .margin = 1,
+                      .spacing = 2,
+                      .image_path = "t.png",
+                      .place = "tilesets[2]"};
+    CHECK(set.check_image({29, 19}));
+    CHECK(set.check_image({28, 19}).error().message ==
+          "tilesets[2].columns is 3, but must be at most 2: so many tiles of 8 x 8 fit into the picture "
+          "'t.png' of "
+          "28 x 19");
+    CHECK(set.check_image({29, 18}).error().message ==
+          "tilesets[2].tilecount is 5, but must be at most 3: so many tiles of 8 x 8 fit into the picture "
+          "'t.png' "
+          "of 29 x 18");
+    CHECK_FALSE(set.check_image({1, 1}));
 }
 
 TEST_CASE_METHOD(Maps, "a map cut off anywhere is an error and no crash") {
@@ -281,7 +334,7 @@ TEST_CASE_METHOD(Maps, "a map cut off anywhere is an error and no crash") {
 
 TEST_CASE_METHOD(Maps, "the cells of an isometric map are diamonds, and its objects lie along their sides") {
     const auto map = load("iso.tmj", R"({"orientation": "isometric", "width": 3, "height": 2, "tilewidth": 32,
-        "tileheight": 16})");
+        "tileheight": 16, "layers": []})");
     if (!map) FAIL(map.error().message);
     CHECK(map->size() == Vec2{80, 40});
     CHECK(map->from_cells({0, 0}) == Vec2{32, 0});   // the top
@@ -296,7 +349,7 @@ TEST_CASE_METHOD(Maps, "the cells of an isometric map are diamonds, and its obje
 
 TEST_CASE_METHOD(Maps, "hexagons and staggered diamonds lie where Tiled draws them") {
     const auto hexagons = load("hex.tmj", R"({"orientation": "hexagonal", "width": 3, "height": 3,
-        "tilewidth": 14, "tileheight": 12, "hexsidelength": 6, "staggeraxis": "y", "staggerindex": "odd"})");
+        "tilewidth": 14, "tileheight": 12, "hexsidelength": 6, "staggeraxis": "y", "staggerindex": "odd", "layers": []})");
     if (!hexagons) FAIL(hexagons.error().message);
     CHECK(hexagons->size() == Vec2{49, 30});
     CHECK(hexagons->cell_middle(0, 0) == Vec2{7, 6});
@@ -306,7 +359,7 @@ TEST_CASE_METHOD(Maps, "hexagons and staggered diamonds lie where Tiled draws th
     CHECK(hexagons->cell_outline().size() == 6);
     CHECK(hexagons->cell_outline()[1] == Vec2{7, -3});
     const auto diamonds = load("staggered.tmj", R"({"orientation": "staggered", "width": 4, "height": 2,
-        "tilewidth": 32, "tileheight": 16, "staggeraxis": "x", "staggerindex": "even"})");
+        "tilewidth": 32, "tileheight": 16, "staggeraxis": "x", "staggerindex": "even", "layers": []})");
     if (!diamonds) FAIL(diamonds.error().message);
     CHECK(diamonds->size() == Vec2{80, 40});
     CHECK(diamonds->cell_middle(0, 0) == Vec2{16, 16});
@@ -332,7 +385,7 @@ TEST_CASE_METHOD(Maps, "a place is in the cell whose outline holds it, on each k
                 const auto map = load("m.tmj", std::string(R"({"width": 9, "height": 8, "tilewidth": 18,
                     "tileheight": 14, "hexsidelength": 5, "orientation": ")") +
                                                    orientation + R"(", "staggeraxis": ")" + axis +
-                                                   R"(", "staggerindex": ")" + index + "\"}");
+                                                   R"(", "staggerindex": ")" + index + R"(", "layers": []})");
                 if (!map) FAIL(map.error().message);
                 const std::vector<Vec2> outline = map->cell_outline();
                 for (int i = 0; i < 500; ++i) {

@@ -126,11 +126,11 @@ TEST_CASE("nonsense in any argument raises an error that names the binding, and 
     std::set<std::string> called;
     for (const Module* module : all_modules()) {
         if (std::string(module->name) == "cairn.test") continue;  // only there in tests of games
-        LuaBench bench(
-            GameFiles{{"pixel.png", kPixel},
-                      {"atlas.json", R"({"frames": {}, "meta": {"image": "pixel.png"}})"},
-                      {"level.lua", "{ bodies = { { name = 'a', shape = 'circle', radius = 1 } } }"},
-                      {"map.tmj", R"({"width": 1, "height": 1, "tilewidth": 1, "tileheight": 1})"}});
+        LuaBench bench(GameFiles{
+            {"pixel.png", kPixel},
+            {"atlas.json", R"({"frames": {}, "meta": {"image": "pixel.png"}})"},
+            {"level.lua", "{ bodies = { { name = 'a', shape = 'circle', radius = 1 } } }"},
+            {"map.tmj", R"({"width": 1, "height": 1, "tilewidth": 1, "tileheight": 1, "layers": []})"}});
         const std::string path = module->is_type ? receiver(module->name) : module->name;
         REQUIRE(bench.run("receiver = " + path) == "");
         for (const Function& function : module->functions) {
@@ -281,11 +281,11 @@ TEST_CASE("one wrong argument among good ones raises an error that names the bin
             const std::size_t first = module->is_type ? 1 : 0;
             const std::size_t count = function.parameter_types.size() - first;
             if (count == 0) continue;
-            LuaBench bench(
-                GameFiles{{"pixel.png", kPixel},
-                          {"atlas.json", R"({"frames": {}, "meta": {"image": "pixel.png"}})"},
-                          {"level.lua", "{ bodies = { { name = 'a', shape = 'circle', radius = 1 } } }"},
-                          {"map.tmj", R"({"width": 1, "height": 1, "tilewidth": 1, "tileheight": 1})"}});
+            LuaBench bench(GameFiles{
+                {"pixel.png", kPixel},
+                {"atlas.json", R"({"frames": {}, "meta": {"image": "pixel.png"}})"},
+                {"level.lua", "{ bodies = { { name = 'a', shape = 'circle', radius = 1 } } }"},
+                {"map.tmj", R"({"width": 1, "height": 1, "tilewidth": 1, "tileheight": 1, "layers": []})"}});
             REQUIRE(bench.run(kGood) == "");
             const std::string receiver_code = module->is_type ? good_receiver(type) : type;
             for (std::size_t position = 0; position < count; ++position) {
@@ -321,10 +321,10 @@ TEST_CASE(
             const std::string name =
                 std::string(module->name) + (module->is_type ? ":" : ".") + function.name;
             const std::vector<const Field*> fields = all_fields(*function.fields);
-            LuaBench bench(
-                GameFiles{{"pixel.png", kPixel},
-                          {"level.lua", "{}"},
-                          {"map.tmj", R"({"width": 1, "height": 1, "tilewidth": 1, "tileheight": 1})"}});
+            LuaBench bench(GameFiles{
+                {"pixel.png", kPixel},
+                {"level.lua", "{}"},
+                {"map.tmj", R"({"width": 1, "height": 1, "tilewidth": 1, "tileheight": 1, "layers": []})"}});
             for (const Field* field : fields) {
                 REQUIRE(bench.run(kGood) == "");
                 for (const std::string& value : kNonsense) {

@@ -44,11 +44,15 @@ struct TileSet {
     int margin = 0;
     int spacing = 0;
     std::string image_path;                                      ///< as Files knows it
+    std::string place;                                           ///< in the map, for messages: "tilesets[1]"
     std::map<std::uint32_t, TileProperties> properties;          ///< by id
     std::map<std::uint32_t, std::vector<TileFrame>> animations;  ///< by id
 
     /// Where a tile lies in the image.
     Rect source(std::uint32_t id) const;
+    /// Whether an image of that size has room for all of them; the error names the place, the value and the
+    /// rule.
+    Result<void> check_image(Size image) const;
 };
 
 enum class MapShape { Rectangle, Ellipse, Point, Polygon, Polyline, Tile, Text };
@@ -146,6 +150,13 @@ struct TileMap {
 /// or base64, plain or compressed with zlib or gzip. Errors name the file, the place in it, the value and the
 /// rule.
 Result<TileMap> load_tile_map(const Files& files, std::string_view path);
+
+/// The same with all that is wrong, not only the first fault: each is one text.
+struct TileMapReading {
+    TileMap map;  ///< what could be read, good when there are no faults
+    std::vector<std::string> faults;
+};
+TileMapReading read_tile_map(const Files& files, std::string_view path);
 
 /// Covers the cells that `is_solid` says with few rectangles (in cells), so that bodies slide over no joints:
 /// rows of cells are joined, and equal rows below each other.

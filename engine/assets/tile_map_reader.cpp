@@ -1,0 +1,473 @@
+// Reads maps. Invariant: nothing of a file is believed before it was checked; a fault ends the reading of its
+// part, with the place at which it was found, and the other parts are read all the same.
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+#include <cairn/engine/tile_map.h>
+
+#include "assets/tile_data.h"
+#include "assets/tiled_node.h"
+#include "assets/tiled_xml.h"
+
+namespace cairn::engine {
+namespace {
+
+/// Sides of maps, in tiles; with 16 million cells in all, what fits into memory and into a picture.
+constexpr int kMaxSide = 10000;
+constexpr std::size_t kMaxCells = 16u << 20;
+
+/// The path of what a file names, which is relative to that file; "a/../b" is written as "b".
+std::string beside(std::string_view path, const std::string& name) {
+    std::vector<std::string> parts;
+    const std::size_t slash = path.rfind('/');
+    std::string all = (slash == std::string_view::npos ? "" : std::string(path.substr(0, slash + 1))) + name;
+    std::size_t begin = 0;
+    while (begin <= all.size()) {
+        const std::size_t end = std::min(all.find('/', begin), all.size());
+        const std::string part = all.substr(begin, end - begin);
+        if (part == ".." && !parts.empty() && parts.back() != "..")
+            parts.pop_back();
+        else if (part != "." && !part.empty())
+            parts.push_back(part);
+        begin = end + 1;
+    }
+    std::string result;
+    for (const std::string& part : parts) result += (result.empty() ? "" : "/") + part;
+    return result;
+}
+
+Json read_json(const Files& files, std::string_view path) {
+    const Result<std::string> text = files.read_text(path);
+    if (!text) throw Fault{text.error().message};
+    if (path.ends_with(".tmx") || path.ends_with(".tsx") || path.ends_with(".xml")) {
+        Result<Json> json = tiled_json_from_xml(*text);
+        if (!json) throw Fault{json.error().message};
+        return std::move(*json);
+    }
+    try {
+        return Json::parse(*text);
+    } catch (const Json::parse_error& error) {
+        throw Fault{std::string("is not JSON: ") + error.what()};
+    }
+}
+
+/// Reads parts one by one and keeps what is wrong with each.
+class FaultList {
+  public:
+    explicit FaultList(std::string prefix) : prefix_(std::move(prefix)) {}
+
+    /// Whether the part was without a fault.
+    template <class Part>
+    bool attempt(Part&& read) {
+        try {
+            read();
+            return true;
+        } catch (const Fault& fault) {
+            faults_.push_back(prefix_ + fault.message);
+            return false;
+        }
+    }
+    [[nodiscard]] std::size_t count() const { return faults_.size(); }
+    std::vector<std::string> take() { return std::move(faults_); }
+    /// Of a file that the file names.
+    void add(std::vector<std::string> faults) {
+        for (std::string& fault : faults) faults_.push_back(prefix_ + std::move(fault));
+    }
+
+  private:
+    std::string prefix_;
+    std::vector<std::string> faults_;
+};
+
+TileProperties read_properties(const Node& node) {
+    TileProperties properties;
+    for (const Node& property : node.list("properties")) {
+        const std::string name = property.text("name");
+        if (!property.has("value")) continue;
+        const Json& value = property.at("value");
+        if (value.is_boolean())
+            properties[name] = value.get<bool>();
+        else if (value.is_number())
+            properties[name] = value.get<double>();
+        else if (value.is_string())
+            properties[name] = value.get<std::string>();
+        else
+            property.fail("value", "must be a text, a number, true or false");
+    }
+    return properties;
+}
+
+/// "#rrggbb" or "#aarrggbb".
+std::optional<Color> read_color(const Node& node, const char* field) {
+    if (!node.has(field)) return std::nullopt;
+    std::string text = node.text(field);
+    if (text.starts_with('#')) text.erase(0, 1);
+    if (text.size() == 6) text = "ff" + text;
+    if (text.size() != 8 || text.find_first_not_of("0123456789abcdefABCDEF") != std::string::npos)
+        node.fail(field, "must be a color like \"#rrggbb\"");
+    const auto part = [&](std::size_t at) {
+        return static_cast<float>(std::stoi(text.substr(at, 2), nullptr, 16)) / 255;
+    };
+    return Color{part(2), part(4), part(6), part(0)};
+}
+
+// ---- Tile sets
+
+void read_kind_of_tile(const Node& tile, TileSet& set) {
+    const std::uint32_t id =
+        set.first_id + static_cast<std::uint32_t>(tile.whole("id", 0, set.tile_count - 1));
+    TileProperties properties = read_properties(tile);
+    const std::string kind = tile.text("class", tile.text("type"));
+    if (!kind.empty()) properties.emplace("class", kind);
+    if (!properties.empty()) set.properties[id] = std::move(properties);
+    for (const Node& frame : tile.list("animation"))
+        set.animations[id].push_back(
+            {set.first_id + static_cast<std::uint32_t>(frame.whole("tileid", 0, set.tile_count - 1)),
+             frame.whole("duration", 1, 3'600'000) / 1000.0});
+}
+
+TileSet read_set(const Node& node, std::uint32_t first_id, std::string_view path, FaultList& faults) {
+    TileSet set;
+    set.first_id = first_id;
+    set.place = node.place();
+    faults.attempt([&] { set.name = node.text("name"); });
+    faults.attempt([&] {
+        if (!node.has("image"))
+            node.fail("image",
+                      "must name the picture of all its tiles; sets of single pictures are not known");
+        set.image_path = beside(path, node.text("image"));
+    });
+    const auto whole = [&](int& to, const char* field, int low, int high) {
+        faults.attempt([&] { to = node.whole(field, low, high); });
+    };
+    whole(set.tile_size.width, "tilewidth", 1, 4096);
+    whole(set.tile_size.height, "tileheight", 1, 4096);
+    whole(set.columns, "columns", 1, 8192);
+    whole(set.tile_count, "tilecount", 1, 1 << 24);
+    faults.attempt([&] { set.margin = node.whole("margin", 0, 4096, 0); });
+    faults.attempt([&] { set.spacing = node.whole("spacing", 0, 4096, 0); });
+    if (set.tile_count < 1) return set;  // then no tile can be of it
+    faults.attempt([&] {
+        for (const Node& tile : node.list("tiles")) faults.attempt([&] { read_kind_of_tile(tile, set); });
+    });
+    return set;
+}
+
+// ---- Layers
+
+Tile read_tile(std::uint32_t bits) {
+    return {.id = bits & 0x0fffffffu,
+            .flip_x = (bits & 0x80000000u) != 0,
+            .flip_y = (bits & 0x40000000u) != 0,
+            .flip_diagonal = (bits & 0x20000000u) != 0};
+}
+
+class MapReader {
+  public:
+    MapReader(const Files& files, std::string_view path)
+        : files_(files), path_(path), faults_("map '" + std::string(path) + "': ") {}
+
+    TileMapReading read() {
+        faults_.attempt([&] {
+            const Json json = read_json(files_, path_);
+            read_map(Node(json, ""));
+        });
+        return {std::move(map_), faults_.take()};
+    }
+
+  private:
+    void read_map(const Node& node) {
+        const bool has_cells = read_cells(node);
+        faults_.attempt([&] { map_.properties = read_properties(node); });
+        faults_.attempt([&] { map_.background = read_color(node, "backgroundcolor"); });
+        const std::size_t faults_before = faults_.count();
+        faults_.attempt([&] {
+            for (const Node& set : node.list("tilesets")) faults_.attempt([&] { add_set(set); });
+        });
+        knows_tiles_ = faults_.count() == faults_before;
+        faults_.attempt([&] {
+            if (!node.has("layers")) node.fail("layers", "must be a list");
+            // How many tiles a layer must have is not known otherwise.
+            if (has_cells) add_layers(node, "", {}, 1, true);
+        });
+    }
+
+    /// The grid and how many cells it has.
+    bool read_cells(const Node& node) {
+        const std::size_t faults_before = faults_.count();
+        faults_.attempt([&] { map_.grid = read_grid(node); });
+        faults_.attempt([&] { map_.tile_size.width = node.whole("tilewidth", 1, 4096); });
+        faults_.attempt([&] { map_.tile_size.height = node.whole("tileheight", 1, 4096); });
+        faults_.attempt([&] {
+            if (map_.grid == MapGrid::Staggered) read_stagger(node);
+        });
+        faults_.attempt([&] { is_infinite_ = node.flag("infinite", false); });
+        if (is_infinite_) {
+            faults_.attempt([&] { find_extent(node); });
+        } else {
+            faults_.attempt([&] { map_.columns = node.whole("width", 1, kMaxSide); });
+            faults_.attempt([&] { map_.rows = node.whole("height", 1, kMaxSide); });
+        }
+        faults_.attempt([&] {
+            if (cells() > kMaxCells) node.fail("width", "width times height must be at most 16777216");
+        });
+        return faults_.count() == faults_before;
+    }
+
+    std::size_t cells() const {
+        return static_cast<std::size_t>(map_.columns) * static_cast<std::size_t>(map_.rows);
+    }
+
+    /// A block of the tiles of an infinite map; where it begins may be below 0.
+    struct Chunk {
+        int column, row, columns, rows;
+    };
+    static Chunk read_chunk(const Node& node) {
+        constexpr int kFarthest = 1 << 24;
+        return {node.whole("x", -kFarthest, kFarthest), node.whole("y", -kFarthest, kFarthest),
+                node.whole("width", 1, kMaxSide), node.whole("height", 1, kMaxSide)};
+    }
+
+    /// An infinite map is as large as what was drawn in it.
+    void find_extent(const Node& map) {
+        Chunk all{0, 0, 0, 0};  // the least corner, and behind the greatest
+        bool has_any = false;
+        const std::function<void(const Node&)> add_layers = [&](const Node& parent) {
+            for (const Node& layer : parent.list("layers")) {
+                add_layers(layer);
+                for (const Node& node : layer.list("chunks")) {
+                    const Chunk chunk = read_chunk(node);
+                    const int right = chunk.column + chunk.columns, bottom = chunk.row + chunk.rows;
+                    all = has_any ? Chunk{std::min(all.column, chunk.column), std::min(all.row, chunk.row),
+                                          std::max(all.columns, right), std::max(all.rows, bottom)}
+                                  : Chunk{chunk.column, chunk.row, right, bottom};
+                    has_any = true;
+                }
+            }
+        };
+        add_layers(map);
+        if (!has_any) all = {0, 0, 1, 1};
+        if (map_.grid == MapGrid::Staggered) {  // the same rows and columns stay moved
+            all.column -= all.column & 1;
+            all.row -= all.row & 1;
+        }
+        first_column_ = all.column;
+        first_row_ = all.row;
+        map_.columns = all.columns - all.column;
+        map_.rows = all.rows - all.row;
+        if (map_.columns > kMaxSide || map_.rows > kMaxSide) {
+            map.fail("what is drawn in the map is " + std::to_string(map_.columns) + " x " +
+                     std::to_string(map_.rows) + " tiles large, but must be at most " +
+                     std::to_string(kMaxSide) + " either way; is there a stray tile far out?");
+        }
+    }
+
+    /// Where the first cell lies, as objects have it.
+    [[nodiscard]] Vec2 first_place() const {
+        const auto column = static_cast<float>(first_column_), row = static_cast<float>(first_row_);
+        auto width = static_cast<float>(map_.tile_size.width),
+             height = static_cast<float>(map_.tile_size.height);
+        if (map_.grid == MapGrid::Isometric) width = height;
+        if (map_.grid == MapGrid::Staggered) {
+            float& moved = map_.stagger.moves_columns ? width : height;
+            moved = 0.5f * (moved + static_cast<float>(map_.stagger.side_length));
+        }
+        return {column * width, row * height};
+    }
+
+    static MapGrid read_grid(const Node& node) {
+        const std::string grid = node.text("orientation", "orthogonal");
+        if (grid == "orthogonal") return MapGrid::Orthogonal;
+        if (grid == "isometric") return MapGrid::Isometric;
+        if (grid == "staggered" || grid == "hexagonal") return MapGrid::Staggered;
+        node.fail("orientation", "must be orthogonal, isometric, staggered or hexagonal");
+    }
+
+    void read_stagger(const Node& node) {
+        const auto choice = [&](const char* field, const char* one, const char* other) {
+            const std::string text = node.text(field, other);
+            if (text != one && text != other)
+                node.fail(field, std::string("must be ") + one + " or " + other);
+            return text == one;
+        };
+        map_.stagger.moves_columns = choice("staggeraxis", "x", "y");
+        map_.stagger.moves_even = choice("staggerindex", "even", "odd");
+        const int longest = map_.stagger.moves_columns ? map_.tile_size.width : map_.tile_size.height;
+        if (node.text("orientation") == "hexagonal")
+            map_.stagger.side_length = node.whole("hexsidelength", 0, longest - 1, 0);
+    }
+
+    void add_set(const Node& node) {
+        const auto first_id = static_cast<std::uint32_t>(node.whole("firstgid", 1, 0x0fffffff));
+        if (!map_.sets.empty() &&
+            first_id < map_.sets.back().first_id + static_cast<std::uint32_t>(map_.sets.back().tile_count))
+            node.fail("firstgid", "must lie behind the tiles of the set before");
+        if (!node.has("source")) return map_.sets.push_back(read_set(node, first_id, path_, faults_));
+        const std::string path = beside(path_, node.text("source"));
+        FaultList faults("the tile set '" + path + "': ");
+        faults.attempt([&] {
+            const Json json = read_json(files_, path);
+            map_.sets.push_back(read_set(Node(json, ""), first_id, path, faults));
+            map_.sets.back().place = "the tile set '" + path + "'";
+        });
+        faults_.add(faults.take());
+    }
+
+    void check_tile(const Tile& tile, const Node& node) const {
+        if (knows_tiles_ && tile.id != 0 && map_.set_of(tile.id) == nullptr)
+            node.fail("it has a tile " + std::to_string(tile.id) + " that no tile set has");
+    }
+
+    void add_layers(const Node& parent, const std::string& prefix, Vec2 offset, float opacity,
+                    bool is_visible) {
+        for (const Node& node : parent.list("layers"))
+            faults_.attempt([&] { add_layer(node, prefix, offset, opacity, is_visible); });
+    }
+
+    void add_layer(const Node& node, const std::string& prefix, Vec2 offset, float opacity, bool is_visible) {
+        MapLayer layer;
+        layer.name = prefix + node.text("name");
+        layer.is_visible = is_visible && node.flag("visible", true);
+        layer.opacity = opacity * static_cast<float>(node.number("opacity", 1));
+        layer.offset = offset + Vec2{static_cast<float>(node.number("offsetx", 0)),
+                                     static_cast<float>(node.number("offsety", 0))};
+        layer.properties = read_properties(node);
+        const std::string type = node.text("type");
+        if (type == "group")
+            return add_layers(node, layer.name + '/', layer.offset, layer.opacity, layer.is_visible);
+        if (type == "imagelayer") return;  // pictures behind maps are drawn by games themselves
+        if (type == "tilelayer") {
+            read_tiles(node, layer);
+        } else if (type == "objectgroup") {
+            layer.kind = MapLayer::Kind::Objects;
+            if (!node.has("objects")) node.fail("objects", "must be a list");
+            for (const Node& object : node.list("objects"))
+                faults_.attempt([&] { layer.objects.push_back(read_object(object)); });
+        } else {
+            node.fail("type", "must be a tilelayer, an objectgroup, a group or an imagelayer");
+        }
+        map_.layers.push_back(std::move(layer));
+    }
+
+    /// The numbers of `cells` tiles out of `node`; how they are written stands in the layer.
+    static std::vector<std::uint32_t> read_bits(const Node& node, const Node& layer, std::size_t cells) {
+        if (!node.has("data")) node.fail("data", "must hold the tiles");
+        const Json& data = node.at("data");
+        std::vector<std::uint32_t> bits;
+        if (data.is_array()) {
+            for (const Json& value : data) {
+                if (!value.is_number_unsigned()) node.fail("data", "must hold tile numbers");
+                bits.push_back(value.get<std::uint32_t>());
+            }
+            if (bits.size() != cells)
+                node.fail("data has " + std::to_string(bits.size()) + " tiles, but there are " +
+                          std::to_string(cells) + " cells");
+            return bits;
+        }
+        const std::string encoding = layer.text("encoding", "csv");
+        if (encoding != "csv" && encoding != "base64") layer.fail("encoding", "must be csv or base64");
+        const std::string text = node.text("data");
+        Result<std::vector<std::uint32_t>> read =
+            encoding == "csv" ? tiles_from_csv(text, cells)
+                              : tiles_from_base64(text, layer.text("compression"), cells);
+        if (!read) node.fail(read.error().message);
+        return std::move(*read);
+    }
+
+    /// Whether a layer has its tiles outside of chunks.
+    static bool part_of_fixed_map(const Node& layer) {
+        if (!layer.has("data")) return false;
+        const Json& data = layer.at("data");
+        return data.is_array() ? !data.empty()
+                               : layer.text("data").find_first_not_of(" \n\r\t") != std::string::npos;
+    }
+
+    void read_tiles(const Node& node, MapLayer& layer) const {
+        std::vector<std::uint32_t> bits;
+        if (is_infinite_) {
+            bits.resize(cells());
+            for (const Node& part : node.list("chunks")) {
+                const Chunk chunk = read_chunk(part);
+                const auto width = static_cast<std::size_t>(chunk.columns);
+                const std::vector<std::uint32_t> read =
+                    read_bits(part, node, width * static_cast<std::size_t>(chunk.rows));
+                for (std::size_t i = 0; i < read.size(); ++i) {
+                    const auto column = static_cast<std::size_t>(chunk.column - first_column_) + i % width;
+                    const auto row = static_cast<std::size_t>(chunk.row - first_row_) + i / width;
+                    bits[row * static_cast<std::size_t>(map_.columns) + column] = read[i];
+                }
+            }
+            if (part_of_fixed_map(node))
+                node.fail("data", "must stand in chunks: the map says that it is infinite");
+        } else {
+            if (node.has("chunks")) node.fail("chunks", "only a map that says infinite has them");
+            bits = read_bits(node, node, cells());
+        }
+        layer.tiles.reserve(bits.size());
+        for (const std::uint32_t value : bits) {
+            layer.tiles.push_back(read_tile(value));
+            check_tile(layer.tiles.back(), node);
+        }
+    }
+
+    MapObject read_object(const Node& node) const {
+        if (node.has("template")) node.fail("template", "templates are not known; detach the object from it");
+        MapObject object;
+        object.id = node.whole("id", 0, 1 << 30, 0);
+        object.name = node.text("name");
+        object.kind = node.text("class", node.text("type"));
+        object.position =
+            Vec2{static_cast<float>(node.number("x")), static_cast<float>(node.number("y"))} - first_place();
+        object.size = {static_cast<float>(node.number("width", 0)),
+                       static_cast<float>(node.number("height", 0))};
+        object.rotation_rad =
+            static_cast<float>(node.number("rotation", 0)) * std::numbers::pi_v<float> / 180;
+        object.is_visible = node.flag("visible", true);
+        object.properties = read_properties(node);
+        if (node.flag("ellipse", false)) object.shape = MapShape::Ellipse;
+        if (node.flag("point", false)) object.shape = MapShape::Point;
+        for (const auto& [field, shape] :
+             {std::pair{"polygon", MapShape::Polygon}, std::pair{"polyline", MapShape::Polyline}}) {
+            if (!node.has(field)) continue;
+            object.shape = shape;
+            for (const Node& point : node.list(field))
+                object.points.push_back(
+                    {static_cast<float>(point.number("x")), static_cast<float>(point.number("y"))});
+        }
+        if (node.has("gid")) {
+            object.shape = MapShape::Tile;
+            object.tile = read_tile(node.tile_bits("gid"));
+            check_tile(object.tile, node);
+        }
+        if (node.has("text")) {
+            object.shape = MapShape::Text;
+            object.text = Node(node.at("text"), "text").text("text");
+        }
+        return object;
+    }
+
+    const Files& files_;
+    std::string_view path_;
+    FaultList faults_;
+    TileMap map_;
+    bool knows_tiles_ = false;  ///< all tile sets were read, so that other tiles are faults
+    bool is_infinite_ = false;
+    int first_column_ = 0;  ///< as the file counts, where the map's first cell is
+    int first_row_ = 0;
+};
+
+}  // namespace
+
+TileMapReading read_tile_map(const Files& files, std::string_view path) {
+    return MapReader(files, path).read();
+}
+
+Result<TileMap> load_tile_map(const Files& files, std::string_view path) {
+    TileMapReading reading = read_tile_map(files, path);
+    if (!reading.faults.empty()) return Error{std::move(reading.faults.front())};
+    return std::move(reading.map);
+}
+
+}  // namespace cairn::engine
