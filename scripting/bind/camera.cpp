@@ -44,7 +44,7 @@ constexpr FieldSet kCameraFields{kOwn};
 
 void check_height(lua_State* L, double height) {
     // Written so that NaN fails too.
-    if (!(height >= 1e-6 && height <= 1e9)) {
+    if (!(height >= kLeastViewHeight_m && height <= kMostViewHeight_m)) {
         lua_pushnumber(L, height);
         call_error(L, "height is " + describe_value(L, -1) + "; it must be from 1e-6 to 1e9");
     }

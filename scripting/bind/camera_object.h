@@ -8,6 +8,10 @@
 
 namespace cairn::scripting {
 
+/// Between these the picture's scale can be told in floats.
+inline constexpr double kLeastViewHeight_m = 1e-6;
+inline constexpr double kMostViewHeight_m = 1e9;
+
 struct CameraObject : ObjectHeader {
     static constexpr ObjectTag kTag = ObjectTag::Camera;
     engine::CameraRig rig;

@@ -2,6 +2,8 @@
 // world.
 #include "bind/level.h"
 
+#include <algorithm>
+
 #include "bind/context.h"
 #include "bind/data_values.h"
 #include "bind/fields.h"
@@ -43,7 +45,12 @@ constexpr FieldSet kLoadFields{kLoadOwn};
 
 LevelReading read_and_try(lua_State* L, const std::string& path, const TiledImport& import) {
     LevelReading reading = read_level(context_of(L).services.files, path, import);
-    if (reading.faults.empty()) reading.faults = faults_of_building(L, reading.level);
+    for (std::string& fault : faults_of_building(L, reading.level)) {
+        // Parts of one template share its faults.
+        const bool is_told =
+            std::find(reading.faults.begin(), reading.faults.end(), fault) != reading.faults.end();
+        if (!is_told) reading.faults.push_back(std::move(fault));
+    }
     return reading;
 }
 
@@ -148,10 +155,10 @@ void make_missing(lua_State* L, const Level& level, int world, int objects,
                   const std::vector<bool>& is_wanted) {
     for (std::size_t part = 0; part < level.parts.size(); ++part) {
         if (!is_wanted[part]) continue;
-        const std::string message = make_part(L, level, part, world, objects);
-        if (message.empty()) continue;
+        const std::vector<std::string> faults = make_part(L, level, part, world, objects);
+        if (faults.empty()) continue;
         unmake_parts(L, level, objects);
-        call_error(L, level.parts[part].place + ": " + message);
+        call_error(L, faults.front());
     }
 }
 

@@ -74,13 +74,17 @@ int run_make(lua_State* L) {
     push_fields(L, making, kWorld, kObjects);
     lua_settop(L, 6);  // the function, the world and the fields stand at 4, 5 and 6
     lua_call(L, 2, 1);
-    for (const ShapePart& shape : part.shapes) {
-        push_function(L, kBodyMethods, "add_" + shape.variant);
-        lua_pushvalue(L, 4);
-        push_value(L, shape.fields);
-        lua_call(L, 2, 0);
-    }
     return 1;
+}
+
+/// (shape, body)
+int run_make_shape(lua_State* L) {
+    const ShapePart& shape = *static_cast<const ShapePart*>(lua_touserdata(L, 1));
+    push_function(L, kBodyMethods, "add_" + shape.variant);
+    lua_insert(L, 2);
+    push_value(L, shape.fields);
+    lua_call(L, 2, 0);
+    return 0;
 }
 
 /// Without the name of the function, which the author of a level did not call.
@@ -89,6 +93,14 @@ std::string without_function_name(std::string message) {
     const std::size_t end = message.find(": ");
     const bool names_function = end != std::string::npos && message.find_first_of(" \"") == end + 1;
     return names_function ? message.substr(end + 2) : message;
+}
+
+/// Pops the error of a call for a part, or for a shape.
+std::string take_fault(lua_State* L, const std::string& place) {
+    const char* text = lua_tostring(L, -1);
+    std::string message = text == nullptr ? "cannot be made" : without_function_name(text);
+    lua_pop(L, 1);
+    return place + ": " + message;
 }
 
 const Module& methods_of(PartKind kind) {
@@ -146,21 +158,25 @@ void unmake_part(lua_State* L, const Level& level, std::size_t part, int objects
 
 }  // namespace
 
-std::string make_part(lua_State* L, const Level& level, std::size_t part, int world, int objects) {
-    Making making{level, part};
+std::vector<std::string> make_part(lua_State* L, const Level& level, std::size_t number, int world,
+                                   int objects) {
+    const LevelPart& part = level.parts[number];
+    Making making{level, number};
     luaL_checkstack(L, LUA_MINSTACK, "parts of a level");
     lua_pushcfunction(L, run_make);
     lua_pushlightuserdata(L, &making);
     lua_pushvalue(L, world);
     lua_pushvalue(L, objects);
-    if (lua_pcall(L, 3, 1, 0) == LUA_OK) {
-        lua_rawseti(L, objects, static_cast<lua_Integer>(part + 1));
-        return "";
+    if (lua_pcall(L, 3, 1, 0) != LUA_OK) return {take_fault(L, part.place)};
+    std::vector<std::string> faults;
+    for (const ShapePart& shape : part.shapes) {
+        lua_pushcfunction(L, run_make_shape);
+        lua_pushlightuserdata(L, const_cast<ShapePart*>(&shape));  // Lua keeps no const; nothing writes to it
+        lua_pushvalue(L, -3);
+        if (lua_pcall(L, 2, 0, 0) != LUA_OK) faults.push_back(take_fault(L, shape.place));
     }
-    const char* text = lua_tostring(L, -1);
-    std::string message = text == nullptr ? "cannot be made" : without_function_name(text);
-    lua_pop(L, 1);
-    return message;
+    lua_rawseti(L, objects, static_cast<lua_Integer>(number + 1));
+    return faults;
 }
 
 // Joints first: what they hold would wake and move meanwhile, were this done between steps.
@@ -175,10 +191,11 @@ std::vector<std::string> faults_of_building(lua_State* L, const Level& level) {
     std::vector<std::string> faults;
     std::vector<bool> is_made(level.parts.size());
     for (std::size_t part = 0; part < level.parts.size(); ++part) {
-        if (refers_to_unmade(level, part, is_made)) continue;  // the cause is told
-        const std::string message = make_part(L, level, part, top + 1, top + 2);
-        is_made[part] = message.empty();
-        if (!message.empty()) faults.push_back(level.parts[part].place + ": " + message);
+        // The cause is told.
+        if (level.parts[part].is_faulty || refers_to_unmade(level, part, is_made)) continue;
+        const std::vector<std::string> found = make_part(L, level, part, top + 1, top + 2);
+        is_made[part] = found.empty() && !level.parts[part].has_faulty_shape;
+        faults.insert(faults.end(), found.begin(), found.end());
     }
     push_function(L, kWorldMethods, "destroy");
     lua_pushvalue(L, top + 1);

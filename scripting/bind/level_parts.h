@@ -12,14 +12,17 @@
 
 namespace cairn::scripting {
 
-/// Makes a part in the world at a stack index and keeps it in the list at another. Gives what went wrong, or
-/// an empty text.
-std::string make_part(lua_State* L, const Level& level, std::size_t part, int world, int objects);
+/// Makes a part in the world at a stack index and keeps it in the list at another. Gives what went wrong,
+/// each fault with its place; of a body's several shapes each may have one, and the body is kept without
+/// those.
+std::vector<std::string> make_part(lua_State* L, const Level& level, std::size_t number, int world,
+                                   int objects);
 
 /// Destroys what lives of all parts, and empties the list. The world must live.
 void unmake_parts(lua_State* L, const Level& level, int objects);
 
-/// What shows only when a level is built, found in a world for trying out.
+/// What shows only when a level is built, found in a world for trying out; of the parts that are not known to
+/// be faulty already.
 std::vector<std::string> faults_of_building(lua_State* L, const Level& level);
 
 }  // namespace cairn::scripting

@@ -66,6 +66,27 @@ void read(const Value& table, const char* name, std::string& to) {
     if (const Value* value = table.find(name)) to = value->text();
 }
 
+/// What no field says alone.
+void check_scaling(const Value& conf, const std::string& path, std::vector<std::string>& faults) {
+    const Value* scaling = conf.find("scaling");
+    const bool follows =
+        scaling != nullptr && scaling->kind() == Value::Kind::String && scaling->text() == "follow";
+    for (const char* field : {"window_width", "window_height"}) {
+        const Value* value = follows ? conf.find(field) : nullptr;
+        if (value == nullptr) continue;
+        faults.push_back(path + ':' + std::to_string(value->line) + ": " + field + " = " +
+                         to_short_text(*value) +
+                         ": is without meaning when scaling = \"follow\": the picture has the window's size, "
+                         "which width and height give");
+    }
+}
+
+std::vector<std::string> faults_of(const Value& conf, const std::string& path) {
+    std::vector<std::string> faults = check_data(conf, conf_schema(), path);
+    if (conf.kind() == Value::Kind::Table) check_scaling(conf, path, faults);
+    return faults;
+}
+
 }  // namespace
 
 Conf default_conf(const std::string& game_name) {
@@ -82,15 +103,14 @@ Conf default_conf(const std::string& game_name) {
 std::vector<std::string> faults_of_conf(std::string_view text, const std::string& path) {
     const auto value = parse_table_text(text, path);
     if (!value) return {value.error().message};
-    return check_data(*value, conf_schema(), path);
+    return faults_of(*value, path);
 }
 
 engine::Result<Conf> parse_conf(std::string_view text, const std::string& path,
                                 const std::string& game_name) {
     const auto value = parse_table_text(text, path);
     if (!value) return value.error();
-    if (const auto faults = check_data(*value, conf_schema(), path); !faults.empty())
-        return engine::Error{faults.front()};
+    if (const auto faults = faults_of(*value, path); !faults.empty()) return engine::Error{faults.front()};
     Conf conf = default_conf(game_name);
     read(*value, "title", conf.title);
     read(*value, "identity", conf.identity);
@@ -108,14 +128,7 @@ engine::Result<Conf> parse_conf(std::string_view text, const std::string& path,
     if (own != conf.size) conf.window_size = own;
     std::string scaling;
     read(*value, "scaling", scaling);
-    if (scaling == "follow") {
-        if (conf.window_size)
-            return engine::Error{
-                path +
-                ": window_width and window_height are without meaning when scaling = \"follow\": the picture "
-                "has the window's size, which width and height give"};
-        conf.scaling = engine::WindowScaling::Follow;
-    }
+    if (scaling == "follow") conf.scaling = engine::WindowScaling::Follow;
     if (const Value* background = value->find("background")) {
         float* const parts[] = {&conf.background.r, &conf.background.g, &conf.background.b};
         for (const Entry& entry : background->entries()) {

@@ -65,12 +65,13 @@ bool is_point(const Value& value) {
 }
 
 void LevelChecker::fault_of_file(const std::string& file, const std::string& message) {
-    // A message of the parser begins with the place already.
-    std::string text = message.starts_with(file + ':') ? message : file + ": " + message;
-    add(file, {}, std::move(text));
+    // Messages of the parser begin with the place, and those of maps name their file.
+    const bool names_file = message.find(file) != std::string::npos;
+    add(file, {}, names_file ? message : file + ": " + message);
 }
 
 void LevelChecker::add(const std::string& file, const Value& place, std::string text) {
+    ++told_;
     if (!known_.insert(text).second) return;
     const auto found = std::find(files_.begin(), files_.end(), file);
     const auto index = static_cast<std::size_t>(found - files_.begin());
@@ -92,6 +93,7 @@ void LevelChecker::fault(const Layer& where, const Value& value, const std::stri
                          const std::string& rule) {
     std::string text = with_place(where.file, value) + joined_path(where.path, field);
     if (value.kind() != Value::Kind::Table) text += " = " + to_short_text(value);
+    faulty_.insert(where.table);
     add(where.file, value, text + ": " + rule);
 }
 
@@ -116,6 +118,12 @@ void LevelChecker::check_fields(const Layer& layer, std::span<const Field* const
         std::vector<std::string> names;
         for (const Field* f : fields) names.emplace_back(f->name);
         fault(layer, entry.value, *name, "unknown field" + suggestion(*name, names));
+    }
+}
+
+void LevelChecker::check_known_fields(const Layer& layer, std::span<const Field* const> fields) {
+    for (const Field* field : fields) {
+        if (const Value* value = layer.table->find(field->name)) check_value(layer, *value, *field);
     }
 }
 

@@ -32,6 +32,8 @@ class LevelChecker {
 
     /// Types, ranges and names of what is there.
     void check_fields(const Layer& layer, std::span<const Field* const> fields);
+    /// The same, but for names: the table may have other fields too.
+    void check_known_fields(const Layer& layer, std::span<const Field* const> fields);
     /// Required fields that none of the layers has. `exempt`: a field that may be absent nevertheless.
     void check_missing(std::span<const Layer> layers, std::span<const Field* const> fields,
                        std::string_view exempt = {});
@@ -39,7 +41,10 @@ class LevelChecker {
     void check_one_of(const Layer& layer, const Value& value, const std::string& field,
                       const std::string& what, std::span<const std::string> names);
 
-    [[nodiscard]] std::size_t count() const { return faults_.size(); }
+    /// How often a fault was told; one that several parts share, as of their template, with each of them.
+    [[nodiscard]] std::size_t count() const { return told_; }
+    /// Whether a fault of that very table was told.
+    [[nodiscard]] bool is_faulty(const Layer& layer) const { return faulty_.contains(layer.table); }
     /// Each once; those of the file that was read first come first, from its beginning to its end.
     [[nodiscard]] std::vector<std::string> faults() const;
 
@@ -58,6 +63,8 @@ class LevelChecker {
     std::vector<Fault> faults_;
     std::vector<std::string> files_;
     std::set<std::string> known_;
+    std::set<const Value*> faulty_;
+    std::size_t told_ = 0;
 };
 
 /// Whether it is { x, y }.

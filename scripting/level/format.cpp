@@ -2,7 +2,9 @@
 #include "level/format.h"
 
 #include <algorithm>
+#include <set>
 
+#include "bind/camera_object.h"
 #include "bind/joint_fields.h"
 #include "bind/modules.h"
 #include "bind/physics_fields.h"
@@ -68,17 +70,20 @@ constexpr const Field* kLevelOwn[] = {&kLevelName, &kGravityX,    &kGravityY, &k
                                       &kTemplates, &kBodies,      &kTriggers, &kPrefabs,  &kJoints,
                                       &kSpawns,    &kDecorations, &kCamera,   &kBounds,   &kData};
 
-constexpr Field kX = required_field("x", FieldType::Number, "m");
-constexpr Field kY = required_field("y", FieldType::Number, "m");
+constexpr Field place_field(const char* name) {
+    return within(required_field(name, FieldType::Number, "m"), -physics::kFarthest_m, physics::kFarthest_m);
+}
+constexpr Field kX = place_field("x");
+constexpr Field kY = place_field("y");
 constexpr Field kAngle = number_field("angle", 0, "0", "rad");
-constexpr Field kHeight =
-    above(required_field("height", FieldType::Number, "m, of what the picture shows"), 0);
+constexpr Field kHeight = within(required_field("height", FieldType::Number, "m, of what the picture shows"),
+                                 kLeastViewHeight_m, kMostViewHeight_m);
 constexpr const Field* kCameraOwn[] = {&kX, &kY, &kHeight};
 
-constexpr Field kLeft = required_field("left", FieldType::Number, "m");
-constexpr Field kBottom = required_field("bottom", FieldType::Number, "m");
-constexpr Field kRight = required_field("right", FieldType::Number, "m");
-constexpr Field kTop = required_field("top", FieldType::Number, "m");
+constexpr Field kLeft = place_field("left");
+constexpr Field kBottom = place_field("bottom");
+constexpr Field kRight = place_field("right");
+constexpr Field kTop = place_field("top");
 constexpr const Field* kBoundsOwn[] = {&kLeft, &kBottom, &kRight, &kTop};
 
 constexpr Field kSpawnData = optional_field("data", FieldType::Table, "whatever the game wants to know");
@@ -168,6 +173,29 @@ std::vector<const Field*> part_fields(PartKind kind, std::string_view variant) {
             return joined_fields({own, &kJointKinds[index].making});
     }
     return {};
+}
+
+std::vector<const Field*> undisputed_fields(PartKind kind) {
+    const auto agree = [](const Field& a, const Field& b) {
+        return a.type == b.type && a.low == b.low && a.high == b.high && a.excludes_low == b.excludes_low &&
+               a.choices == b.choices;
+    };
+    std::vector<const Field*> fields;
+    std::set<std::string_view> disputed;
+    for (const std::string& variant : variants_of(kind)) {
+        for (const Field* field : part_fields(kind, variant)) {
+            const auto known = std::find_if(fields.begin(), fields.end(), [&](const Field* f) {
+                return std::string_view(f->name) == field->name;
+            });
+            if (known == fields.end()) {
+                fields.push_back(field);
+            } else if (!agree(**known, *field)) {
+                disputed.insert(field->name);
+            }
+        }
+    }
+    std::erase_if(fields, [&](const Field* field) { return disputed.contains(field->name); });
+    return fields;
 }
 
 std::vector<const Field*> shape_fields(std::string_view variant) {

@@ -34,6 +34,8 @@ const std::vector<std::string>& variants_of(PartKind kind);
 /// The fields of an entry of a variant, those of `section_of(kind).own` included. A body without a variant
 /// has those of a body without shapes, and `shapes`.
 std::vector<const Field*> part_fields(PartKind kind, std::string_view variant);
+/// Those that mean the same for every variant that has them: of an entry whose variant is not known.
+std::vector<const Field*> undisputed_fields(PartKind kind);
 /// The fields of an entry of a body's `shapes`.
 std::vector<const Field*> shape_fields(std::string_view variant);
 /// Every field that an entry of some variant may have: of templates that leave the variant open.

@@ -7,6 +7,8 @@
 #include <map>
 #include <set>
 
+#include <cairn/engine/image.h>
+
 #include "bind/convex_parts.h"
 #include "data/nearest.h"
 #include "data/table_parser.h"
@@ -31,6 +33,19 @@ bool is_part_name(std::string_view name) {
 
 std::string item_path(const std::string& list, std::size_t index) {
     return list + '[' + std::to_string(index + 1) + ']';
+}
+
+std::string member_path(const std::string& list, const Key& key) {
+    if (const auto* name = std::get_if<std::string>(&key)) return list + '.' + *name;
+    return list + '[' + std::to_string(std::get<std::int64_t>(key)) + ']';
+}
+
+/// "levels/one.lua:12:5: bodies[3]"; without line and column in what was no text.
+std::string place_of_entry(const Layer& entry) {
+    const Value& table = *entry.table;
+    const std::string at =
+        table.line > 0 ? ':' + std::to_string(table.line) + ':' + std::to_string(table.column) : "";
+    return entry.file + at + ": " + entry.path;
 }
 
 class Reader {
@@ -59,8 +74,10 @@ class Reader {
     bool read_table(const std::string& path, Value& out) {
         level_.files.push_back(path);
         if (is_tiled_file(path)) {
-            auto level = tiled_level(files_, path, import_.scale);
-            if (!level) return check_.fault_of_file(path, level.error().message), false;
+            std::vector<std::string> faults;
+            auto level = tiled_level(files_, path, import_.scale, faults);
+            for (const std::string& fault : faults) check_.fault_of_file(path, fault);
+            if (!level) return false;
             out = *std::move(level);
             return true;
         }
@@ -77,21 +94,19 @@ class Reader {
         std::vector<Layer> items;
         const Value* list = level_.table.find(section);
         if (list == nullptr || list->kind() != Value::Kind::Table) return items;
-        if (!list->is_list()) {
+        if (!list->is_list())
             check_.fault({list, section, level_.path}, "must be a list: { { ... }, { ... } }");
-            return items;
-        }
         if (list->entries().size() > kMaxParts) {
             check_.fault({list, section, level_.path},
                          "must have at most " + std::to_string(kMaxParts) + " entries");
             return items;
         }
-        for (std::size_t i = 0; i < list->entries().size(); ++i) {
-            const Value& item = list->entries()[i].value;
-            if (item.kind() == Value::Kind::Table) {
-                items.push_back({&item, item_path(section, i), level_.path});
+        for (const Entry& entry : list->entries()) {
+            const std::string path = member_path(section, entry.key);
+            if (entry.value.kind() == Value::Kind::Table) {
+                items.push_back({&entry.value, path, level_.path});
             } else {
-                check_.fault(root_, item, item_path(section, i), "must be a table");
+                check_.fault(root_, entry.value, path, "must be a table");
             }
         }
         return items;
@@ -136,36 +151,38 @@ class Reader {
             included_.reserve(list->entries().size());
             for (std::size_t i = 0; list->is_list() && i < list->entries().size(); ++i) {
                 const Value& file = list->entries()[i].value;
-                if (file.kind() != Value::Kind::String) {
-                    check_.fault(root_, file, item_path("includes", i),
-                                 "must be the path of a file, in quotes");
-                    continue;
-                }
-                read_include(file, item_path("includes", i));
+                if (!read_include(file, item_path("includes", i))) lacks_definitions_ = true;
             }
         }
         for (const Layer& layer : new_templates_) check_template(layer);
     }
 
-    void read_include(const Value& file, const std::string& path) {
-        if (!files_.exists(file.text())) {
-            check_.fault(root_, file, path, "there is no such file");
-            return;
-        }
+    /// Whether its materials and templates are known now.
+    bool read_include(const Value& file, const std::string& path) {
+        const auto refuse = [&](const char* rule) { check_.fault(root_, file, path, rule); };
+        if (file.kind() != Value::Kind::String) return refuse("must be the path of a file, in quotes"), false;
+        if (file.text() == level_.path) return refuse("is this file itself"), true;
+        const bool is_known =
+            std::find(level_.files.begin(), level_.files.end(), file.text()) != level_.files.end();
+        if (is_known) return refuse("is included already"), true;
+        if (!files_.exists(file.text())) return refuse("there is no such file"), false;
         Value table;
-        if (!read_table(file.text(), table)) return;
+        if (!read_table(file.text(), table)) return false;
         included_.push_back(std::move(table));
         const Layer layer{&included_.back(), "", file.text()};
-        static const std::vector<const Field*> fields = [] {
-            std::vector<const Field*> all = all_fields(kLevelFields);
-            std::erase_if(all, [](const Field* field) {
-                const std::string_view name = field->name;
-                return name != "materials" && name != "templates";
-            });
-            return all;
-        }();
+        const std::vector<const Field*> fields = all_fields(kLevelFields);
         check_.check_fields(layer, fields);
+        for (const Field* field : fields) {
+            const std::string_view name = field->name;
+            if (name == "materials" || name == "templates") continue;
+            if (const Value* value = layer.table->find(name)) {
+                check_.fault(
+                    layer, *value, field->name,
+                    "has no effect here: of a file that is included, materials and templates are taken");
+            }
+        }
         read_definitions(layer);
+        return true;
     }
 
     void check_template(const Layer& layer) {
@@ -185,7 +202,7 @@ class Reader {
 
     void check_material(const Layer& layer) {
         const Value* material = layer.table->find(kMaterial);
-        if (material != nullptr)
+        if (material != nullptr && !lacks_definitions_)
             check_.check_one_of(layer, *material, kMaterial, "material", names_of(materials_));
     }
 
@@ -208,6 +225,21 @@ class Reader {
             level_.name = name->text();
         check_table("camera", kCameraFields);
         check_table("bounds", kBoundsFields);
+        check_order("left", "right");
+        check_order("bottom", "top");
+    }
+
+    /// Of the bounds.
+    void check_order(const char* low, const char* high) {
+        const Value* bounds = level_.table.find("bounds");
+        if (bounds == nullptr || bounds->kind() != Value::Kind::Table) return;
+        const Value* least = bounds->find(low);
+        const Value* most = bounds->find(high);
+        if (least == nullptr || most == nullptr || !least->is_number() || !most->is_number()) return;
+        if (most->number() <= least->number()) {
+            check_.fault({bounds, "bounds", level_.path}, *most, high,
+                         std::string("must be above ") + low + ", which is " + to_short_text(*least));
+        }
     }
 
     void check_table(const char* section, const FieldSet& set) {
@@ -233,9 +265,23 @@ class Reader {
         check_list("decorations", kDecorationFields);
         for (const Layer& layer : list_of("decorations")) {
             const Value* image = layer.table->find("image");
-            if (image != nullptr && image->kind() == Value::Kind::String && !files_.exists(image->text()))
-                check_.fault(layer, *image, "image", "there is no such file");
+            if (image == nullptr || image->kind() != Value::Kind::String) continue;
+            auto known = pictures_.find(image->text());
+            if (known == pictures_.end())
+                known = pictures_.emplace(image->text(), fault_of_picture(image->text())).first;
+            if (!known->second.empty()) check_.fault(layer, *image, "image", known->second);
         }
+    }
+
+    /// By its header; `cairn check` reads the rest of each picture too.
+    [[nodiscard]] std::string fault_of_picture(const std::string& path) const {
+        const auto kind = files_.kind(path);
+        if (!kind) return "there is no such file";
+        if (*kind == engine::FileKind::Folder) return "is a folder, and must be a picture";
+        const auto bytes = files_.read_bytes(path);
+        if (!bytes) return bytes.error().message;
+        const auto size = engine::read_image_size(*bytes, path);
+        return size ? "" : "must be a picture: " + size.error().message;
     }
 
     /// The text of a name that is good and new; else a fault, and nothing.
@@ -259,43 +305,73 @@ class Reader {
         for (const Layer& layer : list_of(section_of(kind).list)) read_part(kind, layer);
     }
 
+    /// Whether faults were told meanwhile.
+    template <class Function>
+    bool tells(Function&& check) {
+        const std::size_t before = check_.count();
+        check();
+        return check_.count() > before;
+    }
+
     void read_part(PartKind kind, const Layer& entry) {
+        LevelPart part;
+        part.kind = kind;
+        part.place = place_of_entry(entry);
+        if (const Value* name = entry.table->find(kName)) part.name = take_name(entry, *name);
         std::vector<Layer> layers = {entry};
         const bool has_all_layers =
             kind != PartKind::Body || add_named(layers, kTemplate, "template", templates_);
-        const PartSection& section = section_of(kind);
-        const Layer* variant_layer = nullptr;
-        const Value* variant = find_in(layers, section.variant, &variant_layer);
-        LevelPart part;
-        part.kind = kind;
-        part.place = entry.file +
-                     (entry.table->line > 0 ? ':' + std::to_string(entry.table->line) + ':' +
-                                                  std::to_string(entry.table->column)
-                                            : "") +
-                     ": " + entry.path;
-        if (const Value* name = entry.table->find(kName)) part.name = take_name(entry, *name);
-        if (variant != nullptr) {
-            const std::size_t before = check_.count();
-            if (variant->kind() == Value::Kind::String) part.variant = variant->text();
-            check_.check_one_of(*variant_layer, *variant, section.variant,
-                                kind == PartKind::Trigger ? "shape of a trigger" : section.variant,
-                                variants_of(kind));
-            // Without a known variant its fields cannot be told from slips.
-            if (check_.count() > before || part.variant.empty()) return finish(std::move(part));
-        } else if (kind != PartKind::Body) {
-            check_.fault(entry, '"' + std::string(section.variant) + "\" is missing" +
-                                    suggestion("", variants_of(kind)));
-            return finish(std::move(part));
+        part.is_faulty = !has_all_layers;
+        if (!read_variant(part, layers)) {
+            part.is_faulty = true;
+            const std::vector<const Field*> fields = undisputed_fields(kind);
+            check_.check_known_fields(entry, fields);
+            note_references(part, entry, fields);
+            level_.parts.push_back(std::move(part));
+            return;
         }
         const std::vector<const Field*> fields = part_fields(kind, part.variant);
-        check_.check_fields(entry, fields);
+        part.is_faulty |= tells([&] { check_.check_fields(entry, fields); });
         if (kind == PartKind::Body) add_named(layers, kMaterial, "material", materials_);
         // What is missing may stand in a template that is not there; that is told.
-        if (has_all_layers) check_.check_missing(layers, fields, "body_a");
-        check_outline(part.variant, layers);
+        if (has_all_layers) part.is_faulty |= tells([&] { check_.check_missing(layers, fields, "body_a"); });
+        part.is_faulty |= tells([&] { check_outline(part.variant, layers); });
+        for (const Layer& layer : layers)
+            part.is_faulty |= check_.is_faulty(layer) && &layer != &layers.front();
         part.fields = merged(layers, fields);
         if (kind == PartKind::Body) read_shapes(part, layers);
         note_names(part, layers);
+        note_references(part, entry, fields);
+        level_.parts.push_back(std::move(part));
+    }
+
+    /// Which variant it is; false, after telling so, when there is no such one.
+    bool read_variant(LevelPart& part, std::span<const Layer> layers) {
+        const PartSection& section = section_of(part.kind);
+        const Layer* layer = nullptr;
+        const Value* variant = find_in(layers, section.variant, &layer);
+        if (variant == nullptr) {
+            if (part.kind == PartKind::Body) return true;
+            check_.fault(layers.front(), '"' + std::string(section.variant) + "\" is missing" +
+                                             suggestion("", variants_of(part.kind)));
+            return false;
+        }
+        if (variant->kind() != Value::Kind::String) {
+            check_.fault(*layer, *variant, section.variant,
+                         "must be a string, is " + std::string(kind_with_article(variant->kind())));
+            return false;
+        }
+        const bool is_unknown = tells([&] {
+            check_.check_one_of(*layer, *variant, section.variant,
+                                part.kind == PartKind::Trigger ? "shape of a trigger" : section.variant,
+                                variants_of(part.kind));
+        });
+        if (!is_unknown) part.variant = variant->text();
+        return !is_unknown;
+    }
+
+    /// Bodies and joints that it names; those must be known by then.
+    void note_references(LevelPart& part, const Layer& entry, std::span<const Field* const> fields) {
         for (const Field* field : fields) {
             if (field->type != FieldType::Body && field->type != FieldType::Joint) continue;
             const Value* name = entry.table->find(field->name);
@@ -303,10 +379,7 @@ class Reader {
             part.references.push_back({field->name, name->text()});
             waiting_.push_back({entry, field, *name, level_.parts.size()});
         }
-        finish(std::move(part));
     }
-
-    void finish(LevelPart&& part) { level_.parts.push_back(std::move(part)); }
 
     /// Adds the template or material that the layers name. False when they name one that there is not.
     bool add_named(std::vector<Layer>& layers, const char* field, const std::string& what,
@@ -318,7 +391,7 @@ class Reader {
         const auto found = known.find(name->text());
         if (found != known.end()) {
             layers.push_back(found->second);
-        } else {
+        } else if (!lacks_definitions_) {
             check_.check_one_of(*layer, *name, field, what, names_of(known));
         }
         return found != known.end();
@@ -381,11 +454,13 @@ class Reader {
         for (std::size_t i = 0; i < list->entries().size(); ++i) {
             const Value& shape = list->entries()[i].value;
             const std::string path = item_path(kShapes, i);
-            if (shape.kind() != Value::Kind::Table) {
-                check_.fault(*layer, shape, path, "must be a table");
-            } else {
-                read_shape(part, layers, {&shape, layer->path + '.' + path, layer->file});
-            }
+            part.has_faulty_shape |= tells([&] {
+                if (shape.kind() != Value::Kind::Table) {
+                    check_.fault(*layer, shape, path, "must be a table");
+                } else {
+                    read_shape(part, layers, {&shape, layer->path + '.' + path, layer->file});
+                }
+            });
         }
     }
 
@@ -395,13 +470,15 @@ class Reader {
             check_.fault(entry, "\"shape\" is missing" + suggestion("", variants_of(PartKind::Body)));
             return;
         }
-        const std::size_t before = check_.count();
-        if (variant->kind() != Value::Kind::String)
+        if (variant->kind() != Value::Kind::String) {
             check_.fault(entry, *variant, "shape", "must be a string");
-        check_.check_one_of(entry, *variant, "shape", "shape", variants_of(PartKind::Body));
-        if (check_.count() > before) return;
+            return;
+        }
+        const bool is_unknown = tells(
+            [&] { check_.check_one_of(entry, *variant, "shape", "shape", variants_of(PartKind::Body)); });
+        if (is_unknown) return;
         const std::vector<const Field*> fields = shape_fields(variant->text());
-        check_.check_fields(entry, fields);
+        bool is_faulty = tells([&] { check_.check_fields(entry, fields); });
         std::vector<Layer> layers = {entry};
         add_named(layers, kMaterial, "material", materials_);
         if (layers.size() == 1) {  // without a material of its own it has that of the body
@@ -409,9 +486,10 @@ class Reader {
             add_named(all, kMaterial, "material", materials_);
             if (all.size() > body.size()) layers.push_back(all.back());
         }
-        check_.check_missing(layers, fields);
-        check_outline(variant->text(), layers);
-        part.shapes.push_back({variant->text(), merged(layers, fields)});
+        is_faulty |= tells([&] { check_.check_missing(layers, fields); });
+        is_faulty |= tells([&] { check_outline(variant->text(), layers); });
+        if (!is_faulty)
+            part.shapes.push_back({variant->text(), merged(layers, fields), place_of_entry(entry)});
     }
 
     /// What scripts want to know of a body: its name and material, in its data.
@@ -453,29 +531,35 @@ class Reader {
     void check_references() {
         for (const Waiting& waiting : waiting_) {
             const PartName name = split_part_name(waiting.name.text());
-            if (refused_names_.contains(name.name)) continue;  // told where the name is given
-            if (waiting.field->type == FieldType::Joint) {
-                const auto found = level_.find(PartKind::Joint, name.name);
-                if (!found) {
-                    check_.check_one_of(waiting.layer, waiting.name, waiting.field->name, "joint",
-                                        level_.names(PartKind::Joint));
-                } else if (*found >= waiting.part) {
-                    check_.fault(waiting.layer, waiting.name, waiting.field->name,
-                                 "must be a joint that stands before this one");
-                }
-                continue;
-            }
-            if (name.index > 0 && level_.find(PartKind::Prefab, name.name)) continue;
-            if (level_.find(PartKind::Body, name.name) || level_.find(PartKind::Trigger, name.name)) continue;
-            if (level_.find(PartKind::Prefab, name.name)) {
-                check_.fault(waiting.layer, waiting.name, waiting.field->name,
-                             "is a prefab; \"" + name.name + ".1\" is its first body");
-                continue;
-            }
-            std::vector<std::string> names = level_.names(PartKind::Body);
-            for (const std::string& trigger : level_.names(PartKind::Trigger)) names.push_back(trigger);
-            check_.check_one_of(waiting.layer, waiting.name, waiting.field->name, "body", names);
+            // A name that was refused is told where it is given.
+            const bool is_wrong =
+                refused_names_.contains(name.name) || tells([&] { check_reference(waiting, name); });
+            level_.parts[waiting.part].is_faulty |= is_wrong;
         }
+    }
+
+    void check_reference(const Waiting& waiting, const PartName& name) {
+        if (waiting.field->type == FieldType::Joint) {
+            const auto found = level_.find(PartKind::Joint, name.name);
+            if (!found) {
+                check_.check_one_of(waiting.layer, waiting.name, waiting.field->name, "joint",
+                                    level_.names(PartKind::Joint));
+            } else if (*found >= waiting.part) {
+                check_.fault(waiting.layer, waiting.name, waiting.field->name,
+                             "must be a joint that stands before this one");
+            }
+            return;
+        }
+        if (name.index > 0 && level_.find(PartKind::Prefab, name.name)) return;
+        if (level_.find(PartKind::Body, name.name) || level_.find(PartKind::Trigger, name.name)) return;
+        if (level_.find(PartKind::Prefab, name.name)) {
+            check_.fault(waiting.layer, waiting.name, waiting.field->name,
+                         "is a prefab; \"" + name.name + ".1\" is its first body");
+            return;
+        }
+        std::vector<std::string> names = level_.names(PartKind::Body);
+        for (const std::string& trigger : level_.names(PartKind::Trigger)) names.push_back(trigger);
+        check_.check_one_of(waiting.layer, waiting.name, waiting.field->name, "body", names);
     }
 
     const engine::Files& files_;
@@ -489,6 +573,9 @@ class Reader {
     std::vector<Layer> new_templates_;
     std::map<std::string, std::string> names_;  ///< name -> path of what has it
     std::set<std::string> refused_names_;
+    bool lacks_definitions_ =
+        false;  ///< a file with materials and templates could not be read, which is told
+    std::map<std::string, std::string> pictures_;  ///< path -> its fault, or empty
     std::vector<Waiting> waiting_;
 };
 

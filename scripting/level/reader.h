@@ -1,6 +1,6 @@
 // Reads a level file: from text to parts in which templates and materials have been filled in. Invariant:
-// nothing is executed; every fault of the file is found, not only the first; a level with faults is never
-// given out.
+// nothing is executed; every fault of the file is found, not only the first; a level with faults is for
+// finding more of them, and for nothing else.
 #pragma once
 
 #include <functional>
@@ -19,6 +19,7 @@ namespace cairn::scripting {
 struct ShapePart {
     std::string variant;
     Value fields;
+    std::string place;  ///< "levels/one.lua:12:5: bodies[3].shapes[1]": for messages
 };
 
 /// A field that names another part of the level.
@@ -35,7 +36,9 @@ struct LevelPart {
     Value fields;         ///< as the function of the Lua API takes them, but for references
     std::vector<ShapePart> shapes;
     std::vector<PartReference> references;
-    std::string place;  ///< "levels/one.lua:12:5: bodies[3]": for messages
+    std::string place;              ///< "levels/one.lua:12:5: bodies[3]": for messages
+    bool is_faulty = false;         ///< it cannot be tried out
+    bool has_faulty_shape = false;  ///< of `shapes`, which then lacks it
 };
 
 struct Level {
@@ -59,7 +62,9 @@ struct Level {
 
 struct LevelReading {
     Level level;
-    std::vector<std::string> faults;  ///< empty: the level is good, as far as can be told without building it
+    /// Empty: the level is good, as far as can be told without building it. Else its parts that are not
+    /// faulty can still be tried out.
+    std::vector<std::string> faults;
 };
 
 /// How a map of Tiled becomes a level.

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <utility>
 
 #include "level/format.h"
@@ -416,14 +415,18 @@ std::vector<std::vector<CellCorner>> outline_cells(int columns, int rows, const 
     return outlines;
 }
 
-engine::Result<Value> tiled_level(const engine::Files& files, std::string_view path, double scale) {
-    const auto map = engine::load_tile_map(files, path);
-    if (!map) return map.error();
-    if (map->grid != engine::MapGrid::Orthogonal)
-        return engine::Error{
+std::optional<Value> tiled_level(const engine::Files& files, std::string_view path, double scale,
+                                 std::vector<std::string>& faults) {
+    const engine::TileMapReading reading = engine::read_tile_map(files, path);
+    faults.insert(faults.end(), reading.faults.begin(), reading.faults.end());
+    const engine::TileMap& map = reading.map;
+    if (map.grid != engine::MapGrid::Orthogonal) {
+        faults.push_back(
             "map '" + std::string(path) +
-            "': levels are made of orthogonal maps; this one is isometric, staggered or hexagonal"};
-    return MapReader(*map, scale > 0 ? scale : 1.0 / map->tile_size.width).read();
+            "': levels are made of orthogonal maps; this one is isometric, staggered or hexagonal");
+    }
+    if (!faults.empty()) return std::nullopt;
+    return MapReader(map, scale > 0 ? scale : 1.0 / map.tile_size.width).read();
 }
 
 }  // namespace cairn::scripting

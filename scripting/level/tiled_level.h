@@ -3,22 +3,23 @@
 // file is checked in a map too. Metres, y up: the map's bottom left is (0, 0).
 #pragma once
 
-#include <span>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include <cairn/engine/files.h>
 #include <cairn/engine/geometry.h>
-#include <cairn/engine/result.h>
 #include <cairn/engine/tile_map.h>
 
 #include "data/value.h"
 
 namespace cairn::scripting {
 
-/// `scale`: metres per pixel; 0: one tile is one metre wide.
-engine::Result<Value> tiled_level(const engine::Files& files, std::string_view path, double scale);
+/// `scale`: metres per pixel; 0: one tile is one metre wide. What is wrong with the map is added to `faults`;
+/// then there is no level.
+std::optional<Value> tiled_level(const engine::Files& files, std::string_view path, double scale,
+                                 std::vector<std::string>& faults);
 
 /// Corners of cells, from the top left of the map, in cells; a closed outline.
 struct CellCorner {

@@ -177,6 +177,96 @@ TEST_CASE("what shows only when a level is built is a fault of its part") {
     CHECK(bench.value("pcall(cairn.level.load, 'none.lua')") == "false");
 }
 
+TEST_CASE("what shows only when a level is built is told beside the faults that show before") {
+    LuaBench bench(GameFiles{{"both.lua", R"({
+    templates = {
+        bad = { shape = "box", width = -1, height = 1 },
+        mixed = { shapes = { { shape = "circle", radius = -1 }, { shape = "boks" },
+                             { shape = "polygon", points = { { 0, 0 }, { 1, 0 }, { 2, 0 } } } } },
+    },
+    bodies = {
+        { name = "a b", shape = "polygon", points = { { 0, 0 }, { 1, 0 }, { 2, 0 } } },
+        { template = "bad" },
+        { template = "mixed" },
+        { template = "mixed", x = 1 },
+        { name = "ok", shape = "circle", radius = 1, material = "none" },
+        { shape = 7, x = "left", friction = -1 },
+    },
+    joints = {
+        { joint = "weld", body_a = "ok", body_b = "ok", x = 0, y = 0 },
+        { joint = "weld", body_a = "a b", body_b = "ok", x = 0, y = 0 },
+        { joint = "revolut", body_a = "nobody", body_b = "ok" },
+    },
+    triggers = { a = { name = "t", shape = "circle" } },
+})"}});
+    REQUIRE(bench.run("faults = cairn.level.check('both.lua')") == "");
+    const std::vector<std::string> expected = {
+        "both.lua:3:40: templates.bad.width = -1: must be above 0",
+        "both.lua:4:59: templates.mixed.shapes[1].radius = -1: must be above 0",
+        "both.lua:4:75: templates.mixed.shapes[2].shape = \"boks\": no such shape",
+        "both.lua:8:18: bodies[1].name = \"a b\": must be letters",
+        "both.lua:12:65: bodies[5].material = \"none\": no such material",
+        "both.lua:13:19: bodies[6].shape = 7: must be a string, is an integer",
+        "both.lua:13:26: bodies[6].x = \"left\": must be a number, is a string",
+        "both.lua:13:45: bodies[6].friction = -1: must be at least 0",
+        "both.lua:18:19: joints[3].joint = \"revolut\": no such joint",
+        "both.lua:18:39: joints[3].body_a = \"nobody\": no such body",
+        "both.lua:20:16: triggers: must be a list",
+        "both.lua:20:22: triggers.a: \"radius\" is missing",
+        "both.lua:8:9: bodies[1]: ",
+        "both.lua:5:30: templates.mixed.shapes[3]: ",
+        "both.lua:16:9: joints[1]: ",
+    };
+    const auto count = static_cast<std::size_t>(std::stoi(bench.value("#faults")));
+    for (std::size_t i = 0; i < std::min(count, expected.size()); ++i)
+        CHECK_THAT(bench.value("faults[" + std::to_string(i + 1) + "]"), Catch::StartsWith(expected[i]));
+    CHECK(count == expected.size());
+}
+
+TEST_CASE("what a level says of its places, pictures and files is checked like the rest") {
+    LuaBench bench(
+        GameFiles{{"notes.txt", "no picture"},
+                  {"art/x.txt", ""},
+                  {"more.lua", "{ includes = {}, bodies = {}, materials = { ice = {} } }"},
+                  {"torn.lua", "{ materials = "},
+                  {"l.lua", R"({
+    includes = { "l.lua", "more.lua", "more.lua", "none.lua" },
+    bounds = { left = 5, right = -5, bottom = 1, top = 1 },
+    camera = { x = 1e30, y = 0, height = 1e30 },
+    spawns = { { name = "here", x = 0, y = -1e30 } },
+    decorations = { { image = "notes.txt", x = 0, y = 0, width = 1 }, { image = "art", x = 0, y = 0, width = 1 } },
+})"},
+                  {"lost.lua",
+                   "{ includes = { 'torn.lua' }, bodies = { { shape = 'circle', radius = 1, material = 'x' "
+                   "}, { template = 'y' } } }"}});
+    const auto text_of = [&](const char* file) {
+        return bench.value("table.concat(cairn.level.check('" + std::string(file) + "'), '\\n')");
+    };
+    const std::string text = text_of("l.lua");
+    for (const char* fault : {
+             "l.lua:2:18: includes[1] = \"l.lua\": is this file itself",
+             "l.lua:2:39: includes[3] = \"more.lua\": is included already",
+             "l.lua:2:51: includes[4] = \"none.lua\": there is no such file",
+             "more.lua:1:14: includes: has no effect here: of a file that is included, materials and "
+             "templates are taken",
+             "more.lua:1:27: bodies: has no effect here",
+             "l.lua:3:34: bounds.right = -5: must be above left, which is 5",
+             "l.lua:3:56: bounds.top = 1: must be above bottom, which is 1",
+             "l.lua:4:20: camera.x = 1e+30: must be at least -1e+12 and at most 1e+12",
+             "l.lua:4:42: camera.height = 1e+30: must be at least 1e-06 and at most 1e+09",
+             "l.lua:5:44: spawns[1].y = -1e+30: must be at least -1e+12 and at most 1e+12",
+             "l.lua:6:31: decorations[1].image = \"notes.txt\": must be a picture: image 'notes.txt': is "
+             "neither a PNG "
+             "nor a JPEG file",
+             "l.lua:6:81: decorations[2].image = \"art\": is a folder, and must be a picture",
+         }) {
+        CHECK_THAT(text, Contains(fault));
+    }
+    CHECK(std::count(text.begin(), text.end(), '\n') == 11);
+    // What may stand in a file that cannot be read is not missed.
+    CHECK_THAT(text_of("lost.lua"), Catch::StartsWith("torn.lua:1:") && !Contains("\n"));
+}
+
 TEST_CASE("a level file is never run, and may hold anything") {
     LuaBench bench(
         GameFiles{{"run.lua", "{ name = (function() ran = true end)() }"},

@@ -59,13 +59,24 @@ TEST_CASE("slips in conf.lua are named with line and rule") {
     CHECK(error_of("return { scaling = 'folow' }").find("did you mean \"follow\"?") != std::string::npos);
     CHECK(error_of("return { window_height = 9000 }") ==
           "conf.lua:1: window_height = 9000: must be at most 8192");
-    CHECK(error_of("return { scaling = 'follow', window_width = 5 }").find("conf.lua: window_width and") ==
-          0);
+    CHECK(error_of("return { scaling = 'follow', window_width = 5 }")
+              .find("conf.lua:1: window_width = 5: is without meaning when scaling = \"follow\"") == 0);
     CHECK(error_of("return { updates_per_second = 9 }") ==
           "conf.lua:1: updates_per_second = 9: must be at least 10");
     CHECK(error_of("return { updates_per_second = 241 }") ==
           "conf.lua:1: updates_per_second = 241: must be at most 240");
     CHECK(error_of("return { title = os.getenv('HOME') }").find("this file is data") != std::string::npos);
+}
+
+TEST_CASE("a check of conf.lua tells what its fields say together in the same run as their own slips") {
+    const std::vector<std::string> faults = faults_of_conf(
+        "return {\n  scaling = 'follow',\n  window_width = 5, window_height = 0,\n  title = 7,\n}",
+        "conf.lua");
+    REQUIRE(faults.size() == 4);
+    CHECK(faults[0] == "conf.lua:3: window_height = 0: must be at least 1");
+    CHECK(faults[1] == "conf.lua:4: title = 7: must be a string, is an integer");
+    CHECK(faults[2].find("conf.lua:3: window_width = 5: is without meaning") == 0);
+    CHECK(faults[3].find("conf.lua:3: window_height = 0: is without meaning") == 0);
 }
 
 TEST_CASE("a byte order mark before conf.lua is skipped") {
