@@ -18,6 +18,7 @@
 #include <cairn/engine/random.h>
 #include <cairn/engine/renderer.h>
 
+#include "bind/matter.h"
 #include "bind/played_saves.h"
 #include "bind/timers.h"
 #include "bind/tweens.h"
@@ -77,6 +78,8 @@ struct Context {
     /// In order of creation; each is kept alive until the script destroys it, because the state hash covers
     /// all of them and must not depend on when garbage is collected.
     std::vector<WorldObject*> worlds{};
+
+    Materials materials{};  ///< that cairn.physics.define_material has named
 
     lua_Integer levels_loaded = 0;  ///< numbers them for hot reload
 

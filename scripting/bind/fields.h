@@ -107,6 +107,7 @@ class FieldReader {
     /// Raises for a field that the set does not describe.
     FieldReader(lua_State* L, int index, const FieldSet& set);
 
+    [[nodiscard]] lua_State* lua() const { return L_; }
     [[nodiscard]] double number(const Field& field) const;
     [[nodiscard]] float real(const Field& field) const { return static_cast<float>(number(field)); }
     [[nodiscard]] std::int64_t integer(const Field& field) const;

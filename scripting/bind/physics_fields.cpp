@@ -7,10 +7,12 @@
 
 #include <cairn/physics/tuning.h>
 
+#include "bind/context.h"
 #include "bind/convex_parts.h"
 #include "bind/function.h"
 #include "bind/physics_objects.h"
 #include "data/nearest.h"
+#include "lua/state.h"
 
 namespace cairn::scripting {
 namespace {
@@ -112,12 +114,16 @@ constexpr Field kSeenBySensors = boolean_field("seen_by_sensors", true, "");
 constexpr Field kOneWayX = number_field(
     "one_way_x", 0, "0", "not (0, 0): solid only for what comes from that side, as a platform is");
 constexpr Field kOneWayY = number_field("one_way_y", 0, "0", "in the body's frame, of any length");
-constexpr const Field* kShapeOwn[] = {&kDensity,       &kFriction,      &kRestitution, &kRolling,
-                                      &kSurfaceSpeed,  &kMaterialKind,  &kCategories,  &kMask,
-                                      &kGroup,         &kContactEvents, &kHitEvents,   &kSensor,
-                                      &kSeenBySensors, &kOneWayX,       &kOneWayY};
-constexpr const Field* kMaterialOwn[] = {&kFriction, &kRestitution, &kRolling, &kSurfaceSpeed,
-                                         &kMaterialKind};
+constexpr Field kMaterialName =
+    optional_field("material", FieldType::String,
+                   "a name of `cairn.physics.define_material`; what is not said beside it is as there");
+constexpr const Field* kMaterialNameOwn[] = {&kMaterialName};
+constexpr const Field* kShapeOwn[] = {&kMaterialName, &kDensity,       &kFriction,      &kRestitution,
+                                      &kRolling,      &kSurfaceSpeed,  &kMaterialKind,  &kCategories,
+                                      &kMask,         &kGroup,         &kContactEvents, &kHitEvents,
+                                      &kSensor,       &kSeenBySensors, &kOneWayX,       &kOneWayY};
+constexpr const Field* kMaterialOwn[] = {&kMaterialName, &kFriction,     &kRestitution,
+                                         &kRolling,      &kSurfaceSpeed, &kMaterialKind};
 constexpr const Field* kMatterOwn[] = {&kDensity, &kFriction,     &kRestitution,
                                        &kRolling, &kSurfaceSpeed, &kMaterialKind};
 constexpr const Field* kFilterOwn[] = {&kCategories, &kMask, &kGroup, &kContactEvents, &kHitEvents};
@@ -154,10 +160,10 @@ constexpr Field kBeforeX = optional_field("before_x", FieldType::Number,
 constexpr Field kBeforeY = optional_field("before_y", FieldType::Number, "m");
 constexpr Field kAfterX = optional_field("after_x", FieldType::Number, "m; the same behind the last point");
 constexpr Field kAfterY = optional_field("after_y", FieldType::Number, "m");
-constexpr const Field* kChainOwn[] = {&kChainPoints, &kClosed,       &kBeforeX,       &kBeforeY,
-                                      &kAfterX,      &kAfterY,       &kFriction,      &kRestitution,
-                                      &kRolling,     &kSurfaceSpeed, &kMaterialKind,  &kCategories,
-                                      &kMask,        &kGroup,        &kContactEvents, &kHitEvents};
+constexpr const Field* kChainOwn[] = {&kChainPoints,   &kClosed,       &kBeforeX,    &kBeforeY,     &kAfterX,
+                                      &kAfterY,        &kMaterialName, &kFriction,   &kRestitution, &kRolling,
+                                      &kSurfaceSpeed,  &kMaterialKind, &kCategories, &kMask,        &kGroup,
+                                      &kContactEvents, &kHitEvents};
 
 constexpr FieldSet kBodyFields{kBodyOwn};
 
@@ -166,6 +172,21 @@ std::vector<Vec2> read_points(lua_State* L, const FieldReader& reader, const Fie
     std::vector<Vec2> points = read_point_list(L, -1, field.name);
     lua_pop(L, 1);
     return points;
+}
+
+/// The material that the table names, or null.
+const Matter* find_material(const FieldReader& reader) {
+    if (!reader.has(kMaterialName)) return nullptr;
+    const std::string_view name = reader.text(kMaterialName);
+    const Materials& materials = context_of(reader.lua()).materials;
+    const auto found = materials.find(name);
+    if (found != materials.end()) return &found->second;
+    if (materials.empty())
+        reader.fail(kMaterialName,
+                    "no such material; cairn.physics.define_material gives names to materials");
+    std::vector<std::string> names;
+    for (const auto& material : materials) names.push_back(material.first);
+    reader.fail(kMaterialName, "no such material" + suggestion(name, names));
 }
 
 std::optional<Vec2> read_end(lua_State* L, const FieldReader& reader, const Field& x, const Field& y) {
@@ -189,6 +210,7 @@ const FieldSet kPlaceFields{kPlaceOwn};
 const FieldSet kDataFields{kShapeDataOwn};
 const FieldSet kMaterialFields{kMaterialOwn};
 const FieldSet kMatterFields{kMatterOwn};
+const FieldSet kMaterialNameFields{kMaterialNameOwn};
 const FieldSet kChainShapeFields{kChainOwn};
 
 const FieldSet kGeometryFields[kGeometryKinds] = {
@@ -267,8 +289,9 @@ physics::BodyDef read_body_def(const FieldReader& reader) {
 
 physics::ShapeDef read_shape_def(const FieldReader& reader) {
     physics::ShapeDef def;
-    def.density_kg_m2 = reader.real(kDensity);
-    def.material = read_material(reader);
+    const Matter matter = read_matter(reader);
+    def.density_kg_m2 = matter.density_kg_m2;
+    def.material = matter.material;
     def.sensor = reader.boolean(kSensor);
     def.seen_by_sensors = reader.boolean(kSeenBySensors);
     def.one_way_normal = {reader.real(kOneWayX), reader.real(kOneWayY)};
@@ -276,14 +299,44 @@ physics::ShapeDef read_shape_def(const FieldReader& reader) {
     return def;
 }
 
+Matter read_matter(const FieldReader& reader) {
+    const Matter* named = find_material(reader);
+    const auto surface = [&](const Field& field, float physics::Material::*value) {
+        return named != nullptr && !reader.has(field) ? named->material.*value : reader.real(field);
+    };
+    Matter matter;
+    matter.density_kg_m2 =
+        named != nullptr && !reader.has(kDensity) ? named->density_kg_m2 : reader.real(kDensity);
+    matter.material = {.friction = surface(kFriction, &physics::Material::friction),
+                       .restitution = surface(kRestitution, &physics::Material::restitution),
+                       .rolling_resistance = surface(kRolling, &physics::Material::rolling_resistance),
+                       .surface_speed_m_s = surface(kSurfaceSpeed, &physics::Material::surface_speed_m_s),
+                       .kind = named != nullptr ? named->material.kind : 0};
+    if (named == nullptr || reader.has(kMaterialKind)) {
+        const std::int64_t kind = reader.integer(kMaterialKind);
+        if (!is_in_range(kMaterialKind, static_cast<double>(kind)))
+            reader.fail(kMaterialKind, "must be 0 to 63");
+        matter.material.kind = static_cast<int>(kind);
+    }
+    return matter;
+}
+
 physics::Material read_material(const FieldReader& reader) {
-    const std::int64_t kind = reader.integer(kMaterialKind);
-    if (!is_in_range(kMaterialKind, static_cast<double>(kind))) reader.fail(kMaterialKind, "must be 0 to 63");
-    return {.friction = reader.real(kFriction),
-            .restitution = reader.real(kRestitution),
-            .rolling_resistance = reader.real(kRolling),
-            .surface_speed_m_s = reader.real(kSurfaceSpeed),
-            .kind = static_cast<int>(kind)};
+    return read_matter(reader).material;
+}
+
+void push_material(lua_State* L, const physics::Material& material) {
+    const std::pair<const Field&, float> numbers[] = {{kFriction, material.friction},
+                                                      {kRestitution, material.restitution},
+                                                      {kRolling, material.rolling_resistance},
+                                                      {kSurfaceSpeed, material.surface_speed_m_s}};
+    lua_createtable(L, 0, 6);
+    for (const auto& [field, value] : numbers) {
+        lua_pushnumber(L, static_cast<double>(value));
+        lua_setfield(L, -2, field.name);
+    }
+    lua_pushinteger(L, material.kind);
+    lua_setfield(L, -2, kMaterialKind.name);
 }
 
 void read_chain(lua_State* L, const FieldReader& reader, OwnedChain& out) {

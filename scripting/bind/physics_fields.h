@@ -8,6 +8,7 @@
 #include <cairn/physics/world.h>
 
 #include "bind/fields.h"
+#include "bind/matter.h"
 
 namespace cairn::scripting {
 
@@ -34,8 +35,10 @@ extern const FieldSet kBodyAddFields[kGeometryKinds];
 
 /// Of a shape's surface.
 extern const FieldSet kMaterialFields;
-/// The same with the density.
+/// The same with the density: what a material with a name is.
 extern const FieldSet kMatterFields;
+/// The field by which shapes name one.
+extern const FieldSet kMaterialNameFields;
 /// Of `world:add_chain`, `body:add_chain`, and of the chain alone.
 extern const FieldSet kWorldAddChainFields;
 extern const FieldSet kBodyAddChainFields;
@@ -55,7 +58,12 @@ physics::BodyDef read_body_def(const FieldReader& reader);
 physics::ShapeDef read_shape_def(const FieldReader& reader);
 /// The part of it that kFilterFields describe.
 void read_filter(const FieldReader& reader, physics::ShapeDef& def);
+/// What the table says, else what the material says that it names, else what is so by default.
+Matter read_matter(const FieldReader& reader);
+/// Of it the part that the surface has.
 physics::Material read_material(const FieldReader& reader);
+/// Pushes a table with the fields of a surface.
+void push_material(lua_State* L, const physics::Material& material);
 
 /// The definition of a chain together with what it borrows.
 struct OwnedChain {

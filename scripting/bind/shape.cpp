@@ -79,18 +79,7 @@ void set_filter(lua_State* L, ShapeRef self, std::int64_t categories, std::int64
 }
 
 Pushed material(lua_State* L, ShapeRef self) {
-    const physics::Material material = self.shape.material();
-    const std::pair<const char*, float> numbers[] = {{"friction", material.friction},
-                                                     {"restitution", material.restitution},
-                                                     {"rolling_resistance", material.rolling_resistance},
-                                                     {"surface_speed", material.surface_speed_m_s}};
-    lua_createtable(L, 0, 5);
-    for (const auto& [name, value] : numbers) {
-        lua_pushnumber(L, static_cast<double>(value));
-        lua_setfield(L, -2, name);
-    }
-    lua_pushinteger(L, material.kind);
-    lua_setfield(L, -2, "material_kind");
+    push_material(L, self.shape.material());
     return {1};
 }
 Change set_material(lua_State* L, ShapeRef self, TableArgument fields) {

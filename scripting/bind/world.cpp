@@ -10,6 +10,7 @@
 #include "bind/fracture.h"
 #include "bind/joint_fields.h"
 #include "bind/make_body.h"
+#include "bind/materials.h"
 #include "bind/modules.h"
 #include "bind/mover.h"
 #include "bind/pair_filter.h"
@@ -84,6 +85,21 @@ constexpr std::array<std::string_view, 1> kReturnsTable = {"table"};
 constexpr Function kPhysicsFunctions[] = {
     function_pushing<&new_world>("new_world", "fields = {}", "world", kReturnsWorld,
                                  "Makes an empty world. It lives until `world:destroy()`.", &kWorldFields),
+    function<&define_material>(
+        "define_material", "name, fields", "",
+        "Gives what shapes are made of a name: after `cairn.physics.define_material(\"wood\", { density = "
+        "0.7, "
+        "friction = 0.6 })` the field `material = \"wood\"` stands for these, wherever a shape is made or "
+        "its "
+        "material set. Fields that stand beside it go before. Where two shapes touch their values mix as "
+        "ever. "
+        "Naming it again is for shapes that are made from then on. Levels have materials of their own; a "
+        "file of "
+        "materials can be included by levels and named here: `for name, fields in "
+        "pairs(require(\"materials\").materials) do cairn.physics.define_material(name, fields) end`.",
+        &kMatterFields),
+    function_pushing<&materials>("materials", "", "materials", kReturnsTable,
+                                 "A new table of those that have names: name -> all their fields."),
     function_pushing<&new_transforms>("new_transforms", "", "transforms", kReturnsTransforms,
                                       "Makes an empty list of places for `world:read_transforms`."),
     function_pushing<&new_recording>("new_recording", "fields = {}", "recording", kReturnsRecording,

@@ -115,7 +115,11 @@ void add(std::string& out, const std::string& heading, const std::string& text, 
 std::string level_reference_markdown() {
     std::string out = kPreamble;
     add(out, "## The level", "Every field may be left out.", kLevelFields);
-    add(out, "### materials", "", kLevelMaterialFields);
+    add(out, "### materials",
+        "A level knows those of its file and of the files that it includes, and no script is asked; scripts "
+        "give "
+        "names to theirs with `cairn.physics.define_material`, whose fields are the same.",
+        kLevelMaterialFields);
     add(out, "### camera", "", kCameraFields);
     add(out, "### bounds", "", kBoundsFields);
     add(out, "### spawns", "", kSpawnFields);
@@ -125,10 +129,11 @@ std::string level_reference_markdown() {
         "With one shape, its fields stand beside those of the body; with several, in `shapes`.",
         *section_of(PartKind::Body).own);
     add(out, "### Of every body", "", kNewBodyFields);
-    add(out, "### Of every shape but chains", "", kShapeFields);
+    add(out, "### Of every shape but chains", "", without(all_fields(kShapeFields), kMaterialNameFields));
     for (int kind = 0; kind < kGeometryKinds; ++kind)
         add(out, std::string("### `shape = \"") + kGeometryNames[kind] + "\"`", "", kGeometryFields[kind]);
-    add(out, "### `shape = \"chain\"`", "Instead of the fields of every shape:", kChainShapeFields);
+    add(out, "### `shape = \"chain\"`",
+        "Instead of the fields of every shape:", without(all_fields(kChainShapeFields), kMaterialNameFields));
 
     add(out, "## triggers",
         "Places that notice bodies: `world:sensor_events()` tells who comes and goes, and "
