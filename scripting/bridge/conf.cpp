@@ -73,7 +73,7 @@ void check_scaling(const Value& conf, const std::string& path, std::vector<std::
         scaling != nullptr && scaling->kind() == Value::Kind::String && scaling->text() == "follow";
     for (const char* field : {"window_width", "window_height"}) {
         const Value* value = follows ? conf.find(field) : nullptr;
-        if (value == nullptr) continue;
+        if (value == nullptr || value->is_unreadable) continue;
         faults.push_back(path + ':' + std::to_string(value->line) + ": " + field + " = " +
                          to_short_text(*value) +
                          ": is without meaning when scaling = \"follow\": the picture has the window's size, "
@@ -101,9 +101,12 @@ Conf default_conf(const std::string& game_name) {
 }
 
 std::vector<std::string> faults_of_conf(std::string_view text, const std::string& path) {
-    const auto value = parse_table_text(text, path);
-    if (!value) return {value.error().message};
-    return faults_of(*value, path);
+    std::vector<std::string> faults;
+    const auto value = parse_faulty_table_text(text, path, faults);
+    const std::vector<std::string> more =
+        value ? faults_of(*value, path) : std::vector<std::string>{value.error().message};
+    faults.insert(faults.end(), more.begin(), more.end());
+    return faults;
 }
 
 engine::Result<Conf> parse_conf(std::string_view text, const std::string& path,

@@ -92,6 +92,7 @@ class Checker {
 
   private:
     void fault(const Value& value, const std::string& path, bool show_value, const std::string& what) {
+        if (value.is_unreadable) return;
         std::string text = name_;
         if (value.line > 0) text += ':' + std::to_string(value.line);
         text += ": " + (path.empty() ? std::string("the table") : path);

@@ -2,11 +2,13 @@
 // needs one character of look-ahead (two at comments, long strings and `name =`).
 #include "data/table_parser.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 
 #include "data/source_text.h"
 
@@ -46,9 +48,11 @@ void append_utf8(std::string& out, std::uint32_t code) {
 }
 
 /// Parsing stops at the first error: every function returns false, or nothing, as soon as `error_` is set.
+/// With a list for faults it goes on behind a value that is no data, because its end can be found.
 class Parser {
   public:
-    Parser(std::string_view text, std::string_view name) : text_(text), name_(name) {}
+    Parser(std::string_view text, std::string_view name, std::vector<std::string>* faults)
+        : text_(text), name_(name), faults_(faults) {}
 
     engine::Result<Value> file() {
         skip_space();
@@ -196,6 +200,7 @@ class Parser {
         if (word == "function")
             return fail("a function cannot stand here: this file is data and is never run");
         if (!word.empty()) {
+            is_passable_ = true;
             return fail("\"" + std::string(word) + "\" is a name, and this file is data: write a number, \"" +
                         std::string(word) + "\" in quotes, true, false or a table");
         }
@@ -218,23 +223,61 @@ class Parser {
             if (peek() == '}') break;
             const std::size_t entry_start = position_;
             Entry entry;
-            if (!key(entry.key, next_index) || !value(entry.value, depth + 1)) return false;
+            if (!key(entry.key, next_index)) return is_passable_ = false;
+            if (!value(entry.value, depth + 1) && !pass_over(entry.value)) return false;
             if (!keys.insert(entry.key).second)
                 return fail_at(entry_start, key_name(entry.key) + " is given twice");
             entries.push_back(std::move(entry));
             skip_space();
             if (error_) return false;
+            if (peek() != ',' && peek() != ';' && peek() != '}' && !at_end()) {
+                fail("expected , or } after a value, found " + found());
+                is_passable_ = !is_letter(peek());  // "1 / 2"; "1 width = 2" lacks a comma
+                if (!pass_over(entries.back().value)) return false;
+            }
             if (peek() == ',' || peek() == ';') {
                 ++position_;
             } else if (at_end()) {
                 return fail_at(start, "this table is never closed; expected }");
-            } else if (peek() != '}') {
-                return fail("expected , or } after a value, found " + found());
             }
         }
         ++position_;
         out.content = std::move(entries);
         return true;
+    }
+
+    /// After an error in a value: to the end of the entry, where that is sure to be found. The error is a
+    /// fault then and the value unreadable.
+    bool pass_over(Value& value) {
+        if (faults_ == nullptr || !std::exchange(is_passable_, false)) return false;
+        const std::string error = *std::exchange(error_, std::nullopt);
+        for (std::string closers; !at_end();) {
+            const char c = peek();
+            std::string text;
+            if (c == '-' && peek(1) == '-') {
+                skip_space();
+            } else if (c == '"' || c == '\'') {
+                quoted(text);
+            } else if (long_bracket_level()) {
+                long_text(text, position_, "string");
+            } else if (word_ahead() == "function") {
+                break;  // its end is one of several that stand in it
+            } else if (closers.empty() && (c == ',' || c == ';' || c == '}')) {
+                faults_->push_back(error);
+                value.content = false;
+                value.is_unreadable = true;
+                return true;
+            } else {
+                if (c == '(') closers += ')';
+                if (c == '[') closers += ']';
+                if (c == '{') closers += '}';
+                if (!closers.empty() && c == closers.back()) closers.pop_back();
+                position_ += std::max<std::size_t>(1, word_ahead().size());
+            }
+            if (error_) break;
+        }
+        error_ = error;
+        return false;
     }
 
     static std::string key_name(const Key& key) {
@@ -313,6 +356,7 @@ class Parser {
         const std::string digits(text_.substr(body, position_ - body));
         if (runs_on || !convert(digits, is_hex, is_float, out)) {
             while (is_letter(peek()) || is_digit(peek()) || peek() == '.') ++position_;
+            is_passable_ = true;
             if (position_ == digits_start) return fail("expected a number after -, found " + found());
             const std::string word(text_.substr(start, position_ - start));
             return fail_at(start, "\"" + word + "\" is not a number");
@@ -456,6 +500,8 @@ class Parser {
     std::string_view name_;
     std::size_t position_ = 0;
     std::optional<std::string> error_;
+    std::vector<std::string>* faults_;
+    bool is_passable_ = false;  ///< the error is about a value alone
     mutable std::size_t counted_to_ = 0;
     mutable std::size_t line_start_ = 0;
     mutable int line_ = 1;
@@ -464,7 +510,12 @@ class Parser {
 }  // namespace
 
 engine::Result<Value> parse_table_text(std::string_view text, std::string_view name) {
-    return Parser(code_of(text), name).file();
+    return Parser(code_of(text), name, nullptr).file();
+}
+
+engine::Result<Value> parse_faulty_table_text(std::string_view text, std::string_view name,
+                                              std::vector<std::string>& faults) {
+    return Parser(code_of(text), name, &faults).file();
 }
 
 }  // namespace cairn::scripting

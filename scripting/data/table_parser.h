@@ -4,7 +4,9 @@
 // constructors).
 #pragma once
 
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include <cairn/engine/result.h>
 
@@ -17,5 +19,10 @@ inline constexpr int kMaxTableDepth = 64;
 
 /// Errors read "NAME:LINE:COLUMN: what is wrong".
 engine::Result<Value> parse_table_text(std::string_view text, std::string_view name);
+
+/// The same for whoever looks for all faults: names, sums and calls where data should be do not end the
+/// reading. They are added to `faults`, and an unreadable value stands for each.
+engine::Result<Value> parse_faulty_table_text(std::string_view text, std::string_view name,
+                                              std::vector<std::string>& faults);
 
 }  // namespace cairn::scripting

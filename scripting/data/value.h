@@ -21,6 +21,8 @@ struct Value {
     std::variant<bool, std::int64_t, double, std::string, Entries> content;
     int line = 0;  ///< from 1; 0: not from a file
     int column = 0;
+    bool is_unreadable =
+        false;  ///< stands for what was no data, which is told already; only for finding more faults
 
     [[nodiscard]] Kind kind() const { return static_cast<Kind>(content.index()); }
     [[nodiscard]] bool is_number() const { return kind() == Kind::Integer || kind() == Kind::Number; }

@@ -91,9 +91,13 @@ std::vector<std::string> LevelChecker::faults() const {
 
 void LevelChecker::fault(const Layer& where, const Value& value, const std::string& field,
                          const std::string& rule) {
+    faulty_.insert(where.table);
+    if (value.is_unreadable) {
+        ++told_;  // when the file was read
+        return;
+    }
     std::string text = with_place(where.file, value) + joined_path(where.path, field);
     if (value.kind() != Value::Kind::Table) text += " = " + to_short_text(value);
-    faulty_.insert(where.table);
     add(where.file, value, text + ": " + rule);
 }
 
@@ -128,7 +132,7 @@ void LevelChecker::check_known_fields(const Layer& layer, std::span<const Field*
 }
 
 void LevelChecker::check_value(const Layer& layer, const Value& value, const Field& field) {
-    if (!has_type(value, field.type)) {
+    if (value.is_unreadable || !has_type(value, field.type)) {
         fault(layer, value, field.name,
               "must be " + expected(field.type) + ", is " + std::string(kind_with_article(value.kind())));
         return;
@@ -147,8 +151,15 @@ void LevelChecker::check_value(const Layer& layer, const Value& value, const Fie
 void LevelChecker::check_points(const Layer& layer, const Value& value, const std::string& field) {
     for (std::size_t i = 0; i < value.entries().size(); ++i) {
         const Value& point = value.entries()[i].value;
-        if (!is_point(point))
-            fault(layer, point, field + '[' + std::to_string(i + 1) + ']', "must be { x, y }, two numbers");
+        if (is_point(point)) continue;
+        const Value* unreadable = nullptr;
+        if (point.kind() == Value::Kind::Table) {
+            for (const Entry& entry : point.entries()) {
+                if (entry.value.is_unreadable) unreadable = &entry.value;
+            }
+        }
+        fault(layer, unreadable == nullptr ? point : *unreadable, field + '[' + std::to_string(i + 1) + ']',
+              "must be { x, y }, two numbers");
     }
 }
 

@@ -70,20 +70,21 @@ constexpr const Field* kLevelOwn[] = {&kLevelName, &kGravityX,    &kGravityY, &k
                                       &kTemplates, &kBodies,      &kTriggers, &kPrefabs,  &kJoints,
                                       &kSpawns,    &kDecorations, &kCamera,   &kBounds,   &kData};
 
-constexpr Field place_field(const char* name) {
-    return within(required_field(name, FieldType::Number, "m"), -physics::kFarthest_m, physics::kFarthest_m);
+constexpr Field place_field(const char* name, const char* doc = "m") {
+    return within(required_field(name, FieldType::Number, doc), -physics::kFarthest_m, physics::kFarthest_m);
 }
 constexpr Field kX = place_field("x");
 constexpr Field kY = place_field("y");
 constexpr Field kAngle = number_field("angle", 0, "0", "rad");
-constexpr Field kHeight = within(required_field("height", FieldType::Number, "m, of what the picture shows"),
-                                 kLeastViewHeight_m, kMostViewHeight_m);
+constexpr Field kHeight =
+    within(required_field("height", FieldType::Number, "m, of what the picture shows; 1e-6 to 1e9"),
+           kLeastViewHeight_m, kMostViewHeight_m);
 constexpr const Field* kCameraOwn[] = {&kX, &kY, &kHeight};
 
 constexpr Field kLeft = place_field("left");
 constexpr Field kBottom = place_field("bottom");
-constexpr Field kRight = place_field("right");
-constexpr Field kTop = place_field("top");
+constexpr Field kRight = place_field("right", "m, above `left`");
+constexpr Field kTop = place_field("top", "m, above `bottom`");
 constexpr const Field* kBoundsOwn[] = {&kLeft, &kBottom, &kRight, &kTop};
 
 constexpr Field kSpawnData = optional_field("data", FieldType::Table, "whatever the game wants to know");

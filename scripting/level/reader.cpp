@@ -83,7 +83,9 @@ class Reader {
         }
         const auto text = files_.read_text(path);
         if (!text) return check_.fault_of_file(path, text.error().message), false;
-        auto parsed = parse_table_text(*text, path);
+        std::vector<std::string> faults;
+        auto parsed = parse_faulty_table_text(*text, path, faults);
+        for (const std::string& fault : faults) check_.fault_of_file(path, fault);
         if (!parsed) return check_.fault_of_file(path, parsed.error().message), false;
         out = *std::move(parsed);
         return true;
@@ -129,8 +131,10 @@ class Reader {
     template <class Function>
     void for_each_named(const Layer& root, const char* section, Function&& function) {
         const Value* table = root.table->find(section);
+        if (table != nullptr && table->is_unreadable) lacks_definitions_ = true;
         if (table == nullptr || table->kind() != Value::Kind::Table) return;
         for (const Entry& entry : table->entries()) {
+            if (entry.value.is_unreadable) lacks_definitions_ = true;
             const auto* name = std::get_if<std::string>(&entry.key);
             if (name == nullptr) {
                 check_.fault({&entry.value, section, root.file},
@@ -145,6 +149,7 @@ class Reader {
 
     void read_includes() {
         const Value* list = level_.table.find("includes");
+        if (list != nullptr && list->is_unreadable) lacks_definitions_ = true;
         if (list != nullptr && list->kind() == Value::Kind::Table) {
             if (!list->is_list()) check_.fault({list, "includes", level_.path}, "must be a list of files");
             // Values must not move while layers point at them.
@@ -286,6 +291,7 @@ class Reader {
 
     /// The text of a name that is good and new; else a fault, and nothing.
     std::string take_name(const Layer& layer, const Value& name) {
+        if (name.is_unreadable) lacks_names_ = true;
         if (name.kind() != Value::Kind::String) return "";
         if (!is_part_name(name.text())) {
             refused_names_.insert(name.text());
@@ -542,8 +548,7 @@ class Reader {
         if (waiting.field->type == FieldType::Joint) {
             const auto found = level_.find(PartKind::Joint, name.name);
             if (!found) {
-                check_.check_one_of(waiting.layer, waiting.name, waiting.field->name, "joint",
-                                    level_.names(PartKind::Joint));
+                check_name(waiting, "joint", level_.names(PartKind::Joint));
             } else if (*found >= waiting.part) {
                 check_.fault(waiting.layer, waiting.name, waiting.field->name,
                              "must be a joint that stands before this one");
@@ -559,7 +564,13 @@ class Reader {
         }
         std::vector<std::string> names = level_.names(PartKind::Body);
         for (const std::string& trigger : level_.names(PartKind::Trigger)) names.push_back(trigger);
-        check_.check_one_of(waiting.layer, waiting.name, waiting.field->name, "body", names);
+        check_name(waiting, "body", names);
+    }
+
+    /// Of what is not among the names.
+    void check_name(const Waiting& waiting, const char* what, std::span<const std::string> names) {
+        level_.parts[waiting.part].is_faulty = true;
+        if (!lacks_names_) check_.check_one_of(waiting.layer, waiting.name, waiting.field->name, what, names);
     }
 
     const engine::Files& files_;
@@ -574,7 +585,8 @@ class Reader {
     std::map<std::string, std::string> names_;  ///< name -> path of what has it
     std::set<std::string> refused_names_;
     bool lacks_definitions_ =
-        false;  ///< a file with materials and templates could not be read, which is told
+        false;                  ///< a file with materials and templates could not be read, which is told
+    bool lacks_names_ = false;  ///< the name of a part could not be read, which is told
     std::map<std::string, std::string> pictures_;  ///< path -> its fault, or empty
     std::vector<Waiting> waiting_;
 };

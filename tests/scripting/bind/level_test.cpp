@@ -223,6 +223,33 @@ TEST_CASE("what shows only when a level is built is told beside the faults that 
     CHECK(count == expected.size());
 }
 
+TEST_CASE("names and sums where data should be do not hide other faults, nor are they told twice") {
+    LuaBench bench(GameFiles{{"names.lua", R"({
+    materials = { ice = ICE },
+    bodies = {
+        { name = crate, shape = "circle", radius = 2 * SIZE, material = "stone" },
+        { shape = circle, friction = -1, sensor = yes },
+        { shape = "polygon", points = { { 0, 0 }, { W, 0 }, { W / 2, 1 } } },
+        { shape = "circle", radius = -1 },
+    },
+    joints = { { joint = "weld", body_a = "crate", body_b = "crate", x = 0, y = 0 } },
+})"}});
+    REQUIRE(bench.run("faults = cairn.level.check('names.lua')") == "");
+    const std::vector<std::string> expected = {"names.lua:2:25: \"ICE\" is a name",
+                                               "names.lua:4:18: \"crate\" is a name",
+                                               "names.lua:4:54: expected , or }",
+                                               "names.lua:5:19: \"circle\" is a name",
+                                               "names.lua:5:51: \"yes\" is a name",
+                                               "names.lua:6:53: \"W\" is a name",
+                                               "names.lua:6:63: \"W\" is a name",
+                                               "names.lua:5:38: bodies[2].friction = -1: must be at least 0",
+                                               "names.lua:7:38: bodies[4].radius = -1: must be above 0"};
+    const auto count = static_cast<std::size_t>(std::stoi(bench.value("#faults")));
+    for (std::size_t i = 0; i < std::min(count, expected.size()); ++i)
+        CHECK_THAT(bench.value("faults[" + std::to_string(i + 1) + "]"), Catch::StartsWith(expected[i]));
+    CHECK(count == expected.size());
+}
+
 TEST_CASE("what a level says of its places, pictures and files is checked like the rest") {
     LuaBench bench(
         GameFiles{{"notes.txt", "no picture"},

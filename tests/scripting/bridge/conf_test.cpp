@@ -77,6 +77,12 @@ TEST_CASE("a check of conf.lua tells what its fields say together in the same ru
     CHECK(faults[1] == "conf.lua:4: title = 7: must be a string, is an integer");
     CHECK(faults[2].find("conf.lua:3: window_width = 5: is without meaning") == 0);
     CHECK(faults[3].find("conf.lua:3: window_height = 0: is without meaning") == 0);
+    const std::vector<std::string> mixed = faults_of_conf(
+        "return {\n  title = os.getenv('HOME'),\n  width = 2 * 640,\n  hight = 5,\n}", "conf.lua");
+    REQUIRE(mixed.size() == 3);
+    CHECK(mixed[0].find("conf.lua:2:11: \"os\" is a name") == 0);
+    CHECK(mixed[1].find("conf.lua:3:13: expected , or }") == 0);
+    CHECK(mixed[2].find("conf.lua:4: hight: unknown field; did you mean \"height\"?") == 0);
 }
 
 TEST_CASE("a byte order mark before conf.lua is skipped") {

@@ -13,6 +13,42 @@ std::string error_of(std::string_view text) {
     return value ? "" : value.error().message;
 }
 
+TEST_CASE("with a list for faults, names and sums are told all at once and the rest is read") {
+    std::vector<std::string> faults;
+    const auto value = parse_faulty_table_text(R"lua({
+    a = math.pi / 2, b = 1, c = 3 + 4 * (5, 6), d = f({ 1, 2 }, "},"), -- not, ]]
+    { x, -y, "z" .. ")" }, e = -
+        [[ , ]] --[[ , ]]; g = 7,
+})lua",
+                                               "f.lua", faults);
+    REQUIRE(value);
+    const auto name = [](const std::string& word) {
+        return "\"" + word + "\" is a name, and this file is data: write a number, \"" + word +
+               "\" in quotes, true, false or a table";
+    };
+    CHECK(faults == std::vector<std::string>{"f.lua:2:9: " + name("math"),
+                                             "f.lua:2:35: expected , or } after a value, found '+'",
+                                             "f.lua:2:53: " + name("f"), "f.lua:3:7: " + name("x"),
+                                             "f.lua:3:10: \"-y\" is not a number",
+                                             "f.lua:3:18: expected , or } after a value, found '.'",
+                                             "f.lua:4:9: expected a number after -, found '['"});
+    for (const char* key : {"a", "c", "d", "e"}) CHECK(value->find(key)->is_unreadable);
+    CHECK(value->find("b")->number() == 1);
+    CHECK(value->find("g")->number() == 7);
+    CHECK(value->find("a")->line == 2);
+    CHECK(value->entries()[4].value.entries().size() == 3);
+    // What has no sure end is the last fault.
+    for (const char* text :
+         {"{ a = x, b = function() return 1, 2 end }", "{ a = x, [y] = 1, c = z }", "{ a = x, b = y",
+          "{ a = x, b = 1 c = y }", "{ a = x('y }", "{ a = { [b] = 1 }, c = x }"}) {
+        std::vector<std::string> before;
+        CHECK_FALSE(parse_faulty_table_text(text, "f.lua", before));
+        CHECK(before.size() <= 1);
+    }
+    // Nothing is passed over without the list.
+    CHECK(error_of("{ a = x, b = y }") == "f.lua:1:7: " + name("x"));
+}
+
 TEST_CASE("a table of every kind of value is read") {
     const auto value = parse_table_text(R"(
 -- a level
