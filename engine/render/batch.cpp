@@ -3,18 +3,13 @@
 
 namespace cairn::engine {
 
-TriangleList& Batch::triangles(BackendTexture texture) {
-    if (texture != texture_) {
+TriangleList& Batch::triangles(BackendTexture texture, BlendMode mode) {
+    if (texture != texture_ || mode != collected_) {
         flush();
         texture_ = texture;
+        collected_ = mode;
     }
     return triangles_;
-}
-
-void Batch::set_blend_mode(BlendMode mode) {
-    if (mode == blend_) return;
-    flush();
-    blend_ = mode;
 }
 
 void Batch::set_scissor(const PixelRect& scissor) {
@@ -26,7 +21,7 @@ void Batch::set_scissor(const PixelRect& scissor) {
 void Batch::flush() {
     const bool visible = scissor_.width > 0 && scissor_.height > 0;
     if (!triangles_.indices.empty() && visible) {
-        backend_.draw(triangles_.vertices, triangles_.indices, texture_, blend_, scissor_);
+        backend_.draw(triangles_.vertices, triangles_.indices, texture_, collected_, scissor_);
         ++stats_.draw_calls;
         stats_.vertices += static_cast<int>(triangles_.vertices.size());
         stats_.triangles += static_cast<int>(triangles_.indices.size() / 3);

@@ -14,8 +14,10 @@ class Batch {
     explicit Batch(RenderBackend& backend) : backend_(backend) {}
 
     /// Where the triangles of the next draw go; a change sends what was collected.
-    TriangleList& triangles(BackendTexture texture);
-    void set_blend_mode(BlendMode mode);
+    TriangleList& triangles(BackendTexture texture) { return triangles(texture, blend_); }
+    /// The same for a draw that needs another blend mode than the one that is set.
+    TriangleList& triangles(BackendTexture texture, BlendMode mode);
+    void set_blend_mode(BlendMode mode) { blend_ = mode; }
     void set_scissor(const PixelRect& scissor);
     void flush();
     BlendMode blend_mode() const { return blend_; }
@@ -30,6 +32,7 @@ class Batch {
     TriangleList triangles_;
     BackendTexture texture_ = 0;
     BlendMode blend_ = BlendMode::Alpha;
+    BlendMode collected_ = BlendMode::Alpha;  ///< of the triangles
     PixelRect scissor_;
     RenderStats stats_;
 };

@@ -57,15 +57,48 @@ bool Renderer::State::prepare(std::span<Vec2> points, float margin) const {
            low.y < static_cast<float>(viewport.output.height) + margin;
 }
 
+Renderer::State::Paint Renderer::State::paint_for(const Brush& brush, BackendTexture texture) const {
+    const BlendMode mode = batch.blend_mode();
+    if (mode != BlendMode::Replace) return {brush, mode};
+    // What replaces by a share leaves the rest of what was there, which is what Alpha does with the share as
+    // alpha. The alpha that is left is then right where it is 1 before and after, or never seen: not for
+    // translucent colors in canvases. No mode takes a share of alpha away, so those have hard edges; and so
+    // do pictures, whose alpha is their own.
+    const bool keeps_alpha = canvas.is_null() || brush.is_opaque();
+    if (texture == 0 && keeps_alpha) return {brush.with_edge(Brush::Edge::Covering), BlendMode::Alpha};
+    return {brush.with_edge(Brush::Edge::Hard), mode};
+}
+
 void Renderer::State::fill(std::vector<Vec2> points, const Brush& brush, BackendTexture texture) {
     constexpr float kRim = 1;
-    if (prepare(points, kRim)) fill_convex(points, brush, batch.triangles(texture));
+    if (!prepare(points, kRim)) return;
+    const Paint paint = paint_for(brush, texture);
+    fill_convex(points, paint.brush, batch.triangles(texture, paint.mode));
+}
+
+Result<void> Renderer::State::fill_dented(std::span<const Vec2> points, const Brush& brush,
+                                          BackendTexture texture) {
+    if (const auto crossing = find_crossing(points)) {
+        const auto side = [&](std::size_t first) {
+            return "from corner " + std::to_string(first + 1) + " to " +
+                   std::to_string((first + 1) % points.size() + 1);
+        };
+        return Error{"the side " + side(crossing->first) + " crosses that " + side(crossing->second) +
+                     "; the corners must stand in the order in which they go round the polygon"};
+    }
+    std::vector<Vec2> in_output = mapped(points, output_transform());
+    if (!prepare(in_output, 1)) return {};
+    const Paint paint = paint_for(brush, texture);
+    fill_simple(in_output, paint.brush, batch.triangles(texture, paint.mode));
+    return {};
 }
 
 void Renderer::State::outline(std::vector<Vec2> points, bool closed, float width, LineCap cap, Color color) {
     const float pixels = width * output_transform().mean_scale();
     if (!is_positive(pixels) || pixels > kMaxCoordinate) return;
-    if (prepare(points, pixels + 1)) stroke(points, closed, pixels, cap, Brush(color), batch.triangles(0));
+    if (!prepare(points, pixels + 1)) return;
+    const Paint paint = paint_for(Brush(color), 0);
+    stroke(points, closed, pixels, cap, paint.brush, batch.triangles(0, paint.mode));
 }
 
 // ---- Filled
@@ -93,7 +126,9 @@ void Renderer::fill_sector(Vec2 center, float radius, float from_rad, float to_r
     // From the center all of it can be seen, however wide it is.
     std::vector<Vec2> points = {map.apply(center)};
     for (const Vec2 p : arc_points(center, radius, from_rad, to_rad, map)) points.push_back(p);
-    if (state_->prepare(points, 1)) fill_star(points, Brush(color), state_->batch.triangles(0));
+    if (!state_->prepare(points, 1)) return;
+    const State::Paint paint = state_->paint_for(Brush(color), 0);
+    fill_star(points, paint.brush, state_->batch.triangles(0, paint.mode));
 }
 
 void Renderer::fill_capsule(Vec2 a, Vec2 b, float radius, Color color) {
@@ -112,6 +147,22 @@ void Renderer::fill_convex_polygon(std::span<const Vec2> points, TextureId textu
     const Affine2 map = state_->output_transform();
     const Brush brush(tint, uv_from_local * map.inverse(), {0, 0, 1, 1});
     state_->fill(mapped(points, map), brush, found->backend_texture);
+}
+
+Result<void> Renderer::fill_polygon(std::span<const Vec2> points, Color color) {
+    if (!is_convex(points)) return state_->fill_dented(points, Brush(color), 0);
+    fill_convex_polygon(points, color);
+    return {};
+}
+
+Result<void> Renderer::fill_polygon(std::span<const Vec2> points, TextureId texture,
+                                    const Affine2& uv_from_local, Color tint) {
+    const Texture* found = state_->find_texture(texture, "fill_polygon");
+    if (!found) return {};
+    const Brush brush(tint, uv_from_local * state_->output_transform().inverse(), {0, 0, 1, 1});
+    if (!is_convex(points)) return state_->fill_dented(points, brush, found->backend_texture);
+    state_->fill(mapped(points, state_->output_transform()), brush, found->backend_texture);
+    return {};
 }
 
 // ---- Outlines and lines

@@ -59,7 +59,15 @@ struct Renderer::State {
     void end_all_canvases();
     void destroy(TextureId texture);
 
+    /// A brush and the blend mode to draw with, so that edges mix by coverage in the mode that is set.
+    struct Paint {
+        Brush brush;
+        BlendMode mode;
+    };
+    Paint paint_for(const Brush& brush, BackendTexture texture) const;
+
     void fill(std::vector<Vec2> output_points, const Brush& brush, BackendTexture texture);
+    Result<void> fill_dented(std::span<const Vec2> points, const Brush& brush, BackendTexture texture);
     void outline(std::vector<Vec2> output_points, bool closed, float width, LineCap cap, Color color);
 
     const Files& files;

@@ -105,7 +105,15 @@ void Renderer::draw_text(FontId font, std::string_view text, const TextDraw& dra
     // A letter's picture is drawn pixel by pixel where that is possible, and scaled where it is not.
     const bool snapped = is_upright(map) && std::fabs(wanted - static_cast<float>(pixels)) < 0.5f;
     const float picture_scale = static_cast<float>(nominal_pixels) / static_cast<float>(pixels);
-    const Rgba8 plain = to_rgba8(draw.color);
+    const bool replaces = s.batch.blend_mode() == BlendMode::Replace;
+    // Letters are coverage: they replace by that share, where shapes do; and lie on top in a canvas else.
+    const auto ink = [&](Color color) {
+        const bool keeps_alpha = s.canvas.is_null() || color.a >= 1;
+        if (replaces && keeps_alpha) color = {color.r * color.a, color.g * color.a, color.b * color.a, 1};
+        return to_rgba8(color);
+    };
+    const BlendMode mode = replaces ? BlendMode::Alpha : s.batch.blend_mode();
+    const Rgba8 plain = ink(draw.color);
 
     const std::vector<TextLine> lines = layout_text(*nominal, text, draw.wrap_width);
     float baseline = draw.position.y + static_cast<float>(nominal->ascent());
@@ -113,7 +121,7 @@ void Renderer::draw_text(FontId font, std::string_view text, const TextDraw& dra
         const float start = draw.position.x + aligned_start(line, draw);
         for (const PlacedCharacter& placed : line.characters) {
             if (draw.shown >= 0 && placed.index >= draw.shown) continue;
-            const Rgba8 color = draw.spans.empty() ? plain : to_rgba8(span_color(draw, placed.index));
+            const Rgba8 color = draw.spans.empty() ? plain : ink(span_color(draw, placed.index));
             const std::optional<GlyphCache::Entry> glyph =
                 s.glyphs.find(font, pixels, *face, placed.character);
             if (!glyph || glyph->size.width == 0) continue;
@@ -137,7 +145,7 @@ void Renderer::draw_text(FontId font, std::string_view text, const TextDraw& dra
             std::array corners = {corner, corner + x_axis, corner + x_axis + y_axis, corner + y_axis};
             if (!s.prepare(corners, 0)) continue;
 
-            TriangleList& out = s.batch.triangles(glyph->texture);
+            TriangleList& out = s.batch.triangles(glyph->texture, mode);
             const Rect& uv = glyph->uv;
             const int first = out.add({corners[0], color, {uv.x, uv.y}});
             out.add({corners[1], color, {uv.x + uv.width, uv.y}});

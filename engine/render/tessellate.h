@@ -4,7 +4,10 @@
 // inside and transparent outside: the coverage of a pixel by a straight edge, seen through a box filter.
 #pragma once
 
+#include <array>
+#include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "render/backend.h"
@@ -31,18 +34,32 @@ struct TriangleList {
 /// What a shape is filled with: a color, or an image times a color.
 class Brush {
   public:
+    /// What coverage does to the color.
+    enum class Edge {
+        Fading,    ///< its alpha fades
+        Covering,  ///< it takes the place of what lies under it by that share, its own transparency too
+        Hard,      ///< nothing: shapes have no rim
+    };
+
     explicit Brush(Color color) : color_(color) {}
     /// uv_bounds keeps the rim, which lies a little outside of the shape, from showing a neighbour in the
     /// image.
     Brush(Color tint, const Affine2& uv_from_output, const Rect& uv_bounds)
         : color_(tint), uv_from_output_(uv_from_output), uv_bounds_(uv_bounds) {}
 
-    /// The same brush with its alpha multiplied.
+    Brush with_edge(Edge edge) const;
+    /// The same brush with its coverage multiplied.
     Brush faded(float factor) const;
     RenderVertex vertex(Vec2 position, float coverage) const;
 
+    bool is_opaque() const { return color_.a >= 1; }
+    /// How far the rim reaches to either side of the true edge, in pixels.
+    float half_rim() const { return edge_ == Edge::Hard ? 0.0f : 0.5f; }
+
   private:
     Color color_;
+    float coverage_ = 1;
+    Edge edge_ = Edge::Fading;
     Affine2 uv_from_output_ = {0, 0, 0, 0, 0, 0};
     Rect uv_bounds_;
 };
@@ -52,6 +69,18 @@ void fill_convex(std::span<const Vec2> points, const Brush& brush, TriangleList&
 
 /// A polygon that need not be convex, but whose every point can be seen from its first one.
 void fill_star(std::span<const Vec2> points, const Brush& brush, TriangleList& out);
+
+/// Whether the points go round a convex polygon once, either way. One without area counts as such.
+bool is_convex(std::span<const Vec2> points);
+
+/// Two sides that meet though they are no neighbours, by the places of their first corners.
+std::optional<std::pair<std::size_t, std::size_t>> find_crossing(std::span<const Vec2> points);
+
+/// The triangles, by the places of their corners, of a polygon with positive area whose sides do not meet.
+std::vector<std::array<int, 3>> cut_into_triangles(std::span<const Vec2> corners);
+
+/// A polygon that may have dents, and whose sides do not meet.
+void fill_simple(std::span<const Vec2> points, const Brush& brush, TriangleList& out);
 
 /// A line of the given width along the points; `closed` joins the last one to the first. Lines thinner than a
 /// pixel are drawn one pixel wide and fainter instead.

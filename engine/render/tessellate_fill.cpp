@@ -52,9 +52,11 @@ std::vector<Vec2> edge_normals(const std::vector<Vec2>& corners) {
     return normals;
 }
 
-/// The inner contour as a fan around its first point, and the rim around it.
-void add_filled(const std::vector<Vec2>& corners, const std::vector<Vec2>& normals, float inset,
-                const Brush& paint, TriangleList& out) {
+/// The inner contour, and the rim around it.
+void add_filled(const std::vector<Vec2>& corners, const std::vector<Vec2>& normals,
+                std::span<const std::array<int, 3>> triangles, float inset, const Brush& paint,
+                TriangleList& out) {
+    inset = std::min(inset, paint.half_rim());
     const std::size_t n = corners.size();
     const int first = static_cast<int>(out.vertices.size());
     for (std::size_t i = 0; i < n; ++i) {
@@ -65,15 +67,30 @@ void add_filled(const std::vector<Vec2>& corners, const std::vector<Vec2>& norma
         const float reach = length(miter);
         if (reach > kMaxMiter) miter = miter * (kMaxMiter / reach);
         out.add(paint.vertex(corners[i] - miter * inset, 1));
-        out.add(paint.vertex(corners[i] + miter * 0.5f, 0));
+        out.add(paint.vertex(corners[i] + miter * paint.half_rim(), 0));
     }
     const int count = static_cast<int>(n);
-    for (int i = 1; i + 1 < count; ++i) out.add_triangle(first, first + 2 * i, first + 2 * i + 2);
+    for (const auto& [a, b, c] : triangles) out.add_triangle(first + 2 * a, first + 2 * b, first + 2 * c);
+    if (paint.half_rim() == 0) return;
     for (int i = 0; i < count; ++i) {
         const int here = first + 2 * i;
         const int next = first + 2 * ((i + 1) % count);
         out.add_quad(here, here + 1, next + 1, next);
     }
+}
+
+/// Around the first corner.
+std::vector<std::array<int, 3>> fan(std::size_t corners) {
+    std::vector<std::array<int, 3>> triangles;
+    for (int i = 1; i + 1 < static_cast<int>(corners); ++i) triangles.push_back({0, i, i + 1});
+    return triangles;
+}
+
+float perimeter(const std::vector<Vec2>& corners) {
+    float sum = 0;
+    for (std::size_t i = 0; i < corners.size(); ++i)
+        sum += length(corners[(i + 1) % corners.size()] - corners[i]);
+    return sum;
 }
 
 }  // namespace
@@ -84,15 +101,23 @@ Rgba8 to_rgba8(Color color) {
     return {to_byte(unit(color.r) * a), to_byte(unit(color.g) * a), to_byte(unit(color.b) * a), to_byte(a)};
 }
 
+Brush Brush::with_edge(Edge edge) const {
+    Brush brush = *this;
+    brush.edge_ = edge;
+    return brush;
+}
+
 Brush Brush::faded(float factor) const {
     Brush brush = *this;
-    brush.color_.a *= factor;
+    brush.coverage_ *= factor;
     return brush;
 }
 
 RenderVertex Brush::vertex(Vec2 position, float coverage) const {
     Color color = color_;
-    color.a *= coverage;
+    const float share = coverage * coverage_;
+    if (edge_ == Edge::Fading) color.a *= share;
+    if (edge_ == Edge::Covering) color = {color.r * color.a, color.g * color.a, color.b * color.a, share};
     const Vec2 uv = uv_from_output_.apply(position);
     return {position,
             to_rgba8(color),
@@ -119,18 +144,24 @@ void fill_convex(std::span<const Vec2> points, const Brush& brush, TriangleList&
     const float inset = std::min(0.5f, inradius);
     const Brush paint = inset < 0.5f ? brush.faded(2 * inset / (inset + 0.5f)) : brush;
 
-    add_filled(corners, normals, inset, paint, out);
+    add_filled(corners, normals, fan(n), inset, paint, out);
 }
 
 void fill_star(std::span<const Vec2> points, const Brush& brush, TriangleList& out) {
     float area = 0;
     const std::vector<Vec2> corners = tidy_corners(points, area);
     if (corners.size() < 3 || area <= 0) return;
-    float perimeter = 0;
-    for (std::size_t i = 0; i < corners.size(); ++i)
-        perimeter += length(corners[(i + 1) % corners.size()] - corners[i]);
     // Twice the area over the perimeter is the inradius of what has one.
-    add_filled(corners, edge_normals(corners), std::min(0.5f, 2 * area / perimeter), brush, out);
+    add_filled(corners, edge_normals(corners), fan(corners.size()),
+               std::min(0.5f, 2 * area / perimeter(corners)), brush, out);
+}
+
+void fill_simple(std::span<const Vec2> points, const Brush& brush, TriangleList& out) {
+    float area = 0;
+    const std::vector<Vec2> corners = tidy_corners(points, area);
+    if (corners.size() < 3 || area <= 0) return;
+    add_filled(corners, edge_normals(corners), cut_into_triangles(corners),
+               std::min(0.5f, 2 * area / perimeter(corners)), brush, out);
 }
 
 }  // namespace cairn::engine

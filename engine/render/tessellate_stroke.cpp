@@ -27,8 +27,8 @@ class Stroker {
   public:
     Stroker(float width, const Brush& brush, TriangleList& out)
         : brush_(width < 1 ? brush.faded(width) : brush),
-          core_(std::max(0.5f * (width - 1), 0.0f)),
-          rim_(core_ + 1),
+          core_(brush.half_rim() == 0 ? 0.5f * std::max(width, 1.0f) : std::max(0.5f * (width - 1), 0.0f)),
+          rim_(core_ + 2 * brush.half_rim()),
           out_(out) {}
 
     void run(std::span<const Vec2> points, bool closed, LineCap cap) {
@@ -133,8 +133,9 @@ class Stroker {
                 open_section_ = section(at, across, 1);
                 break;
             case LineCap::Butt: {
-                const int rim = section(at - direction * 0.5f, across, 0);
-                open_section_ = section(at + direction * std::min(0.5f, 0.5f * lengths_.front()), across, 1);
+                const int rim = section(at - direction * brush_.half_rim(), across, 0);
+                open_section_ =
+                    section(at + direction * std::min(brush_.half_rim(), 0.5f * lengths_.front()), across, 1);
                 bridge(rim, open_section_);
                 break;
             }
@@ -150,9 +151,10 @@ class Stroker {
                 wedge(at, -across, std::numbers::pi_v<float>);
                 break;
             case LineCap::Butt: {
-                const int last = section(at - direction * std::min(0.5f, 0.5f * lengths_.back()), across, 1);
+                const int last =
+                    section(at - direction * std::min(brush_.half_rim(), 0.5f * lengths_.back()), across, 1);
                 bridge(open_section_, last);
-                bridge(last, section(at + direction * 0.5f, across, 0));
+                bridge(last, section(at + direction * brush_.half_rim(), across, 0));
                 break;
             }
         }

@@ -192,6 +192,43 @@ TEST_CASE_METHOD(Canvases, "replacing cuts a hole into a canvas") {
     CHECK(rgb(image, 12, 6) == 0xff0000u);
 }
 
+TEST_CASE("an edge that replaces mixes by coverage, as an opaque one that covers does") {
+    const auto draw = [](BlendMode mode, Color color) {
+        Drawing d({32, 32});
+        d.renderer->begin_frame({0.2f, 0.5f, 0.8f, 1});
+        d.renderer->set_blend_mode(mode);
+        d.renderer->fill_circle({10.3f, 10.6f}, 7, color);
+        d.renderer->outline_circle({22, 22}, 6, 1.5f, color);
+        d.renderer->draw_line({2, 30}, {28, 3}, 2, color);
+        return d.capture();
+    };
+    const Image covered = draw(BlendMode::Alpha, {1, 0.9f, 0.1f, 1});
+    CHECK(covered.rgba == draw(BlendMode::Replace, {1, 0.9f, 0.1f, 1}).rgba);
+    // On the output a translucent color replaces as the opaque one that it is when multiplied by its alpha.
+    const Image half = draw(BlendMode::Alpha, {0.5f, 0.45f, 0.05f, 1});
+    const Image replaced = draw(BlendMode::Replace, {1, 0.9f, 0.1f, 0.5f});
+    for (std::size_t i = 0; i < half.rgba.size(); ++i)
+        REQUIRE(std::abs(half.rgba[i] - replaced.rgba[i]) <= 2);
+}
+
+TEST_CASE_METHOD(Canvases, "a hole in a canvas has no dark edge, and the size that it should have") {
+    begin(Color{1, 0, 0, 1});
+    renderer->set_blend_mode(BlendMode::Replace);
+    renderer->fill_circle({8, 6}, 4, {0, 0, 0, 0});
+    end();
+    renderer->draw_image(canvas, {});
+    const Image image = capture();
+    int holes = 0;
+    for (int y = 0; y < 12; ++y) {
+        for (int x = 0; x < 16; ++x) {
+            const unsigned color = rgb(image, x, y);
+            CHECK((color == 0xff0000u || color == 0x0000ffu));  // the canvas, or what lies behind it
+            holes += color == 0x0000ffu ? 1 : 0;
+        }
+    }
+    CHECK(std::abs(holes - 50) <= 6);  // pi 4^2
+}
+
 TEST_CASE("the hidden color of transparent pixels does not seam a sprite's edge") {
     // A green texel between transparent red ones, magnified: nowhere may red show.
     Drawing d({32, 32});

@@ -171,3 +171,62 @@ TEST_CASE("color components are clamped to bytes") {
     CHECK(to_rgba8({2, -1, 0.5f, 1}) == Rgba8{255, 0, 128, 255});
     CHECK(to_rgba8({std::nanf(""), 0, 0, 1}) == Rgba8{0, 0, 0, 255});
 }
+
+// ---- Polygons with dents
+
+namespace {
+
+/// A star with as many points; every second corner is a dent.
+std::vector<Vec2> star(int points, float outer, float inner) {
+    std::vector<Vec2> corners;
+    for (int i = 0; i < 2 * points; ++i) {
+        const float angle_rad = kPi * static_cast<float>(i) / static_cast<float>(points);
+        const float radius = i % 2 == 0 ? outer : inner;
+        corners.push_back({100 + radius * std::cos(angle_rad), 100 + radius * std::sin(angle_rad)});
+    }
+    return corners;
+}
+
+}  // namespace
+
+TEST_CASE("the triangles of polygons with dents cover their areas, in either winding") {
+    // Of n kites with the diagonals R and 2 r sin(pi / n).
+    const auto star_area = [](int n, double outer, double inner) {
+        return n * outer * inner * std::sin(std::numbers::pi / n);
+    };
+    for (const int n : {4, 5, 12}) {
+        std::vector<Vec2> corners = star(n, 60, 30);
+        for (int winding = 0; winding < 2; ++winding) {
+            TriangleList list;
+            fill_simple(corners, kWhite, list);
+            CHECK(covered_area(list) == Approx(star_area(n, 60, 30)).epsilon(0.005));
+            CHECK(cut_into_triangles(star(n, 60, 30)).size() == static_cast<std::size_t>(2 * n - 2));
+            std::reverse(corners.begin(), corners.end());
+        }
+    }
+    // A comb, in which most corners are no ears.
+    std::vector<Vec2> comb = {{0, 0}, {100, 0}, {100, 50}};
+    for (float x = 90; x > 0; x -= 20) {
+        comb.insert(comb.end(), {{x, 50}, {x, 10}, {x - 10, 10}, {x - 10, 50}});
+    }
+    comb.resize(comb.size() - 1);
+    comb.push_back({0, 10});
+    TriangleList list;
+    fill_simple(comb, kWhite, list);
+    CHECK(covered_area(list) == Approx(100 * 50 - 5 * 10 * 40).epsilon(0.01));
+}
+
+TEST_CASE("convex is what turns one way, once round") {
+    CHECK(is_convex(circle_points({50, 50}, 1000, {})));
+    CHECK(is_convex(rotated_box(40, 25, 0.7f)));
+    CHECK(is_convex(std::array<Vec2, 4>{Vec2{0, 0}, {5, 0}, {10, 0}, {5, 5}}));
+    CHECK(is_convex(std::array<Vec2, 3>{Vec2{0, 0}, {5, 5}, {10, 10}}));  // no area
+    CHECK_FALSE(is_convex(star(5, 60, 30)));
+    const std::vector<Vec2> points = star(5, 60, 30);
+    const std::array<Vec2, 5> pentagram = {points[0], points[4], points[8], points[2], points[6]};
+    CHECK_FALSE(is_convex(pentagram));
+    CHECK(find_crossing(pentagram).has_value());
+    CHECK_FALSE(find_crossing(points).has_value());
+    const std::array<Vec2, 4> bow = {Vec2{0, 0}, {20, 20}, {20, 0}, {0, 20}};
+    CHECK(find_crossing(bow) == std::pair<std::size_t, std::size_t>{0, 2});
+}

@@ -203,6 +203,10 @@ class Renderer {
     /// uv = uv_from_local applied to each point, as in MeshVertex::uv.
     void fill_convex_polygon(std::span<const Vec2> points, TextureId texture, const Affine2& uv_from_local,
                              Color tint = {});
+    /// The same for polygons that may have dents; an error, and nothing drawn, where two sides cross.
+    Result<void> fill_polygon(std::span<const Vec2> points, Color color);
+    Result<void> fill_polygon(std::span<const Vec2> points, TextureId texture, const Affine2& uv_from_local,
+                              Color tint = {});
 
     /// Outlines lie half inside and half outside of the true edge.
     void outline_rectangle(const Rect& rect, float width, Color color);
