@@ -10,16 +10,18 @@
 namespace cairn::scripting {
 namespace {
 
-constexpr Field kVolume = number_field("volume", 1, "1", "0 to 1");
-constexpr Field kPan = number_field("pan", 0, "0", "-1 left to 1 right");
-constexpr Field kPitch = number_field("pitch", 1, "1", "0.25 to 4");
+constexpr Field kVolume = at_least(number_field("volume", 1, "1", "more than 1 is as 1"), 0);
+constexpr Field kPan = number_field("pan", 0, "0", "-1 left to 1 right, and beyond as there");
+constexpr Field kPitch = above(number_field("pitch", 1, "1", "0.25 to 4, and beyond as there"), 0);
 constexpr Field kLoop = boolean_field("loop", false, "");
 constexpr Field kGroup{"group", FieldType::String, "sfx", "\"sfx\", or one made with new_group"};
 constexpr const Field* kPlayOwn[] = {&kVolume, &kPan, &kPitch, &kLoop, &kGroup};
 constexpr FieldSet kPlayFields{kPlayOwn};
 constexpr Field kMusicLoop = boolean_field("loop", true, "");
-constexpr Field kFade = within(number_field("fade", 0, "0", "s in which it swells from silence"), 0, 3600);
-constexpr const Field* kMusicOwn[] = {&kVolume, &kMusicLoop, &kFade};
+constexpr Range kFadeTimes{0, 3600};
+constexpr Field kFade = within(number_field("fade", 0, "0", "s in which it swells from silence"), kFadeTimes);
+constexpr Field kMusicVolume = within(number_field("volume", 1, "1", ""), kShare);
+constexpr const Field* kMusicOwn[] = {&kMusicVolume, &kMusicLoop, &kFade};
 constexpr FieldSet kMusicFields{kMusicOwn};
 
 // A voice is one integer in Lua; 0 is none.
@@ -60,14 +62,14 @@ void stop_all(lua_State* L) {
 bool is_playing(lua_State* L, std::int64_t voice) {
     return context_of(L).services.audio.is_playing(to_voice(voice));
 }
-void set_voice_volume(lua_State* L, std::int64_t voice, float volume) {
+void set_voice_volume(lua_State* L, std::int64_t voice, NotNegative volume) {
     context_of(L).services.audio.set_voice_volume(to_voice(voice), volume);
 }
 
 void set_voice_pan(lua_State* L, std::int64_t voice, float pan) {
     context_of(L).services.audio.set_voice_pan(to_voice(voice), pan);
 }
-void set_voice_pitch(lua_State* L, std::int64_t voice, float pitch) {
+void set_voice_pitch(lua_State* L, std::int64_t voice, Positive pitch) {
     context_of(L).services.audio.set_voice_pitch(to_voice(voice), pitch);
 }
 double duration(lua_State* L, std::string_view path) {
@@ -75,27 +77,25 @@ double duration(lua_State* L, std::string_view path) {
     return audio.duration_s(value_or_raise(L, audio.load_sound(path)));
 }
 
-void set_rate_cap(lua_State* L, std::string_view path, double seconds, std::int64_t voices) {
-    if (!(seconds >= 0)) argument_error(L, 2, "a time, at least 0");
-    if (voices < 1 || voices > engine::Audio::kMaxVoices) {
-        argument_error(L, 3, "an integer from 1 to " + std::to_string(engine::Audio::kMaxVoices));
-    }
+constexpr Range kVoices{1, engine::Audio::kMaxVoices};
+
+void set_rate_cap(lua_State* L, std::string_view path, Seconds seconds,
+                  Ranged<kVoices, std::int64_t> voices) {
     engine::Audio& audio = context_of(L).services.audio;
     audio.set_limit(value_or_raise(L, audio.load_sound(path)),
-                    {.min_interval_s = seconds, .max_voices = static_cast<int>(voices)});
+                    {.min_interval_s = seconds, .max_voices = static_cast<int>(voices.value)});
 }
 
 engine::Result<void> play_music(lua_State* L, std::string_view path, std::optional<TableArgument> options) {
     if (!options) lua_newtable(L);
     const FieldReader reader(L, options ? options->index : -1, kMusicFields);
-    return context_of(L).services.audio.play_music(path, reader.real(kVolume), reader.boolean(kMusicLoop),
-                                                   reader.number(kFade));
+    return context_of(L).services.audio.play_music(path, reader.real(kMusicVolume),
+                                                   reader.boolean(kMusicLoop), reader.number(kFade));
 }
-void stop_music(lua_State* L, std::optional<double> fade) {
-    if (fade && !(*fade >= 0)) argument_error(L, 1, "a time, at least 0");
+void stop_music(lua_State* L, std::optional<Ranged<kFadeTimes, double>> fade) {
     context_of(L).services.audio.stop_music(fade.value_or(0));
 }
-void set_music_volume(lua_State* L, float volume) {
+void set_music_volume(lua_State* L, Share volume) {
     context_of(L).services.audio.set_music_volume(volume);
 }
 Pushed music(lua_State* L) {
@@ -124,7 +124,7 @@ bool is_paused(lua_State* L, std::string_view group) {
     return context_of(L).services.audio.is_paused(to_group(L, group));
 }
 
-void set_volume(lua_State* L, std::string_view group, float volume) {
+void set_volume(lua_State* L, std::string_view group, Share volume) {
     context_of(L).services.audio.set_group_volume(to_group(L, group), volume);
 }
 float volume(lua_State* L, std::string_view group) {
@@ -142,10 +142,12 @@ constexpr Function kFunctions[] = {
     function<&stop>("stop", "voice", "", "Nothing happens when the voice has ended."),
     function<&stop_all>("stop_all", "", "", "All sounds; the music goes on."),
     function<&is_playing>("is_playing", "voice", "playing", ""),
-    function<&set_voice_volume>("set_voice_volume", "voice, volume", "", ""),
-    function<&set_voice_pan>("set_voice_pan", "voice, pan", "", "-1 left to 1 right."),
-    function<&set_voice_pitch>("set_voice_pitch", "voice, pitch", "",
-                               "0.25 to 4: speed and pitch from now on, as of an engine that turns faster."),
+    function<&set_voice_volume>("set_voice_volume", "voice, volume", "", "More than 1 is as 1."),
+    function<&set_voice_pan>("set_voice_pan", "voice, pan", "", "-1 left to 1 right, and beyond as there."),
+    function<&set_voice_pitch>(
+        "set_voice_pitch", "voice, pitch", "",
+        "0.25 to 4, and beyond as there: speed and pitch from now on, as of an engine that "
+        "turns faster."),
     function<&duration>("duration", "path", "seconds [s]",
                         "Loads a sound and says how long it plays at pitch 1."),
     function<&set_rate_cap>(
@@ -155,13 +157,13 @@ constexpr Function kFunctions[] = {
     function<&play_music>("play_music", "path, fields = {}", "", "Replaces the music that plays.",
                           &kMusicFields),
     function<&stop_music>("stop_music", "fade [s] = 0", "", "Within that time it falls silent."),
-    function<&set_music_volume>("set_music_volume", "volume", "", "Of the music that plays, 0 to 1."),
+    function<&set_music_volume>("set_music_volume", "volume", "", "Of the music that plays."),
     function_pushing<&music>("music", "", "path", kReturnsPath, "The file of the music that plays, or nil."),
     function<&new_group>(
         "new_group", "name", "",
         "Makes a group of sounds beside \"sfx\" and \"music\", for a volume and a pause of its own: "
         "\"ui\", \"speech\"."),
-    function<&set_volume>("set_volume", "group, volume", "", "0 to 1."),
+    function<&set_volume>("set_volume", "group, volume", "", ""),
     function<&pause>(
         "pause", "group", "",
         "What plays in the group stands still, and so does what is started in it, until it is resumed."),

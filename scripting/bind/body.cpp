@@ -113,13 +113,13 @@ FloatPair local_center(BodyRef self) {
 float linear_damping(BodyRef self) {
     return self.body.linear_damping();
 }
-Change set_linear_damping(BodyRef self, float c) {
+Change set_linear_damping(BodyRef self, NotNegative c) {
     return self.body.set_linear_damping(c);
 }
 float angular_damping(BodyRef self) {
     return self.body.angular_damping();
 }
-Change set_angular_damping(BodyRef self, float c) {
+Change set_angular_damping(BodyRef self, NotNegative c) {
     return self.body.set_angular_damping(c);
 }
 float gravity_scale(BodyRef self) {
@@ -152,7 +152,7 @@ void set_locks(BodyRef self, bool x, bool y, bool rotation) {
 float sleep_speed(BodyRef self) {
     return self.body.sleep_speed();
 }
-Change set_sleep_speed(BodyRef self, float speed) {
+Change set_sleep_speed(BodyRef self, NotNegative speed) {
     return self.body.set_sleep_speed(speed);
 }
 
@@ -272,7 +272,7 @@ constexpr Function kFunctions[] = {
     function<&local_center>("local_center", "", "x [m], y [m]",
                             "The centre of mass in the body's frame; (0, 0) unless dynamic."),
     function<&linear_damping>("linear_damping", "", "damping [1/s]", ""),
-    function<&set_linear_damping>("set_linear_damping", "damping [1/s]", "", "c in v e^(-c t), at least 0."),
+    function<&set_linear_damping>("set_linear_damping", "damping [1/s]", "", "c in v e^(-c t)."),
     function<&angular_damping>("angular_damping", "", "damping [1/s]", ""),
     function<&set_angular_damping>("set_angular_damping", "damping [1/s]", "", ""),
     function<&gravity_scale>("gravity_scale", "", "scale", ""),

@@ -24,9 +24,11 @@ using Pair = std::tuple<float, float>;
 
 constexpr Field kX = number_field("x", 0, "0", "m; what the middle of the picture shows");
 constexpr Field kY = number_field("y", 0, "0", "m");
-constexpr Field kHeight = number_field(
-    "height", 10, "10", "m from the bottom to the top of the picture at zoom 1; from 1e-6 to 1e9");
-constexpr Field kZoom = above(number_field("zoom", 1, "1", "2 shows everything twice as large"), 0, 1e6);
+constexpr Range kHeights{kLeastViewHeight_m, kMostViewHeight_m};
+constexpr Range kZooms{0, 1e6, true};
+constexpr Field kHeight = within(
+    number_field("height", 10, "10", "m from the bottom to the top of the picture at zoom 1"), kHeights);
+constexpr Field kZoom = within(number_field("zoom", 1, "1", "2 shows everything twice as large"), kZooms);
 constexpr Field kFollowRate = above(
     number_field("follow_rate", 6, "6", "1/s; of the way to what it follows, 63 % is covered in 1 / rate"), 0,
     1e6);
@@ -42,20 +44,10 @@ constexpr const Field* kOwn[] = {
     &kX, &kY, &kHeight, &kZoom, &kFollowRate, &kDeadZoneWidth, &kDeadZoneHeight, &kShakeShare};
 constexpr FieldSet kCameraFields{kOwn};
 
-void check_height(lua_State* L, double height) {
-    // Written so that NaN fails too.
-    if (!(height >= kLeastViewHeight_m && height <= kMostViewHeight_m)) {
-        lua_pushnumber(L, height);
-        call_error(L, "height is " + describe_value(L, -1) + "; it must be from 1e-6 to 1e9");
-    }
-}
-
 Pushed new_camera(lua_State* L, std::optional<TableArgument> description) {
     if (!description) lua_newtable(L);
     const FieldReader reader(L, description ? description->index : -1, kCameraFields);
-    const double height = reader.number(kHeight);
-    check_height(L, height);
-    engine::CameraRig rig({.view_height_m = static_cast<float>(height),
+    engine::CameraRig rig({.view_height_m = reader.real(kHeight),
                            .zoom = reader.real(kZoom),
                            .follow_rate_1_s = reader.real(kFollowRate),
                            .dead_zone_m = {reader.real(kDeadZoneWidth), reader.real(kDeadZoneHeight)},
@@ -102,9 +94,8 @@ void set_position(CameraRef self, float x, float y) {
 float height(CameraRef self) {
     return self.rig.view_height_m();
 }
-void set_height(lua_State* L, CameraRef self, double height_m) {
-    check_height(L, height_m);
-    self.rig.set_view_height_m(static_cast<float>(height_m));
+void set_height(CameraRef self, Ranged<kHeights, float> height_m) {
+    self.rig.set_view_height_m(height_m);
 }
 float width(CameraRef self) {
     return self.rig.camera().view_width_m() * self.rig.zoom();
@@ -113,41 +104,39 @@ void set_shake(CameraRef self, float dx, float dy) {
     self.object.offset_px = {dx, dy};
 }
 
-void check_zoom(lua_State* L, int index, float zoom) {
-    if (!(zoom > 0 && zoom <= 1e6f)) argument_error(L, index, "a number above 0 and at most 1e6");
-}
 float zoom(CameraRef self) {
     return self.rig.zoom();
 }
-void set_zoom(lua_State* L, CameraRef self, float zoom) {
-    check_zoom(L, 2, zoom);
+void set_zoom(CameraRef self, Ranged<kZooms, float> zoom) {
     self.rig.set_zoom(zoom);
 }
-void zoom_at(lua_State* L, CameraRef self, float x, float y, float factor) {
-    check_zoom(L, 4, factor);
-    check_zoom(L, 4, factor * self.rig.zoom());
+void zoom_at(lua_State* L, CameraRef self, float x, float y, Ranged<kZooms, float> factor) {
+    if (!kZooms.contains(static_cast<double>(factor * self.rig.zoom())))
+        argument_error(L, 4, "a factor that leaves the zoom " + to_text(kZooms));
     self.rig.zoom_at({x, y}, factor);
 }
 void set_bounds(lua_State* L, CameraRef self, std::optional<float> left, std::optional<float> bottom,
                 std::optional<float> right, std::optional<float> top) {
-    if (!left) return self.rig.set_bounds(std::nullopt);
-    if (!bottom || !right || !top)
+    if (!left && !bottom && !right && !top) return self.rig.set_bounds(std::nullopt);
+    if (!left || !bottom || !right || !top)
         call_error(L, "left, bottom, right and top are expected, or no argument at all");
-    if (!(*left <= *right && *bottom <= *top))
-        call_error(L, "left must be at most right, and bottom at most top");
+    if (!(*left <= *right))
+        call_error(L, "left is " + describe_value(L, 2) + " and right is " + describe_value(L, 4) +
+                          "; expected left <= right");
+    if (!(*bottom <= *top))
+        call_error(L, "bottom is " + describe_value(L, 3) + " and top is " + describe_value(L, 5) +
+                          "; expected bottom <= top");
     self.rig.set_bounds(engine::CameraBounds{{*left, *bottom}, {*right, *top}});
 }
 void follow(lua_State* L, CameraRef self, std::optional<float> x, std::optional<float> y) {
-    if (!x) return self.rig.follow(std::nullopt);
-    if (!y) call_error(L, "x and y are expected, or no argument at all");
+    if (!x && !y) return self.rig.follow(std::nullopt);
+    if (!x || !y) call_error(L, "x and y are expected, or no argument at all");
     self.rig.follow(engine::Vec2{*x, *y});
 }
-void shake(lua_State* L, CameraRef self, float strength) {
-    if (!(strength >= 0)) argument_error(L, 2, "a number, at least 0");
+void shake(CameraRef self, NotNegative strength) {
     self.rig.shake(strength);
 }
-void update(lua_State* L, CameraRef self, float dt) {
-    if (!(dt > 0 && dt <= 1)) argument_error(L, 2, "a time above 0 and at most 1 s");
+void update(CameraRef self, StepTime dt) {
     self.rig.update(dt);
 }
 std::tuple<float, float, float, float> visible_area(CameraRef self) {
@@ -182,7 +171,7 @@ constexpr Function kMethods[] = {
         "Moves the camera on its way, and lets shakes fade. Once per update; pictures in between show it "
         "in between."),
     function<&shake>("shake", "strength", "",
-                     "Shakes the picture, 0 to 1; strengths add up to 1 at most and fade within a second."),
+                     "Shakes the picture; strengths add up to 1 at most and fade within a second."),
     function<&set_bounds>(
         "set_bounds", "left [m] = nil, bottom [m] = nil, right [m] = nil, top [m] = nil", "",
         "Nothing outside is shown; where the view is larger, it shows the middle. Without arguments: "

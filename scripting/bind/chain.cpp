@@ -82,13 +82,15 @@ Change remove_points(lua_State* L, ChainRef self, std::int64_t first, std::int64
             L, "count is " + std::to_string(count) + "; expected 1 to " + std::to_string(point_count(self)));
     return self.chain.remove_points(to_index(first), static_cast<int>(count));
 }
-std::optional<Vec2> end_of(std::optional<float> x, std::optional<float> y) {
-    if (!x || !y) return std::nullopt;
+std::optional<Vec2> end_of(lua_State* L, std::optional<float> x, std::optional<float> y) {
+    if (x.has_value() != y.has_value())
+        call_error(L, "x and y of a point belong together; both or neither are expected");
+    if (!x) return std::nullopt;
     return Vec2{*x, *y};
 }
-Change set_ends(ChainRef self, std::optional<float> before_x, std::optional<float> before_y,
+Change set_ends(lua_State* L, ChainRef self, std::optional<float> before_x, std::optional<float> before_y,
                 std::optional<float> after_x, std::optional<float> after_y) {
-    return self.chain.set_ends(end_of(before_x, before_y), end_of(after_x, after_y));
+    return self.chain.set_ends(end_of(L, before_x, before_y), end_of(L, after_x, after_y));
 }
 
 Pushed segment(lua_State* L, ChainRef self, std::int64_t index) {

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <string>
 
 #include "bind/function.h"
@@ -37,30 +36,17 @@ bool has_type(lua_State* L, FieldType type) {
     return false;
 }
 
-std::string short_number(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.7g", value);
-    return text;
-}
-
 }  // namespace
 
 std::string range_rule(const Field& field) {
-    constexpr double kLargest = std::numeric_limits<double>::max();
-    std::string rule;
-    if (field.low > -kLargest)
-        rule = std::string(field.excludes_low ? "above " : "at least ") + short_number(field.low);
-    if (field.high < kLargest)
-        rule += (rule.empty() ? "at most " : " and at most ") + short_number(field.high);
-    if (field.high == kLargest) rule += rule.empty() ? "finite" : " and finite";
-    return rule.empty() ? "must be a number, not nan" : "must be " + rule;
+    const std::string ends = to_text(field.range);
+    if (field.range.has_high()) return "must be " + ends;
+    if (ends.empty()) return field.range.is_finite() ? "must be finite" : "must be a number, not nan";
+    return "must be " + ends + (field.range.is_finite() ? " and finite" : "");
 }
 
 bool is_in_range(const Field& field, double value) {
-    // Most numbers are kept in floats: what is above 0 must be so there.
-    const double least = field.excludes_low ? field.low + std::numeric_limits<float>::min() : field.low;
-    const bool is_high_enough = value >= least && !(field.excludes_low && value <= field.low);
-    return is_high_enough && value <= field.high;
+    return field.range.contains(value);
 }
 
 std::vector<std::string> words_of(std::string_view choices) {
@@ -209,6 +195,7 @@ double FieldReader::take_number(const Field& field) const {
     const double value = lua_tonumber(L_, -1);
     lua_pop(L_, 1);
     if (!is_in_range(field, value)) fail(field, range_rule(field));
+    if (is_beyond_float(value)) fail(field, std::string("must be ") + kWithinFloat);
     return value;
 }
 
@@ -225,6 +212,7 @@ std::int64_t FieldReader::integer(const Field& field) const {
     if (!push(field)) return static_cast<std::int64_t>(field.default_number);
     const std::int64_t value = lua_tointeger(L_, -1);
     lua_pop(L_, 1);
+    if (!is_in_range(field, static_cast<double>(value))) fail(field, range_rule(field));
     return value;
 }
 

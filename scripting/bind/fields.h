@@ -3,13 +3,15 @@
 // nearest name that is.
 #pragma once
 
-#include <limits>
+#include <array>
 #include <lua.hpp>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "bind/range.h"
 
 namespace cairn::scripting {
 
@@ -32,10 +34,8 @@ struct Field {
     const char* default_text;
     const char* doc;
     double default_number = 0;
-    /// Of numbers given by the author; unless widened, finite ones. NaN never passes.
-    double low = std::numeric_limits<double>::lowest();
-    double high = std::numeric_limits<double>::max();
-    bool excludes_low = false;
+    /// Of numbers given by the author.
+    Range range = {};
     /// Of a string: the words that it may be, with blanks between them; empty: any.
     std::string_view choices = {};
 };
@@ -67,19 +67,20 @@ constexpr Field optional_field(const char* name, FieldType type, const char* doc
     return {name, type, "", doc};
 }
 
-/// The same field for numbers from `low` to `high`.
-constexpr Field within(Field field, double low, double high) {
-    field.low = low;
-    field.high = high;
+/// The same field for the numbers of a range.
+constexpr Field within(Field field, const Range& range) {
+    field.range = range;
     return field;
 }
+constexpr Field within(Field field, double low, double high) {
+    return within(field, Range{low, high});
+}
 constexpr Field at_least(Field field, double low) {
-    return within(field, low, field.high);
+    return within(field, low, field.range.high);
 }
 /// The same field for numbers greater than `low`.
 constexpr Field above(Field field, double low, double high = std::numeric_limits<double>::max()) {
-    field.excludes_low = true;
-    return within(field, low, high);
+    return within(field, Range{low, high, true});
 }
 
 /// A string that is one of some words; the default is one of them.

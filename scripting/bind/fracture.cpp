@@ -21,9 +21,10 @@ constexpr Field kX = optional_field("x", FieldType::Number, "m, of the impact; a
 constexpr Field kY = optional_field("y", FieldType::Number, "m");
 constexpr Field kPattern{"pattern", FieldType::String, "uniform",
                          "\"uniform\", pieces of about one size, or \"radial\", shards about the impact"};
-constexpr Field kPieces = integer_field("pieces", 12, "12", "about how many, 2 to 256");
+constexpr Field kPieces =
+    within(integer_field("pieces", 12, "12", "about how many"), 2, physics::kMaxFracturePieces);
 constexpr Field kSeed = integer_field("seed", 0, "0", "the same seed, body and impact give the same pieces");
-constexpr Field kMinWidth = at_least(number_field("min_width", 0.05, "0.05", "m, of a piece; >= 0.01"), 0.01);
+constexpr Field kMinWidth = at_least(number_field("min_width", 0.05, "0.05", "m, of a piece"), 0.01);
 constexpr Field kRadius =
     above(number_field("radius", kInfinity, "math.huge", "m; what is farther from the impact stays whole"), 0,
           kInfinity);
@@ -40,7 +41,7 @@ constexpr Field kStrength =
     above(number_field("strength", 10, "10", "N s, the impulse of a contact in a step that it withstands"), 0,
           kInfinity);
 constexpr Field kGenerations =
-    integer_field("generations", 1, "1", "how often; pieces break one time less often, 1 to 16");
+    within(integer_field("generations", 1, "1", "how often; pieces break one time less often"), 1, 16);
 constexpr Field kAutomatic = boolean_field(
     "automatic", true, "the step breaks it; otherwise the script does, when it reads world:breaks()");
 constexpr Field kGivesBack =
@@ -56,11 +57,7 @@ void read_fracture(const FieldReader& reader, physics::FractureDef& def) {
             reader.fail(kPattern, "no such pattern" + suggestion(name, names));
         def.pattern = name == names[0] ? physics::FracturePattern::Uniform : physics::FracturePattern::Radial;
     }
-    if (reader.has(kPieces)) {
-        const std::int64_t pieces = reader.integer(kPieces);
-        if (pieces < 2 || pieces > physics::kMaxFracturePieces) reader.fail(kPieces, "must be 2 to 256");
-        def.pieces = static_cast<int>(pieces);
-    }
+    if (reader.has(kPieces)) def.pieces = static_cast<int>(reader.integer(kPieces));
     if (reader.has(kSeed)) def.seed = static_cast<std::uint64_t>(reader.integer(kSeed));
     if (reader.has(kMinWidth)) def.min_width_m = reader.real(kMinWidth);
     if (reader.has(kRadius)) def.radius_m = reader.real(kRadius);
@@ -188,9 +185,7 @@ physics::Result<void> set_breakable(lua_State* L, BodyRef self, TableArgument fi
     physics::BreakableDef def;
     read_fracture(reader, def.fracture);
     def.strength_ns = reader.real(kStrength);
-    const std::int64_t generations = reader.integer(kGenerations);
-    if (generations < 1 || generations > 16) reader.fail(kGenerations, "must be 1 to 16");
-    def.generations = static_cast<int>(generations);
+    def.generations = static_cast<int>(reader.integer(kGenerations));
     def.automatic = reader.boolean(kAutomatic);
     def.gives_back = reader.boolean(kGivesBack);
     return self.object.world->world->set_breakable(self.object.id, def);

@@ -98,6 +98,10 @@ std::string running_name(lua_State* L) {
     return std::string(module.name) + (module.is_type ? ':' : '.') + running_function(L).name;
 }
 
+bool is_method(lua_State* L) {
+    return running_module(L).is_type;
+}
+
 void argument_error(lua_State* L, int index, const std::string& expected) {
     const Module& module = running_module(L);
     const Function& function = running_function(L);
@@ -110,6 +114,32 @@ void argument_error(lua_State* L, int index, const std::string& expected) {
     const std::string name = place < parameters.size() ? std::string(parameters[place].name)
                                                        : "argument " + std::to_string(place + 1);
     call_error(L, name + " is " + describe_value(L, index) + "; expected " + expected);
+}
+
+void range_error(lua_State* L, int index, const Range& range) {
+    const double value = lua_tonumber(L, index);
+    if (range.contains(value)) argument_error(L, index, std::string("a number ") + kWithinFloat);
+    const bool is_integer = running_function(L).parameter_types[static_cast<std::size_t>(index - 1)] ==
+                            Argument<std::int64_t>::kType;
+    const std::string ends = to_text(range);
+    if (ends.empty() || !std::isfinite(value)) argument_error(L, index, "a finite number");
+    const auto place = static_cast<std::size_t>(index - (is_method(L) ? 2 : 1));
+    const std::string_view unit = parse_parameters(running_function(L).parameters)[place].unit;
+    argument_error(L, index,
+                   std::string(is_integer ? "an integer" : "a number") +
+                       (ends.starts_with("at ") ? ", " : " ") + ends + (unit.empty() ? "" : " ") +
+                       std::string(unit));
+}
+
+void count_error(lua_State* L, int most) {
+    const int receivers = is_method(L) ? 1 : 0;
+    const int takes = most - receivers;
+    const int given = lua_gettop(L) - receivers;
+    const std::vector<Parameter> parameters = parse_parameters(running_function(L).parameters);
+    const bool is_flexible = !parameters.empty() && !parameters.back().default_value.empty();
+    raise(L, running_name(L) + " takes " + (is_flexible ? "at most " : "") +
+                 (takes == 0 ? "no" : std::to_string(takes)) + " argument" + (takes == 1 ? "" : "s") + ", " +
+                 std::to_string(given) + " given");
 }
 
 void call_error(lua_State* L, const std::string& message) {

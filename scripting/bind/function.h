@@ -4,7 +4,9 @@
 // and meaning once, beside it.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <lua.hpp>
 #include <optional>
 #include <span>
@@ -15,6 +17,7 @@
 #include <cairn/engine/result.h>
 #include <cairn/physics/result.h>
 
+#include "bind/range.h"
 #include "lua/errors.h"
 
 namespace cairn::scripting {
@@ -33,6 +36,8 @@ struct Function {
     std::span<const std::string_view>
         parameter_types;  ///< as the annotations write them: "number", "Body", "table?"
     std::span<const std::string_view> result_types;
+    /// What numbers each parameter may be; null: any finite one, or it is no number.
+    std::span<const Range* const> parameter_ranges;
     /// The fields of the table parameter, if it has described ones.
     const FieldSet* fields = nullptr;
 };
@@ -48,8 +53,18 @@ std::vector<Parameter> parse_parameters(std::string_view text);
 /// "cairn.graphics.circle" or "Body:position": what the running binding is called. For messages.
 std::string running_name(lua_State* L);
 
+/// Whether the running binding belongs to a type, so that its first argument is the receiver.
+bool is_method(lua_State* L);
+
 /// Raises "NAME: PARAMETER is VALUE; expected EXPECTED" at the caller's place.
 [[noreturn]] void argument_error(lua_State* L, int index, const std::string& expected);
+
+/// Raises "NAME: PARAMETER is VALUE; expected a number from 0 to 1" for a number that is not in its range, or
+/// only beyond what a float holds.
+[[noreturn]] void range_error(lua_State* L, int index, const Range& range);
+
+/// Raises "NAME takes 1 argument, 3 given".
+[[noreturn]] void count_error(lua_State* L, int most);
 
 /// Raises "NAME: message" at the caller's place.
 [[noreturn]] void call_error(lua_State* L, const std::string& message);
@@ -71,14 +86,22 @@ std::string author_words(std::string_view physics_message);
 template <class T>
 struct Argument;
 
+/// Unless a parameter says more, numbers are finite: no function has a use for others, and they would spread
+/// from there to all that they touch.
+inline constexpr Range kFinite;
+
+/// The number at an index, or raises.
+inline double number_at(lua_State* L, int index) {
+    if (lua_type(L, index) != LUA_TNUMBER) argument_error(L, index, "a number");
+    return lua_tonumber(L, index);
+}
+
 template <>
 struct Argument<double> {
     static constexpr std::string_view kType = "number";
     static double get(lua_State* L, int index) {
-        if (lua_type(L, index) != LUA_TNUMBER) argument_error(L, index, "a number");
-        const double value = lua_tonumber(L, index);
-        // No function has a use for it, and it would spread from there to all that it touches.
-        if (value != value) argument_error(L, index, "a number other than NaN");
+        const double value = number_at(L, index);
+        if (!(std::fabs(value) <= kFinite.high)) range_error(L, index, kFinite);
         return value;
     }
 };
@@ -86,7 +109,12 @@ struct Argument<double> {
 template <>
 struct Argument<float> {
     static constexpr std::string_view kType = "number";
-    static float get(lua_State* L, int index) { return static_cast<float>(Argument<double>::get(L, index)); }
+    static float get(lua_State* L, int index) {
+        const double value = number_at(L, index);
+        if (!(std::fabs(value) <= static_cast<double>(std::numeric_limits<float>::max())))
+            range_error(L, index, kFinite);
+        return static_cast<float>(value);
+    }
 };
 
 template <>
@@ -99,6 +127,38 @@ struct Argument<std::int64_t> {
         return value;
     }
 };
+
+/// A number of a range. T is float, double or std::int64_t.
+template <const Range& kAllowed, class T>
+struct Ranged {
+    T value;
+
+    constexpr Ranged(T number) : value(number) {}
+    constexpr operator T() const { return value; }
+};
+template <const Range& kAllowed, class T>
+struct Argument<Ranged<kAllowed, T>> {
+    static constexpr std::string_view kType = Argument<T>::kType;
+    static constexpr const Range* kRange = &kAllowed;
+    static Ranged<kAllowed, T> get(lua_State* L, int index) {
+        if constexpr (std::is_integral_v<T>) {
+            const T value = Argument<T>::get(L, index);
+            if (!kAllowed.contains(static_cast<double>(value))) range_error(L, index, kAllowed);
+            return value;
+        } else {
+            const double value = number_at(L, index);
+            if (!kAllowed.contains(value) || (std::is_same_v<T, float> && is_beyond_float(value)))
+                range_error(L, index, kAllowed);
+            return static_cast<T>(value);
+        }
+    }
+};
+using Share = Ranged<kShare, float>;
+using NotNegative = Ranged<kNotNegative, float>;
+using Positive = Ranged<kPositive, float>;
+using StepTime = Ranged<kStepTime, float>;
+using Seconds = Ranged<kNotNegative, double>;
+using Count = Ranged<kNotNegative, std::int64_t>;
 
 template <>
 struct Argument<bool> {
@@ -146,6 +206,19 @@ struct Argument<FunctionArgument> {
     }
 };
 
+/// All further arguments, as many as there are; only as the last parameter.
+struct FurtherArguments {
+    int first;
+    int count;
+};
+template <>
+struct Argument<FurtherArguments> {
+    static constexpr std::string_view kType = "any";
+    static FurtherArguments get(lua_State* L, int index) {
+        return {index, std::max(lua_gettop(L) - index + 1, 0)};
+    }
+};
+
 /// Any value, nil included.
 struct AnyArgument {
     int index;
@@ -164,6 +237,17 @@ struct Argument<std::optional<T>> {
         return Argument<T>::get(L, index);
     }
 };
+
+/// The range of a parameter, also of one that may be left out; or null.
+template <class T>
+constexpr const Range* range_of(std::type_identity<T>) {
+    if constexpr (requires { Argument<T>::kRange; }) return Argument<T>::kRange;
+    return nullptr;
+}
+template <class T>
+constexpr const Range* range_of(std::type_identity<std::optional<T>>) {
+    return range_of(std::type_identity<T>{});
+}
 
 // ---- Results: Returned<T>::push pushes and counts.
 
@@ -287,16 +371,25 @@ struct Reader<lua_State*> {
     static lua_State* next(lua_State* L, int&) { return L; }
 };
 
-template <class... T>
-constexpr auto parameter_types() {
+/// `of(std::type_identity<P>{})` for each parameter P that is an argument in Lua.
+template <class Value, class... T, class Of>
+constexpr auto for_arguments(const Of& of) {
     constexpr std::size_t count = (std::size_t{0} + ... + (std::is_same_v<T, lua_State*> ? 0 : 1));
-    std::array<std::string_view, count> types{};
+    std::array<Value, count> values{};
     std::size_t next = 0;
-    const auto add = [&]<class P>(std::type_identity<P>) {
-        if constexpr (!std::is_same_v<P, lua_State*>) types[next++] = Argument<P>::kType;
+    const auto add = [&]<class P>(std::type_identity<P> parameter) {
+        if constexpr (!std::is_same_v<P, lua_State*>) values[next++] = of(parameter);
     };
     (add(std::type_identity<T>{}), ...);
-    return types;
+    return values;
+}
+
+/// More arguments than the function takes. A receiver that is none, or is gone, is told of first.
+template <class... A>
+[[noreturn, gnu::cold, gnu::noinline]] void refuse_count(lua_State* L, int most) {
+    [[maybe_unused]] int index = 1;
+    if (is_method(L)) ((index == 1 ? static_cast<void>(Reader<A>::next(L, index)) : void()), ...);
+    count_error(L, most);
 }
 
 template <auto F>
@@ -304,7 +397,11 @@ struct Binding;
 
 template <class R, class... A, R (*F)(A...)>
 struct Binding<F> {
-    static constexpr auto kParameterTypes = parameter_types<A...>();
+    static constexpr auto kParameterTypes = for_arguments<std::string_view, A...>(
+        []<class P>(std::type_identity<P>) { return Argument<P>::kType; });
+    static constexpr auto kParameterRanges =
+        for_arguments<const Range*, A...>([](auto parameter) { return range_of(parameter); });
+    static constexpr bool kTakesAnyNumber = (std::is_same_v<A, FurtherArguments> || ...);
 
     static constexpr auto result_types() {
         if constexpr (std::is_void_v<R>) {
@@ -316,6 +413,10 @@ struct Binding<F> {
     static constexpr auto kResultTypes = result_types();
 
     static int call(lua_State* L) {
+        // Before anything is read, which is cheapest: nothing has to be kept for afterwards.
+        constexpr int kMost = static_cast<int>(kParameterTypes.size());
+        if (!kTakesAnyNumber && lua_gettop(L) > kMost) [[unlikely]]
+            refuse_count<A...>(L, kMost);
         [[maybe_unused]] int index = 1;
         // Braces evaluate from left to right.
         std::tuple<A...> arguments{Reader<A>::next(L, index)...};
@@ -334,7 +435,9 @@ template <auto F>
 constexpr Function function(const char* name, const char* parameters, const char* results, const char* doc,
                             const FieldSet* fields = nullptr) {
     using B = detail::Binding<F>;
-    return {name, parameters, results, doc, &B::call, B::kParameterTypes, B::kResultTypes, fields};
+    return {name,     parameters,         results,         doc,
+            &B::call, B::kParameterTypes, B::kResultTypes, B::kParameterRanges,
+            fields};
 }
 
 /// For a binding that pushes its results itself (Pushed): with their types written out.
@@ -343,7 +446,7 @@ constexpr Function function_pushing(const char* name, const char* parameters, co
                                     const std::array<std::string_view, N>& types, const char* doc,
                                     const FieldSet* fields = nullptr) {
     using B = detail::Binding<F>;
-    return {name, parameters, results, doc, &B::call, B::kParameterTypes, types, fields};
+    return {name, parameters, results, doc, &B::call, B::kParameterTypes, types, B::kParameterRanges, fields};
 }
 
 }  // namespace cairn::scripting

@@ -51,7 +51,7 @@ std::tuple<float, float, float, float> color(lua_State* L) {
     const Color c = drawing_context(L).draw.color;
     return {c.r, c.g, c.b, c.a};
 }
-void set_line_width(lua_State* L, float width) {
+void set_line_width(lua_State* L, NotNegative width) {
     drawing_context(L).draw.line_width = width;
 }
 void set_blend_mode(lua_State* L, std::string_view mode) {
@@ -63,11 +63,12 @@ void set_blend_mode(lua_State* L, std::string_view mode) {
     if (mode == "replace") return renderer.set_blend_mode(engine::BlendMode::Replace);
     argument_error(L, 1, "\"alpha\", \"add\", \"multiply\", \"screen\" or \"replace\"");
 }
-void set_scissor(lua_State* L, std::optional<float> x, std::optional<float> y, std::optional<float> width,
-                 std::optional<float> height) {
+void set_scissor(lua_State* L, std::optional<float> x, std::optional<float> y,
+                 std::optional<NotNegative> width, std::optional<NotNegative> height) {
     engine::Renderer& renderer = drawing_context(L).services.renderer;
-    if (!x) return renderer.set_scissor(std::nullopt);
-    if (!y || !width || !height) call_error(L, "x, y, width and height are expected, or no argument at all");
+    if (!x && !y && !width && !height) return renderer.set_scissor(std::nullopt);
+    if (!x || !y || !width || !height)
+        call_error(L, "x, y, width and height are expected, or no argument at all");
     renderer.set_scissor(engine::Rect{*x, *y, *width, *height});
 }
 void clear(lua_State* L, float r, float g, float b) {
@@ -153,11 +154,9 @@ void draw_sized(lua_State* L, Picture picture, float x, float y, float width, fl
                   .source = source});
 }
 
-void draw_region(lua_State* L, Picture picture, float source_x, float source_y, float source_width,
-                 float source_height, float x, float y, float width, float height,
+void draw_region(lua_State* L, Picture picture, float source_x, float source_y, Positive source_width,
+                 Positive source_height, float x, float y, float width, float height,
                  std::optional<float> angle) {
-    if (!(source_width > 0 && source_height > 0))
-        call_error(L, "the part of the image must be wider and higher than 0");
     draw_upright(L, picture,
                  {.position = {x, y},
                   .rotation_rad = angle.value_or(0),
@@ -204,14 +203,15 @@ void draw_polygon(lua_State* L, Picture picture, TableArgument points, TableArgu
     if (const auto uv_from_point = uv_map(corners, places)) {
         engine::Renderer& renderer = context.services.renderer;
         const engine::Size size = renderer.texture_size(picture.texture);
-        renderer.fill_convex_polygon(corners, picture.texture,
-                                     picture.texture_from_picture(size) * *uv_from_point, context.draw.color);
+        check_or_raise(L, renderer.fill_polygon(corners, picture.texture,
+                                                picture.texture_from_picture(size) * *uv_from_point,
+                                                context.draw.color));
     }
 }
 
-void draw_nine_patch(lua_State* L, Picture picture, float x, float y, float width, float height, float left,
-                     std::optional<float> top, std::optional<float> right, std::optional<float> bottom,
-                     std::optional<float> scale) {
+void draw_nine_patch(lua_State* L, Picture picture, float x, float y, NotNegative width, NotNegative height,
+                     NotNegative left, std::optional<NotNegative> top, std::optional<NotNegative> right,
+                     std::optional<NotNegative> bottom, std::optional<Positive> scale) {
     Context& context = drawing_context(L);
     engine::NinePatchDraw patch{.area = {x, y, width, height},
                                 .left = left,
@@ -221,14 +221,11 @@ void draw_nine_patch(lua_State* L, Picture picture, float x, float y, float widt
                                 .scale = scale.value_or(1),
                                 .source = picture.source,
                                 .tint = context.draw.color};
-    for (const float border : {patch.left, patch.top, patch.right, patch.bottom})
-        if (!(border >= 0)) call_error(L, "the borders must be at least 0");
     if (patch.left + patch.right > picture.source.width || patch.top + patch.bottom > picture.source.height)
         call_error(
             L,
             "the borders must leave room: left + right is more than the image's width, or top + bottom "
             "more than its height");
-    if (!(patch.scale > 0)) argument_error(L, 10, "a number above 0");
     engine::Renderer& renderer = context.services.renderer;
     if (!is_y_up(renderer)) return renderer.draw_nine_patch(picture.texture, patch);
     // Turned upside down about the area's middle, so that it stands upright.
@@ -241,7 +238,9 @@ void draw_nine_patch(lua_State* L, Picture picture, float x, float y, float widt
 
 // ---- Text
 
-Pushed new_font(lua_State* L, float size, std::optional<std::string_view> path) {
+constexpr Range kFontSizes{4, 256};
+
+Pushed new_font(lua_State* L, Ranged<kFontSizes, float> size, std::optional<std::string_view> path) {
     engine::Renderer& renderer = context_of(L).services.renderer;
     const engine::FontId font =
         value_or_raise(L, renderer.load_font(path.value_or("fonts/default.ttf"), size));
@@ -253,7 +252,7 @@ void set_font(lua_State* L, FontObject* font) {
 }
 
 void print(lua_State* L, AnyArgument text, float x, float y, std::optional<std::string_view> align,
-           std::optional<float> wrap_width) {
+           std::optional<NotNegative> wrap_width) {
     Context& context = drawing_context(L);
     engine::Renderer& renderer = context.services.renderer;
     engine::TextDraw draw{
@@ -325,7 +324,8 @@ constexpr Function kFunctions[] = {
     function<&set_blend_mode>(
         "set_blend_mode", "mode", "",
         "\"alpha\" covers, \"add\" adds light, \"multiply\" darkens, \"screen\" lightens up to white, "
-        "\"replace\" takes the place of what was there, transparency too."),
+        "\"replace\" takes the place of what was there, transparency too; edges mix by the share of a pixel "
+        "that is covered, but are hard where a translucent color is drawn into a canvas."),
     function<&set_scissor>(
         "set_scissor", "x [px] = nil, y [px] = nil, width [px] = nil, height [px] = nil", "",
         "Only what lies inside is drawn; screen pixels, whatever the transform. Without arguments: "
@@ -353,8 +353,8 @@ constexpr Function kFunctions[] = {
                    "\"fill\" draws the slice of a disc between two angles, \"line\" the arc alone."),
     function<&capsule>("capsule", "mode, x1, y1, x2, y2, radius", "", ""),
     function<&polygon>("polygon", "mode, points", "",
-                       "Through points = { x1, y1, x2, y2, ... } or { {x1, y1}, {x2, y2}, ... }; with "
-                       "\"fill\" it must be convex."),
+                       "Through points = { x1, y1, x2, y2, ... } or { {x1, y1}, {x2, y2}, ... }. It may have "
+                       "dents; with \"fill\" its sides must not cross."),
     function<&line>("line", "points", "",
                     "Through all points: `line{ x1, y1, x2, y2, ... }`, `line{ {x1, y1}, {x2, y2}, ... }`, "
                     "or the numbers as "
@@ -394,7 +394,8 @@ constexpr Function kFunctions[] = {
                            "", "As draw_sized, with a part of the image."),
     function<&draw_polygon>(
         "draw_polygon", "image, points, uvs", "",
-        "A convex polygon, { x1, y1, ... }, filled with the image; uvs = { u1, v1, ... } says which "
+        "A polygon whose sides do not cross, { x1, y1, ... }, filled with the image; uvs = { u1, v1, ... } "
+        "says which "
         "place of the image, 0 to 1 from its top left, lies at each point. The image is laid on flat: "
         "three of the points decide how."),
     function<&draw_nine_patch>(
@@ -407,7 +408,7 @@ constexpr Function kFunctions[] = {
         "themselves: frames, panels, buttons. The borders are of the image; `scale` is how large one of its "
         "pixels is drawn."),
     function_pushing<&new_font>("new_font", "size [px], path = \"fonts/default.ttf\"", "font", kReturnsFont,
-                                "Loads a TrueType font; size 4 to 256."),
+                                "Loads a TrueType font."),
     function<&set_font>("set_font", "font", "", "Starts with the default font at 18 pixels."),
     function<&print>(
         "print", "text, x, y, align = \"left\", wrap_width [px] = 0", "",
@@ -451,7 +452,7 @@ std::int64_t image_height(lua_State* L, ImageObject* self) {
 }
 
 std::tuple<float, float> measure(lua_State* L, FontObject* self, AnyArgument text,
-                                 std::optional<float> wrap_width) {
+                                 std::optional<NotNegative> wrap_width) {
     push_text(L, text.index);
     std::size_t length = 0;
     const char* bytes = lua_tolstring(L, -1, &length);

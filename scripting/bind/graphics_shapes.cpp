@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "bind/fields.h"
@@ -28,7 +29,12 @@ void read_numbers(lua_State* L, int table, std::vector<float>& out) {
             call_error(L, "the list's member " + std::to_string(i) + " is " + describe_value(L, -1) +
                               "; expected a number");
         }
-        out.push_back(static_cast<float>(lua_tonumber(L, -1)));
+        const double number = lua_tonumber(L, -1);
+        if (!(std::fabs(number) <= static_cast<double>(std::numeric_limits<float>::max()))) {
+            call_error(L, "the list's member " + std::to_string(i) + " is " + describe_value(L, -1) +
+                              "; expected a number " + kWithinFloat);
+        }
+        out.push_back(static_cast<float>(number));
         lua_pop(L, 1);
     }
 }
@@ -89,8 +95,8 @@ std::vector<Vec2> read_point_list(lua_State* L, TableArgument list, std::size_t 
     return to_points(L, numbers, least);
 }
 
-void rectangle(lua_State* L, std::string_view mode, float x, float y, float width, float height,
-               std::optional<float> radius) {
+void rectangle(lua_State* L, std::string_view mode, float x, float y, NotNegative width, NotNegative height,
+               std::optional<NotNegative> radius) {
     Context& context = drawing_context(L);
     engine::Renderer& renderer = context.services.renderer;
     const bool filled = is_filled(L, mode);
@@ -103,28 +109,30 @@ void rectangle(lua_State* L, std::string_view mode, float x, float y, float widt
     renderer.outline_rectangle({x, y, width, height}, context.draw.line_width, context.draw.color);
 }
 
-void circle(lua_State* L, std::string_view mode, float x, float y, float radius) {
+void circle(lua_State* L, std::string_view mode, float x, float y, NotNegative radius) {
     Context& context = drawing_context(L);
     engine::Renderer& renderer = context.services.renderer;
     if (is_filled(L, mode)) return renderer.fill_circle({x, y}, radius, context.draw.color);
     renderer.outline_circle({x, y}, radius, context.draw.line_width, context.draw.color);
 }
 
-void ellipse(lua_State* L, std::string_view mode, float x, float y, float radius_x, float radius_y) {
+void ellipse(lua_State* L, std::string_view mode, float x, float y, NotNegative radius_x,
+             NotNegative radius_y) {
     Context& context = drawing_context(L);
     engine::Renderer& renderer = context.services.renderer;
     if (is_filled(L, mode)) return renderer.fill_ellipse({x, y}, {radius_x, radius_y}, context.draw.color);
     renderer.outline_ellipse({x, y}, {radius_x, radius_y}, context.draw.line_width, context.draw.color);
 }
 
-void arc(lua_State* L, std::string_view mode, float x, float y, float radius, float from, float to) {
+void arc(lua_State* L, std::string_view mode, float x, float y, NotNegative radius, float from, float to) {
     Context& context = drawing_context(L);
     engine::Renderer& renderer = context.services.renderer;
     if (is_filled(L, mode)) return renderer.fill_sector({x, y}, radius, from, to, context.draw.color);
     renderer.draw_arc({x, y}, radius, from, to, context.draw.line_width, context.draw.color);
 }
 
-void capsule(lua_State* L, std::string_view mode, float x1, float y1, float x2, float y2, float radius) {
+void capsule(lua_State* L, std::string_view mode, float x1, float y1, float x2, float y2,
+             NotNegative radius) {
     Context& context = drawing_context(L);
     engine::Renderer& renderer = context.services.renderer;
     if (is_filled(L, mode)) return renderer.fill_capsule({x1, y1}, {x2, y2}, radius, context.draw.color);
@@ -135,20 +143,20 @@ void polygon(lua_State* L, std::string_view mode, TableArgument points) {
     Context& context = drawing_context(L);
     const bool filled = is_filled(L, mode);
     const std::vector<Vec2> corners = read_point_list(L, points, 3);
-    if (filled) return context.services.renderer.fill_convex_polygon(corners, context.draw.color);
+    if (filled) return check_or_raise(L, context.services.renderer.fill_polygon(corners, context.draw.color));
     context.services.renderer.outline_polygon(corners, context.draw.line_width, context.draw.color);
 }
 
-void line(lua_State* L, AnyArgument points) {
+void line(lua_State* L, FurtherArguments points) {
     Context& context = drawing_context(L);
     std::vector<float> numbers;
-    if (lua_istable(L, points.index)) {
-        read_points(L, points.index, numbers);
+    if (lua_istable(L, points.first)) {
+        if (points.count > 1) count_error(L, 1);
+        read_points(L, points.first, numbers);
     } else {
-        const int count = std::max(lua_gettop(L), points.index);
-        for (int i = points.index; i <= count; ++i) {
+        for (int i = points.first; i < points.first + std::max(points.count, 1); ++i) {
             if (lua_type(L, i) != LUA_TNUMBER) argument_error(L, i, "a number, or one list of numbers");
-            numbers.push_back(static_cast<float>(lua_tonumber(L, i)));
+            numbers.push_back(Argument<float>::get(L, i));
         }
     }
     const std::vector<Vec2> path = to_points(L, numbers, 2);

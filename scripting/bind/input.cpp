@@ -40,10 +40,11 @@ std::tuple<float, float> mouse_position(lua_State* L) {
 
 // ---- Gamepads
 
-const engine::Gamepad& to_gamepad(lua_State* L, std::int64_t number) {
-    if (number < 1 || number > engine::kMaxGamepads)
-        argument_error(L, 1, "an integer from 1 to " + std::to_string(engine::kMaxGamepads));
-    return context_of(L).input.gamepad(static_cast<int>(number));
+constexpr Range kGamepads{1, engine::kMaxGamepads};
+using GamepadNumber = Ranged<kGamepads, std::int64_t>;
+
+const engine::Gamepad& to_gamepad(lua_State* L, GamepadNumber number) {
+    return context_of(L).input.gamepad(static_cast<int>(number.value));
 }
 
 Pushed gamepads(lua_State* L) {
@@ -56,10 +57,10 @@ Pushed gamepads(lua_State* L) {
     }
     return {1};
 }
-std::string gamepad_name(lua_State* L, std::int64_t gamepad) {
+std::string gamepad_name(lua_State* L, GamepadNumber gamepad) {
     return to_gamepad(L, gamepad).name();
 }
-bool is_gamepad_down(lua_State* L, std::int64_t gamepad, std::string_view name) {
+bool is_gamepad_down(lua_State* L, GamepadNumber gamepad, std::string_view name) {
     const auto button = engine::gamepad_button_from_name(name);
     if (!button) {
         std::vector<std::string> names;
@@ -69,17 +70,18 @@ bool is_gamepad_down(lua_State* L, std::int64_t gamepad, std::string_view name) 
     }
     return to_gamepad(L, gamepad).is_down(*button);
 }
-float gamepad_axis(lua_State* L, std::int64_t gamepad, std::string_view name) {
+float gamepad_axis(lua_State* L, GamepadNumber gamepad, std::string_view name) {
     const auto axis = engine::gamepad_axis_from_name(name);
     if (!axis)
         argument_error(
             L, 2, "\"left_x\", \"left_y\", \"right_x\", \"right_y\", \"left_trigger\" or \"right_trigger\"");
     return to_gamepad(L, gamepad).axis(*axis);
 }
-void rumble(lua_State* L, std::int64_t gamepad, float strength, double seconds, std::optional<float> low) {
-    to_gamepad(L, gamepad);
-    if (!(seconds >= 0 && seconds <= 60)) argument_error(L, 3, "a time from 0 to 60 s");
-    context_of(L).services.platform.rumble(static_cast<int>(gamepad), low.value_or(strength), strength,
+constexpr Range kRumbleTimes{0, 60};
+
+void rumble(lua_State* L, GamepadNumber gamepad, Share strength, Ranged<kRumbleTimes, double> seconds,
+            std::optional<Share> low) {
+    context_of(L).services.platform.rumble(static_cast<int>(gamepad.value), low.value_or(strength), strength,
                                            seconds);
 }
 
@@ -95,8 +97,10 @@ Pushed touches(lua_State* L) {
     }
     return {1};
 }
-Pushed touch_position(lua_State* L, std::int64_t touch) {
-    const auto place = context_of(L).input.touch(static_cast<int>(std::clamp<std::int64_t>(touch, 0, 1000)));
+constexpr Range kTouches{1, engine::kMaxTouches};
+
+Pushed touch_position(lua_State* L, Ranged<kTouches, std::int64_t> touch) {
+    const auto place = context_of(L).input.touch(static_cast<int>(touch.value));
     if (!place) {
         lua_pushnil(L);
         lua_pushnil(L);
@@ -236,7 +240,7 @@ constexpr Function kInputFunctions[] = {
         "\"left_x\", \"left_y\", \"right_x\", \"right_y\": -1 to 1, right and up positive; "
         "\"left_trigger\", \"right_trigger\": 0 to 1. Small tremors around the middle are 0."),
     function<&rumble>("rumble", "gamepad, strength, seconds [s], low = strength", "",
-                      "Shakes it, 0 to 1; `low` is the strength of its heavier weight."),
+                      "Shakes it; `low` is the strength of its heavier weight."),
     function_pushing<&touches>("touches", "", "numbers", kReturnsNumbers,
                                "A new list of the fingers that touch, from 1."),
     function_pushing<&touch_position>("touch_position", "touch", "x [px], y [px]", kReturnsPlace,

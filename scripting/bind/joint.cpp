@@ -79,16 +79,16 @@ void change(lua_State* L, JointRef self, TableArgument changes) {
     change_joint(L, self, changes.index);
 }
 
-Change set_motor(JointRef self, bool enabled, float speed, float max_effort) {
+Change set_motor(JointRef self, bool enabled, float speed, Ranged<kNotNegativeOrInfinite, float> max_effort) {
     return self.joint.set_motor(enabled, speed, max_effort);
 }
 Change set_limits(JointRef self, bool enabled, float lower, float upper) {
     return self.joint.set_limits(enabled, lower, upper);
 }
-Change set_length(JointRef self, float length_m) {
+Change set_length(JointRef self, Positive length_m) {
     return self.joint.set_length(length_m);
 }
-Change set_spring(JointRef self, bool enabled, float frequency, float damping_ratio) {
+Change set_spring(JointRef self, bool enabled, NotNegative frequency, NotNegative damping_ratio) {
     return self.joint.set_spring(enabled, frequency, damping_ratio);
 }
 

@@ -24,8 +24,9 @@ constexpr Field kHeight = above(number_field("height", 1.8, "1.8", "m, of the ca
 constexpr Field kRadius = above(number_field("radius", 0.3, "0.3", "m; less than half the height"), 0);
 constexpr Field kUpX = number_field("up_x", 0, "0", "a direction of any length");
 constexpr Field kUpY = number_field("up_y", 1, "1", "");
+constexpr double kQuarterTurn_rad = 1.57079632679489662;
 constexpr Field kMaxSlope =
-    at_least(number_field("max_slope", 0.87, "0.87", "rad; steeper ground is a wall; up to pi/2"), 0);
+    within(number_field("max_slope", 0.87, "0.87", "rad; steeper ground is a wall"), 0, kQuarterTurn_rad);
 constexpr Field kStepHeight =
     at_least(number_field("step_height", 0.25, "0.25", "m; steps up to this are walked over"), 0);
 constexpr Field kPushForce =
@@ -47,10 +48,8 @@ struct Argument<MoverObject*> {
     }
 };
 
-std::tuple<float, float> solve_planes(lua_State* L, float dx, float dy, TableArgument list, float gap) {
+std::tuple<float, float> solve_planes(lua_State* L, float dx, float dy, TableArgument list, NotNegative gap) {
     constexpr lua_Integer kMostPlanes = 64;  // the time grows with the cube
-    if (!physics::is_finite(Vec2{dx, dy}) || !physics::is_finite(gap))
-        call_error(L, "dx, dy and gap must be finite");
     const auto count = static_cast<lua_Integer>(lua_rawlen(L, list.index));
     if (count > kMostPlanes) {
         call_error(L, "planes has " + std::to_string(count) + " members, but must have at most " +
@@ -118,7 +117,7 @@ float reach_of(const physics::Mover& mover, const physics::World& world, Vec2 ve
     return 2 * (size + def.step_height_m + speed * dt_s);
 }
 
-Change move(lua_State* L, MoverObject* self, WorldRef world, float vx, float vy, float dt_s, Filter filter,
+Change move(lua_State* L, MoverObject* self, WorldRef world, float vx, float vy, StepTime dt_s, Filter filter,
             Ignored ignored) {
     const Sight sight(L, world, filter, ignored);
     physics::QueryFilter seen = sight.filter();

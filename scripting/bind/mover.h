@@ -12,7 +12,8 @@ extern const FieldSet kMoverFields;
 
 /// `cairn.physics.new_mover`.
 /// `cairn.physics.solve_planes`.
-std::tuple<float, float> solve_planes(lua_State* L, float dx, float dy, TableArgument planes, float gap);
+std::tuple<float, float> solve_planes(lua_State* L, float dx, float dy, TableArgument planes,
+                                      NotNegative gap);
 
 Pushed new_mover(lua_State* L, std::optional<TableArgument> fields);
 

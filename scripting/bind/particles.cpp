@@ -1,6 +1,4 @@
 // cairn.particles and the methods of Particles.
-#include <cmath>
-
 #include <cairn/engine/particles.h>
 
 #include "bind/fields.h"
@@ -37,10 +35,11 @@ namespace {
 /// What a frame can draw; more stand still on most machines.
 constexpr double kMostParticles = 100000;
 
-constexpr Field kMaxCount = integer_field("max_count", 1000, "1000", "how many may live, 1 to 100000");
-constexpr double kMostRate_1_s = 1e6;
+constexpr Field kMaxCount =
+    within(integer_field("max_count", 1000, "1000", "how many may live"), 1, kMostParticles);
+constexpr Range kRates{0, 1e6};
 constexpr Field kRate =
-    within(number_field("rate", 0, "0", "1/s; born per second while it is started"), 0, kMostRate_1_s);
+    within(number_field("rate", 0, "0", "1/s; born per second while it is started"), kRates);
 constexpr Field kX = number_field("x", 0, "0", "where they are born");
 constexpr Field kY = number_field("y", 0, "0", "");
 constexpr Field kAreaWidth =
@@ -59,7 +58,8 @@ constexpr Field kAccelerationY = number_field("acceleration_y", 0, "0", "");
 constexpr Field kDamping = at_least(number_field("damping", 0, "0", "1/s; c in v e^(-c t)"), 0);
 constexpr Field kSize = at_least(number_field("size", 8, "8", "at birth"), 0);
 constexpr Field kSizeMax = optional_field("size_max", FieldType::Number, "with it, any between the two");
-constexpr Field kSizeEnd = optional_field("size_end", FieldType::Number, "at the end; absent: as at birth");
+constexpr Field kSizeEnd =
+    at_least(optional_field("size_end", FieldType::Number, "at the end; absent: as at birth"), 0);
 constexpr Field kRotation = number_field("rotation", 0, "0", "rad, at birth");
 constexpr Field kRotationMax =
     optional_field("rotation_max", FieldType::Number, "rad; with it, any between the two");
@@ -119,12 +119,9 @@ std::vector<engine::Color> read_colors(lua_State* L, const FieldReader& reader) 
 Pushed new_particles(lua_State* L, std::optional<TableArgument> fields, std::optional<Picture> image) {
     if (!fields) lua_newtable(L);
     const FieldReader reader(L, fields ? fields->index : -1, kParticleFields);
-    const std::int64_t max_count = reader.integer(kMaxCount);
-    if (max_count < 1 || static_cast<double>(max_count) > kMostParticles)
-        reader.fail(kMaxCount, "must be from 1 to 100000");
     const std::string_view blend = reader.text(kBlend);
     if (blend != "alpha" && blend != "add") reader.fail(kBlend, "must be \"alpha\" or \"add\"");
-    engine::ParticleDef def{.max_count = static_cast<int>(max_count),
+    engine::ParticleDef def{.max_count = static_cast<int>(reader.integer(kMaxCount)),
                             .rate_1_s = reader.real(kRate),
                             .lifetime_s = range(reader, kLifetime, kLifetimeMax),
                             .area = {reader.real(kAreaWidth), reader.real(kAreaHeight)},
@@ -138,7 +135,6 @@ Pushed new_particles(lua_State* L, std::optional<TableArgument> fields, std::opt
                             .spin_rad_s = range(reader, kSpin, kSpinMax),
                             .colors = read_colors(L, reader)};
     const std::optional<double> end = reader.optional_number(kSizeEnd);
-    if (end && !(*end >= 0)) reader.fail(kSizeEnd, "must be at least 0");
     def.size_end = end ? engine::Range{static_cast<float>(*end), static_cast<float>(*end)} : def.size_start;
     const engine::Vec2 place{reader.real(kX), reader.real(kY)};
 
@@ -164,9 +160,7 @@ Pushed new_particles(lua_State* L, std::optional<TableArgument> fields, std::opt
     return {1};
 }
 
-void emit(lua_State* L, ParticlesObject* self, std::int64_t count, std::optional<float> x,
-          std::optional<float> y) {
-    if (count < 0) argument_error(L, 2, "an integer, at least 0");
+void emit(ParticlesObject* self, Count count, std::optional<float> x, std::optional<float> y) {
     const engine::Vec2 here = self->system.position();
     self->system.emit(static_cast<int>(std::min<std::int64_t>(count, 1 << 20)),
                       {x.value_or(here.x), y.value_or(here.y)});
@@ -192,16 +186,13 @@ std::tuple<float, float> position(ParticlesObject* self) {
 void set_position(ParticlesObject* self, float x, float y) {
     self->system.set_position({x, y});
 }
-void set_direction(lua_State* L, ParticlesObject* self, float direction_rad) {
-    if (!std::isfinite(direction_rad)) argument_error(L, 2, "an angle");
+void set_direction(ParticlesObject* self, float direction_rad) {
     self->system.set_direction(direction_rad);
 }
-void set_rate(lua_State* L, ParticlesObject* self, double rate) {
-    if (!(rate >= 0 && rate <= kMostRate_1_s)) argument_error(L, 2, "a rate from 0 to 1e6");
-    self->system.set_rate(static_cast<float>(rate));
+void set_rate(ParticlesObject* self, Ranged<kRates, float> rate) {
+    self->system.set_rate(rate);
 }
-void update(lua_State* L, ParticlesObject* self, float dt) {
-    if (!(dt > 0 && dt <= 1)) argument_error(L, 2, "a time above 0 and at most 1 s");
+void update(ParticlesObject* self, StepTime dt) {
     self->system.update(dt);
 }
 void draw(lua_State* L, ParticlesObject* self) {

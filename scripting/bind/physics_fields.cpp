@@ -27,7 +27,7 @@ constexpr auto kPointsApart_m = static_cast<double>(physics::tuning::kLinearSlop
 // ---- World
 constexpr Field kGravityX = number_field("gravity_x", 0, "0", "m/s^2");
 constexpr Field kGravityY = number_field("gravity_y", -10, "-10", "m/s^2");
-constexpr Field kSubsteps = integer_field("substeps", 4, "4", "solver passes per step, 1 to 64");
+constexpr Field kSubsteps = within(integer_field("substeps", 4, "4", "solver passes per step"), 1, 64);
 constexpr Field kSleep = boolean_field("sleep", true, "whether resting bodies stop being computed");
 constexpr Field kHitSpeed = at_least(
     number_field("hit_speed", 1, "1", "m/s; the least approach speed that makes a \"hit\" event"), 0);
@@ -39,7 +39,7 @@ constexpr Field kJointSolver = choice_field(
     "joint_solver", "automatic", "automatic sweeping direct",
     "\"automatic\", \"sweeping\" (cheapest) or \"direct\" (all structures at once, whatever it costs)");
 constexpr Field kThreads =
-    integer_field("threads", 1, "1", "that share a step, 1 to 64; the results do not depend on it");
+    within(integer_field("threads", 1, "1", "that share a step; the results do not depend on it"), 1, 64);
 constexpr const Field* kWorldOwn[] = {&kGravityX,         &kGravityY,     &kSubsteps,    &kSleep,  &kHitSpeed,
                                       &kRestitutionSpeed, &kPushOutSpeed, &kJointSolver, &kThreads};
 
@@ -89,14 +89,15 @@ constexpr const Field* kBodyOwn[] = {&kX,
 
 // ---- Shape
 constexpr Field kDensity = at_least(number_field("density", 1, "1", "kg/m^2"), 0);
-constexpr Field kFriction =
-    at_least(number_field("friction", 0.6, "0.6", "Coulomb coefficient, at least 0"), 0);
+constexpr Field kFriction = at_least(number_field("friction", 0.6, "0.6", "Coulomb coefficient"), 0);
 constexpr Field kRestitution =
-    within(number_field("restitution", 0, "0", "share of the approach speed given back, 0 to 1"), 0, 1);
+    within(number_field("restitution", 0, "0", "share of the approach speed given back"), 0, 1);
 constexpr Field kCategories = integer_field("categories", 1, "1", "bit set: what the shape is");
 constexpr Field kMask = integer_field("mask", -1, "-1", "bit set: what it collides with; -1 is everything");
-constexpr Field kGroup = integer_field(
-    "group", 0, "0", "two shapes of the same group other than 0: positive always collide, negative never");
+constexpr Field kGroup = within(
+    integer_field("group", 0, "0",
+                  "two shapes of the same group other than 0: positive always collide, negative never"),
+    kGroups);
 constexpr Field kContactEvents = boolean_field("contact_events", true, "\"begin\" and \"end\" events");
 constexpr Field kHitEvents = boolean_field("hit_events", true, "\"hit\" events");
 constexpr Field kRolling = at_least(
@@ -105,9 +106,9 @@ constexpr Field kRolling = at_least(
     0);
 constexpr Field kSurfaceSpeed = number_field(
     "surface_speed", 0, "0", "m/s; a conveyor belt: positive carries what lies on top to the right");
-constexpr Field kMaterialKind = within(
-    integer_field("material_kind", 0, "0", "what `world:set_material_rule` knows the material by, 0 to 63"),
-    0, physics::kMaterialKinds - 1);
+constexpr Field kMaterialKind =
+    within(integer_field("material_kind", 0, "0", "what `world:set_material_rule` knows the material by"),
+           kMaterialKindNumbers);
 constexpr Field kSensor = boolean_field(
     "sensor", false, "collides with nothing; `world:sensor_events()` tells what comes to overlap it");
 constexpr Field kSeenBySensors = boolean_field("seen_by_sensors", true, "");
@@ -251,22 +252,16 @@ std::vector<Vec2> read_point_list(lua_State* L, int index, const std::string& na
     return points;
 }
 
-physics::WorldDef read_world_def(const FieldReader& reader, lua_State* L) {
+physics::WorldDef read_world_def(const FieldReader& reader) {
     physics::WorldDef def;
     def.gravity_m_s2 = {reader.real(kGravityX), reader.real(kGravityY)};
-    const std::int64_t substeps = reader.integer(kSubsteps);
-    if (substeps < 1 || substeps > 64) {
-        call_error(L, "substeps = " + std::to_string(substeps) + ": must be 1 to 64");
-    }
-    def.substeps = static_cast<int>(substeps);
+    def.substeps = static_cast<int>(reader.integer(kSubsteps));
     def.enable_sleep = reader.boolean(kSleep);
     def.hit_speed_m_s = reader.real(kHitSpeed);
     def.restitution_speed_m_s = reader.real(kRestitutionSpeed);
     def.max_push_out_speed_m_s = reader.real(kPushOutSpeed);
     def.joint_solver = static_cast<physics::JointSolver>(reader.choice(kJointSolver));
-    const std::int64_t threads = reader.integer(kThreads);
-    if (threads < 1 || threads > 64) reader.fail(kThreads, "must be 1 to 64");
-    def.threads = static_cast<int>(threads);
+    def.threads = static_cast<int>(reader.integer(kThreads));
     return def;
 }
 
@@ -357,9 +352,7 @@ void read_chain(lua_State* L, const FieldReader& reader, OwnedChain& out) {
 void read_filter(const FieldReader& reader, physics::ShapeDef& def) {
     def.filter.categories = static_cast<std::uint64_t>(reader.integer(kCategories));
     def.filter.mask = static_cast<std::uint64_t>(reader.integer(kMask));
-    const std::int64_t group = reader.integer(kGroup);
-    if (group != static_cast<std::int32_t>(group)) reader.fail(kGroup, "must fit into 32 bits");
-    def.filter.group = static_cast<std::int32_t>(group);
+    def.filter.group = static_cast<std::int32_t>(reader.integer(kGroup));
     def.contact_events = reader.boolean(kContactEvents);
     def.hit_events = reader.boolean(kHitEvents);
 }

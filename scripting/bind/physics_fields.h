@@ -12,6 +12,11 @@
 
 namespace cairn::scripting {
 
+/// What `group` of a shape's filter may be: it fits into 32 bits.
+inline constexpr Range kGroups{std::numeric_limits<std::int32_t>::min(),
+                               std::numeric_limits<std::int32_t>::max()};
+inline constexpr Range kMaterialKindNumbers{0, physics::kMaterialKinds - 1};
+
 extern const FieldSet kWorldFields;
 extern const FieldSet kNewBodyFields;
 /// Of a shape: who collides with whom, and who is told.
@@ -53,7 +58,7 @@ constexpr const FieldSet& fields_of_body_add(GeometryKind kind) {
     return kBodyAddFields[static_cast<int>(kind)];
 }
 
-physics::WorldDef read_world_def(const FieldReader& reader, lua_State* L);
+physics::WorldDef read_world_def(const FieldReader& reader);
 physics::BodyDef read_body_def(const FieldReader& reader);
 physics::ShapeDef read_shape_def(const FieldReader& reader);
 /// The part of it that kFilterFields describe.

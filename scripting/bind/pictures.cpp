@@ -36,12 +36,8 @@ engine::TextureFilter to_filter(lua_State* L, int index, std::optional<std::stri
     return filter == "nearest" ? engine::TextureFilter::Nearest : engine::TextureFilter::Linear;
 }
 
-Pushed new_canvas(lua_State* L, std::int64_t width, std::int64_t height,
-                  std::optional<std::string_view> filter) {
-    for (const auto& [index, side] : {std::pair{1, width}, std::pair{2, height}})
-        if (side < 1 || side > engine::kMaxImageSide)
-            argument_error(L, index, "an integer from 1 to " + std::to_string(engine::kMaxImageSide));
-    const engine::Size size{static_cast<int>(width), static_cast<int>(height)};
+Pushed new_canvas(lua_State* L, CanvasSide width, CanvasSide height, std::optional<std::string_view> filter) {
+    const engine::Size size{static_cast<int>(width.value), static_cast<int>(height.value)};
     new_object<CanvasObject>(
         L, 0, value_or_raise(L, context_of(L).services.renderer.create_canvas(size, to_filter(L, 3, filter))),
         size);

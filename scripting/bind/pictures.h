@@ -6,8 +6,9 @@
 
 namespace cairn::scripting {
 
-Pushed new_canvas(lua_State* L, std::int64_t width, std::int64_t height,
-                  std::optional<std::string_view> filter);
+inline constexpr Range kCanvasSides{1, engine::kMaxImageSide};
+using CanvasSide = Ranged<kCanvasSides, std::int64_t>;
+Pushed new_canvas(lua_State* L, CanvasSide width, CanvasSide height, std::optional<std::string_view> filter);
 Pushed new_quad(lua_State* L, Picture image, float x, float y, float width, float height);
 Pushed new_atlas(lua_State* L, std::string_view path, std::optional<std::string_view> filter);
 Pushed new_batch(lua_State* L, Picture image);

@@ -174,7 +174,7 @@ Result<bool> is_at(lua_State* L, PrefabRef self, std::int64_t floor) {
     return is_elevator_at(self.world, elevator, floor_number(L, elevator, floor));
 }
 
-Change blow(lua_State* L, PrefabRef self, float wind_m_s, float dt_s) {
+Change blow(lua_State* L, PrefabRef self, float wind_m_s, StepTime dt_s) {
     return blow_windmill(self.world, expect_kind<Windmill>(L, self, "windmill"),
                          {.velocity_m_s = {wind_m_s, 0}}, dt_s);
 }

@@ -5,6 +5,7 @@
 #include <cairn/physics/math.h>
 
 #include "bind/context.h"
+#include "bind/fields.h"
 #include "bind/modules.h"
 #include "lua/state.h"
 
@@ -34,19 +35,22 @@ struct Argument<RandomObject*> {
 
 namespace {
 
+using Probability = Ranged<kShare, double>;
+using Deviation = Ranged<kNotNegative, double>;
+
+/// `low` and `high` are the last two arguments.
+[[noreturn]] void interval_error(lua_State* L) {
+    call_error(L, "low is " + describe_value(L, -2) + " and high is " + describe_value(L, -1) +
+                      "; expected low <= high, and no more than 1.8e308 between them");
+}
+
 double number_from(lua_State* L, engine::Random& random, double low, double high) {
-    if (!(low <= high) || !std::isfinite(high - low)) {
-        call_error(L, "low is " + std::to_string(low) + " and high is " + std::to_string(high) +
-                          "; expected low <= high, both finite");
-    }
+    if (!(low <= high) || !std::isfinite(high - low)) interval_error(L);
     return random.uniform(low, high);
 }
 
 std::int64_t integer_from(lua_State* L, engine::Random& random, std::int64_t low, std::int64_t high) {
-    if (low > high) {
-        call_error(L, "low is " + std::to_string(low) + " and high is " + std::to_string(high) +
-                          "; expected low <= high");
-    }
+    if (low > high) interval_error(L);
     return random.range(low, high);
 }
 
@@ -88,10 +92,10 @@ double number(lua_State* L, double low, double high) {
 std::int64_t integer(lua_State* L, std::int64_t low, std::int64_t high) {
     return integer_from(L, context_of(L).random, low, high);
 }
-double normal(lua_State* L, std::optional<double> mean, std::optional<double> deviation) {
+double normal(lua_State* L, std::optional<double> mean, std::optional<Deviation> deviation) {
     return normal_from(context_of(L).random, mean.value_or(0), deviation.value_or(1));
 }
-bool chance(lua_State* L, double probability) {
+bool chance(lua_State* L, Probability probability) {
     return context_of(L).random.uniform() < probability;
 }
 Pushed choose(lua_State* L, TableArgument list) {
@@ -117,10 +121,10 @@ double self_number(lua_State* L, RandomObject* self, double low, double high) {
 std::int64_t self_integer(lua_State* L, RandomObject* self, std::int64_t low, std::int64_t high) {
     return integer_from(L, self->generator(), low, high);
 }
-double self_normal(RandomObject* self, std::optional<double> mean, std::optional<double> deviation) {
+double self_normal(RandomObject* self, std::optional<double> mean, std::optional<Deviation> deviation) {
     return normal_from(self->generator(), mean.value_or(0), deviation.value_or(1));
 }
-bool self_chance(RandomObject* self, double probability) {
+bool self_chance(RandomObject* self, Probability probability) {
     return self->generator().uniform() < probability;
 }
 Pushed self_choose(lua_State* L, RandomObject* self, TableArgument list) {
@@ -143,7 +147,7 @@ constexpr Function kFunctions[] = {
                        "In [low, high], both included, all equally likely."),
     function<&normal>("normal", "mean = 0, deviation = 1", "number",
                       "Normally distributed: most lie near the mean."),
-    function<&chance>("chance", "probability", "happens", "True with that probability, 0 to 1."),
+    function<&chance>("chance", "probability", "happens", "True with that probability."),
     function_pushing<&choose>("choose", "list", "member", kReturnsAny,
                               "One of a list's members, all equally likely."),
     function<&shuffle>("shuffle", "list", "",
@@ -157,7 +161,7 @@ constexpr Function kMethods[] = {
     function<&self_number>("number", "low, high", "number", "In [low, high)."),
     function<&self_integer>("integer", "low, high", "integer", "In [low, high], both included."),
     function<&self_normal>("normal", "mean = 0, deviation = 1", "number", "Normally distributed."),
-    function<&self_chance>("chance", "probability", "happens", "True with that probability, 0 to 1."),
+    function<&self_chance>("chance", "probability", "happens", "True with that probability."),
     function_pushing<&self_choose>("choose", "list", "member", kReturnsAny, "One of a list's members."),
     function<&self_shuffle>("shuffle", "list", "", "Brings the members of a list into a random order."),
     function<&self_seed>("seed", "seed", "", "Starts the stream anew."),

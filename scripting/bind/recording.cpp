@@ -15,9 +15,8 @@ struct RecordingObject : ObjectHeader {
 };
 
 constexpr Field kWhole = within(
-    integer_field(
-        "states_between_whole_ones", 60, "60",
-        "1 to 10000; every so many states one is kept whole: seeking applies at most so many differences"),
+    integer_field("states_between_whole_ones", 60, "60",
+                  "every so many states one is kept whole: seeking applies at most so many differences"),
     1, 10'000);
 constexpr const Field* kOwn[] = {&kWhole};
 
@@ -47,9 +46,7 @@ struct Argument<RecordingObject*> {
 Pushed new_recording(lua_State* L, std::optional<TableArgument> fields) {
     if (!fields) lua_newtable(L);
     const FieldReader reader(L, fields ? fields->index : -1, kRecordingFields);
-    const std::int64_t between = reader.integer(kWhole);
-    if (!is_in_range(kWhole, static_cast<double>(between))) reader.fail(kWhole, range_rule(kWhole));
-    new_object<RecordingObject>(L, 0, physics::Recording(static_cast<int>(between)));
+    new_object<RecordingObject>(L, 0, physics::Recording(static_cast<int>(reader.integer(kWhole))));
     return {1};
 }
 

@@ -56,29 +56,26 @@ int take_top(lua_State* L) {
     return place;
 }
 
-void push(lua_State* L, TableArgument scene, AnyArgument) {
-    const int count = lua_gettop(L) - 1;
+void push(lua_State* L, TableArgument scene, FurtherArguments more) {
     check_not_there(L, scene.index);
     if (context_of(L).scenes.size() >= kMaxScenes)
         call_error(L, std::to_string(kMaxScenes) + " scenes are on the stack already; is a pop missing?");
     if (const int below = push_top(L); below != 0) call_method(L, below, "pause", 0, 0);
     add(L, scene.index);
-    call_method(L, scene.index, "enter", 2, std::max(count, 0));
+    call_method(L, scene.index, "enter", more.first, more.count);
 }
 
-void pop(lua_State* L, AnyArgument) {
+void pop(lua_State* L, FurtherArguments more) {
     if (context_of(L).scenes.empty()) call_error(L, "there is no scene to leave");
-    const int count = lua_gettop(L);
     call_method(L, take_top(L), "leave", 0, 0);
-    if (const int below = push_top(L); below != 0) call_method(L, below, "resume", 1, count);
+    if (const int below = push_top(L); below != 0) call_method(L, below, "resume", more.first, more.count);
 }
 
-void switch_to(lua_State* L, TableArgument scene, AnyArgument) {
-    const int count = lua_gettop(L) - 1;
+void switch_to(lua_State* L, TableArgument scene, FurtherArguments more) {
     if (!context_of(L).scenes.empty()) call_method(L, take_top(L), "leave", 0, 0);
     check_not_there(L, scene.index);
     add(L, scene.index);
-    call_method(L, scene.index, "enter", 2, std::max(count, 0));
+    call_method(L, scene.index, "enter", more.first, more.count);
 }
 
 Pushed current(lua_State* L) {

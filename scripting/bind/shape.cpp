@@ -44,13 +44,13 @@ float radius(ShapeRef self) {
 float density(ShapeRef self) {
     return self.shape.density();
 }
-Change set_density(ShapeRef self, float density) {
+Change set_density(ShapeRef self, NotNegative density) {
     return self.shape.set_density(density);
 }
 float friction(ShapeRef self) {
     return self.shape.material().friction;
 }
-Change set_friction(ShapeRef self, float friction) {
+Change set_friction(ShapeRef self, NotNegative friction) {
     physics::Material material = self.shape.material();
     material.friction = friction;
     return self.shape.set_material(material);
@@ -58,7 +58,7 @@ Change set_friction(ShapeRef self, float friction) {
 float restitution(ShapeRef self) {
     return self.shape.material().restitution;
 }
-Change set_restitution(ShapeRef self, float restitution) {
+Change set_restitution(ShapeRef self, Share restitution) {
     physics::Material material = self.shape.material();
     material.restitution = restitution;
     return self.shape.set_material(material);
@@ -69,13 +69,11 @@ std::tuple<std::int64_t, std::int64_t, std::int64_t> filter(ShapeRef self) {
     return {static_cast<std::int64_t>(filter.categories), static_cast<std::int64_t>(filter.mask),
             filter.group};
 }
-void set_filter(lua_State* L, ShapeRef self, std::int64_t categories, std::int64_t mask, std::int64_t group) {
-    if (group != static_cast<std::int32_t>(group)) {
-        call_error(L, "group is " + std::to_string(group) + "; it must fit into 32 bits");
-    }
+void set_filter(ShapeRef self, std::int64_t categories, std::int64_t mask,
+                Ranged<kGroups, std::int64_t> group) {
     self.shape.set_filter({.categories = static_cast<std::uint64_t>(categories),
                            .mask = static_cast<std::uint64_t>(mask),
-                           .group = static_cast<std::int32_t>(group)});
+                           .group = static_cast<std::int32_t>(group.value)});
 }
 
 Pushed material(lua_State* L, ShapeRef self) {
@@ -145,9 +143,9 @@ constexpr Function kFunctions[] = {
     function<&set_density>("set_density", "density [kg/m^2]", "",
                            "The mass of the body follows, and the body wakes."),
     function<&friction>("friction", "", "friction", ""),
-    function<&set_friction>("set_friction", "friction", "", "At least 0."),
+    function<&set_friction>("set_friction", "friction", "", ""),
     function<&restitution>("restitution", "", "restitution", ""),
-    function<&set_restitution>("set_restitution", "restitution", "", "0 to 1."),
+    function<&set_restitution>("set_restitution", "restitution", "", ""),
     function<&filter>("filter", "", "categories, mask, group", ""),
     function<&set_filter>("set_filter", "categories, mask, group", "",
                           "Ends touching that the new filter forbids."),

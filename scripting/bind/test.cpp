@@ -33,11 +33,11 @@ void start(lua_State* L, std::optional<TableArgument> fields) {
     driver(L).start(L, static_cast<std::uint64_t>(reader.integer(kSeed)));
 }
 
-void run(lua_State* L, std::int64_t frames) {
+void run(lua_State* L, Count frames) {
     for (std::int64_t i = 0; i < frames; ++i) driver(L).run_frame(L);
 }
 
-bool run_until(lua_State* L, FunctionArgument condition, std::int64_t max_frames) {
+bool run_until(lua_State* L, FunctionArgument condition, Count max_frames) {
     for (std::int64_t i = 0; i < max_frames; ++i) {
         driver(L).run_frame(L);
         lua_pushvalue(L, condition.index);
@@ -101,55 +101,53 @@ engine::GamepadButton to_gamepad_button(lua_State* L, std::string_view name) {
     if (!button) argument_error(L, 2, "the name of a button, as in cairn.input.is_gamepad_down");
     return *button;
 }
-int to_number(lua_State* L, std::int64_t number, int most) {
-    if (number < 1 || number > most) argument_error(L, 1, "an integer from 1 to " + std::to_string(most));
-    return static_cast<int>(number);
-}
+constexpr Range kGamepads{1, engine::kMaxGamepads};
+using GamepadNumber = Ranged<kGamepads, std::int64_t>;
+constexpr Range kTouches{1, engine::kMaxTouches};
+using TouchNumber = Ranged<kTouches, std::int64_t>;
+constexpr Range kAxisValues{-1, 1};
 
-void gamepad_connect(lua_State* L, std::int64_t gamepad) {
-    driver(L).send(L, {.kind = InputKind::GamepadConnected,
-                       .text = "test",
-                       .number = to_number(L, gamepad, engine::kMaxGamepads)});
-}
-void gamepad_disconnect(lua_State* L, std::int64_t gamepad) {
+void gamepad_connect(lua_State* L, GamepadNumber gamepad) {
     driver(L).send(
-        L, {.kind = InputKind::GamepadDisconnected, .number = to_number(L, gamepad, engine::kMaxGamepads)});
+        L, {.kind = InputKind::GamepadConnected, .text = "test", .number = static_cast<int>(gamepad.value)});
 }
-void gamepad_press(lua_State* L, std::int64_t gamepad, std::string_view button) {
+void gamepad_disconnect(lua_State* L, GamepadNumber gamepad) {
+    driver(L).send(L, {.kind = InputKind::GamepadDisconnected, .number = static_cast<int>(gamepad.value)});
+}
+void gamepad_press(lua_State* L, GamepadNumber gamepad, std::string_view button) {
     driver(L).send(L, {.kind = InputKind::GamepadPressed,
-                       .number = to_number(L, gamepad, engine::kMaxGamepads),
+                       .number = static_cast<int>(gamepad.value),
                        .gamepad_button = to_gamepad_button(L, button)});
 }
-void gamepad_release(lua_State* L, std::int64_t gamepad, std::string_view button) {
+void gamepad_release(lua_State* L, GamepadNumber gamepad, std::string_view button) {
     driver(L).send(L, {.kind = InputKind::GamepadReleased,
-                       .number = to_number(L, gamepad, engine::kMaxGamepads),
+                       .number = static_cast<int>(gamepad.value),
                        .gamepad_button = to_gamepad_button(L, button)});
 }
-void gamepad_move(lua_State* L, std::int64_t gamepad, std::string_view name, float value) {
+void gamepad_move(lua_State* L, GamepadNumber gamepad, std::string_view name,
+                  Ranged<kAxisValues, float> value) {
     const auto axis = engine::gamepad_axis_from_name(name);
     if (!axis) argument_error(L, 2, "the name of an axis, as in cairn.input.gamepad_axis");
     driver(L).send(L, {.kind = InputKind::GamepadMoved,
-                       .number = to_number(L, gamepad, engine::kMaxGamepads),
+                       .number = static_cast<int>(gamepad.value),
                        .gamepad_axis = *axis,
                        .value = value});
 }
-void touch_press(lua_State* L, std::int64_t touch, float x, float y) {
-    driver(L).send(L, {.kind = InputKind::TouchPressed,
-                       .position = {x, y},
-                       .number = to_number(L, touch, engine::kMaxTouches)});
+void touch_press(lua_State* L, TouchNumber touch, float x, float y) {
+    driver(L).send(
+        L, {.kind = InputKind::TouchPressed, .position = {x, y}, .number = static_cast<int>(touch.value)});
 }
-void touch_move(lua_State* L, std::int64_t touch, float x, float y) {
-    const int number = to_number(L, touch, engine::kMaxTouches);
+void touch_move(lua_State* L, TouchNumber touch, float x, float y) {
+    const int number = static_cast<int>(touch.value);
     const engine::Vec2 from = context_of(L).input.touch(number).value_or(engine::Vec2{x, y});
     driver(L).send(L, {.kind = InputKind::TouchMoved,
                        .position = {x, y},
                        .delta = engine::Vec2{x, y} - from,
                        .number = number});
 }
-void touch_release(lua_State* L, std::int64_t touch, float x, float y) {
-    driver(L).send(L, {.kind = InputKind::TouchReleased,
-                       .position = {x, y},
-                       .number = to_number(L, touch, engine::kMaxTouches)});
+void touch_release(lua_State* L, TouchNumber touch, float x, float y) {
+    driver(L).send(
+        L, {.kind = InputKind::TouchReleased, .position = {x, y}, .number = static_cast<int>(touch.value)});
 }
 
 // ---- Expectations
@@ -165,7 +163,7 @@ void expect_equal(lua_State* L, AnyArgument actual, AnyArgument expected) {
     raise(L, "expected " + describe_value(L, expected.index) + ", got " + describe_value(L, actual.index));
 }
 
-void expect_near(lua_State* L, double actual, double expected, double tolerance) {
+void expect_near(lua_State* L, double actual, double expected, Ranged<kNotNegative, double> tolerance) {
     if (std::abs(actual - expected) <= tolerance) return;
     raise(L, "expected " + describe_value(L, 2) + " within " + describe_value(L, 3) + ", got " +
                  describe_value(L, 1));
@@ -182,8 +180,8 @@ void expect_error(lua_State* L, FunctionArgument action, std::string_view text) 
     }
 }
 
-constexpr Field kTolerance = within(
-    number_field("tolerance", PictureTolerance{}.color, "0.03", "how far a color may be off, 0 to 1"), 0, 1);
+constexpr Field kTolerance =
+    within(number_field("tolerance", PictureTolerance{}.color, "0.03", "how far a color may be off"), 0, 1);
 constexpr Field kShare = within(
     number_field("share", PictureTolerance{}.share, "0.001", "of the pixels that may be farther off"), 0, 1);
 constexpr const Field* kPictureOwn[] = {&kTolerance, &kShare};

@@ -120,7 +120,7 @@ Pushed new_text(lua_State* L, AnyArgument parts, std::optional<TableArgument> fi
     return {1};
 }
 
-Pushed wrap(lua_State* L, std::string_view text, float width, std::optional<FontObject*> font) {
+Pushed wrap(lua_State* L, std::string_view text, NotNegative width, std::optional<FontObject*> font) {
     const std::vector<std::string> lines =
         context_of(L).services.renderer.wrap_text(default_or(L, font), text, width);
     lua_createtable(L, static_cast<int>(lines.size()), 0);
@@ -144,8 +144,7 @@ std::tuple<float, float> size(lua_State* L, TextObject* self) {
 std::int64_t length(TextObject* self) {
     return count_characters(self->text);
 }
-void set_shown(lua_State* L, TextObject* self, std::optional<std::int64_t> count) {
-    if (count && *count < 0) argument_error(L, 2, "an integer, at least 0, or nil for all");
+void set_shown(TextObject* self, std::optional<Count> count) {
     self->shown = count ? static_cast<int>(std::min<std::int64_t>(*count, 1 << 30)) : -1;
 }
 

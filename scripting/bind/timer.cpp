@@ -1,6 +1,4 @@
 // cairn.timer and the Timer type.
-#include <cmath>
-
 #include "bind/context.h"
 #include "bind/modules.h"
 #include "lua/state.h"
@@ -31,7 +29,6 @@ namespace {
 constexpr std::size_t kMaxTimers = 10000;
 
 Pushed start(lua_State* L, double seconds, FunctionArgument action, bool repeats) {
-    if (!(seconds >= 0) || !std::isfinite(seconds)) argument_error(L, 1, "a time in seconds, at least 0");
     Context& context = context_of(L);
     if (context.timers.count() >= kMaxTimers) {
         call_error(L, std::to_string(kMaxTimers) +
@@ -45,10 +42,10 @@ Pushed start(lua_State* L, double seconds, FunctionArgument action, bool repeats
     return {1};
 }
 
-Pushed after(lua_State* L, double seconds, FunctionArgument action) {
+Pushed after(lua_State* L, Seconds seconds, FunctionArgument action) {
     return start(L, seconds, action, false);
 }
-Pushed every(lua_State* L, double seconds, FunctionArgument action) {
+Pushed every(lua_State* L, Seconds seconds, FunctionArgument action) {
     return start(L, seconds, action, true);
 }
 double time(lua_State* L) {

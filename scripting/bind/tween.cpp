@@ -41,7 +41,7 @@ constexpr Field kEase{
     "_out or _in_out: where it is slow"};
 constexpr Field kDelay = at_least(number_field("delay", 0, "0", "s until it begins"), 0);
 constexpr Field kRepeats =
-    integer_field("repeats", 0, "0", "how often it runs again; -1: until it is cancelled");
+    at_least(integer_field("repeats", 0, "0", "how often it runs again; -1: until it is cancelled"), -1);
 constexpr Field kYoyo = boolean_field("yoyo", false, "every second run goes back");
 constexpr Field kDone = optional_field("done", FieldType::Function, "called at the end");
 constexpr const Field* kToOwn[] = {&kEase, &kDelay, &kRepeats, &kYoyo, &kDone};
@@ -91,9 +91,8 @@ std::vector<TweenField> read_goals(lua_State* L, int index) {
     return fields;
 }
 
-Pushed to(lua_State* L, TableArgument target, TableArgument goals, double seconds,
+Pushed to(lua_State* L, TableArgument target, TableArgument goals, Seconds seconds,
           std::optional<TableArgument> options) {
-    if (!(seconds >= 0) || !std::isfinite(seconds)) argument_error(L, 3, "a time in seconds, at least 0");
     if (!options) lua_newtable(L);
     const FieldReader reader(L, options ? options->index : -1, kToFields);
     Context& context = context_of(L);
@@ -108,7 +107,6 @@ Pushed to(lua_State* L, TableArgument target, TableArgument goals, double second
     if (!ease) reader.fail(kEase, "no such ease" + suggestion(std::string(reader.text(kEase)), ease_names()));
     tween.ease = *ease;
     const std::int64_t repeats = reader.integer(kRepeats);
-    if (repeats < -1) reader.fail(kRepeats, "must be at least -1");
     const double delay = reader.number(kDelay);
     const bool is_yoyo = reader.boolean(kYoyo);
     // A field that is no number shows here, where the script's own line is named.

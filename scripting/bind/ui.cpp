@@ -82,7 +82,7 @@ constexpr Field kChoiceValue = integer_field("value", 1, "1", "counts from 1");
 constexpr Field kChoiceChanged =
     optional_field("changed", FieldType::Function, "called with the number and the string");
 constexpr Field kEntry{"value", FieldType::String, "", ""};
-constexpr Field kMaxLength = integer_field("max_length", 32, "32", "characters, 1 to 1000");
+constexpr Field kMaxLength = within(integer_field("max_length", 32, "32", "characters"), 1, 1000);
 constexpr Field kEntryChanged = optional_field("changed", FieldType::Function, "called with the text");
 
 constexpr const Field* kCommonOwn[] = {&kText, &kEnabled, &kSameRow};
@@ -246,9 +246,7 @@ std::int64_t add_text(lua_State* L, UiObject* self, TableArgument fields) {
     const FieldReader reader(L, fields.index, kTextFields);
     Widget widget = common(reader, WidgetKind::TextField);
     widget.entry = reader.text(kEntry);
-    const std::int64_t most = reader.integer(kMaxLength);
-    if (most < 1 || most > 1000) reader.fail(kMaxLength, "must be from 1 to 1000");
-    widget.max_length = static_cast<int>(most);
+    widget.max_length = static_cast<int>(reader.integer(kMaxLength));
     return add(L, *self, std::move(widget), reader, &kEntryChanged);
 }
 

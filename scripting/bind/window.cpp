@@ -13,27 +13,26 @@ engine::Window& window_of(lua_State* L) {
     return context_of(L).services.window;
 }
 
-/// The first two arguments, or raises.
-engine::Size to_size(lua_State* L, std::int64_t width, std::int64_t height) {
-    const std::string rule = "an integer from 1 to " + std::to_string(engine::kMaxWindowSide);
-    if (width < 1 || width > engine::kMaxWindowSide) argument_error(L, 1, rule);
-    if (height < 1 || height > engine::kMaxWindowSide) argument_error(L, 2, rule);
-    return {static_cast<int>(width), static_cast<int>(height)};
+constexpr Range kSides{1, engine::kMaxWindowSide};
+using Side = Ranged<kSides, std::int64_t>;
+
+engine::Size to_size(Side width, Side height) {
+    return {static_cast<int>(width.value), static_cast<int>(height.value)};
 }
 
 Pair size(lua_State* L) {
     const engine::Size logical = window_of(L).logical_size();
     return {logical.width, logical.height};
 }
-void set_logical_size(lua_State* L, std::int64_t width, std::int64_t height) {
-    window_of(L).set_logical_size(to_size(L, width, height));
+void set_logical_size(lua_State* L, Side width, Side height) {
+    window_of(L).set_logical_size(to_size(width, height));
 }
 Pair window_size(lua_State* L) {
     const engine::Size points = window_of(L).size();
     return {points.width, points.height};
 }
-void set_window_size(lua_State* L, std::int64_t width, std::int64_t height) {
-    window_of(L).set_size(to_size(L, width, height));
+void set_window_size(lua_State* L, Side width, Side height) {
+    window_of(L).set_size(to_size(width, height));
 }
 void set_title(lua_State* L, std::string_view title) {
     window_of(L).set_title(std::string(title));

@@ -42,7 +42,7 @@ Pushed new_world(lua_State* L, std::optional<TableArgument> description) {
     }
     if (!description) lua_newtable(L);
     const FieldReader reader(L, description ? description->index : -1, kWorldFields);
-    auto created = physics::World::create(read_world_def(reader, L));
+    auto created = physics::World::create(read_world_def(reader));
     if (!created) call_error(L, created.error());
     auto& object = new_object<WorldObject>(L, kPairFilterValue, std::nullopt, 0, 0);
     object.world.emplace(*std::move(created));
@@ -143,10 +143,10 @@ void warn_of_quarantined(WorldRef world) {
     }
 }
 
-physics::Result<void> step(lua_State* L, WorldRef self, double dt_s) {
+physics::Result<void> step(lua_State* L, WorldRef self, StepTime dt_s) {
     age_retired(L, self.index, self.object);
     FilteredStep filtered(L, self);
-    auto stepped = self.world.step(static_cast<float>(dt_s));
+    auto stepped = self.world.step(dt_s);
     if (!stepped) return stepped;
     warn_of_quarantined(self);
     keep_broken_joints(L, self);

@@ -5,7 +5,6 @@
 #include <array>
 
 #include "bind/fields.h"
-#include "bind/physics_fields.h"
 #include "data/nearest.h"
 
 namespace cairn::scripting {
@@ -148,13 +147,6 @@ constexpr Field kRestitution = choice_field("restitution", "maximum", kMixings, 
 constexpr Field kFixedRestitution = within(number_field("fixed_restitution", 0, "0", "with \"fixed\""), 0, 1);
 constexpr const Field* kMaterialRuleOwn[] = {&kFriction, &kFixedFriction, &kRestitution, &kFixedRestitution};
 
-int to_kind(lua_State* L, const char* name, std::int64_t kind) {
-    if (kind < 0 || kind >= physics::kMaterialKinds)
-        call_error(L, std::string(name) + " is " + std::to_string(kind) + "; expected 0 to " +
-                          std::to_string(physics::kMaterialKinds - 1));
-    return static_cast<int>(kind);
-}
-
 void set_mixing(lua_State* L, const Field& field, const Field& fixed, const physics::MixRule& rule) {
     const std::string word = words_of(kMixings)[static_cast<std::size_t>(rule.mixing)];
     lua_pushlstring(L, word.data(), word.size());
@@ -248,7 +240,7 @@ Pushed shapes_in_box(lua_State* L, WorldRef self, double x1, double y1, double x
                                       })));
 }
 
-Pushed closest_point(lua_State* L, WorldRef self, double x, double y, float radius, Filter filter,
+Pushed closest_point(lua_State* L, WorldRef self, double x, double y, NotNegative radius, Filter filter,
                      Ignored ignored) {
     const auto found = value_or_raise(L, ask(Sight(L, self, filter, ignored), [&](const QueryFilter& seen) {
                                           return self.world.closest_point({x, y}, radius, seen);
@@ -260,7 +252,7 @@ Pushed closest_point(lua_State* L, WorldRef self, double x, double y, float radi
     return {7};
 }
 
-Pushed closest_points(lua_State* L, WorldRef self, double x, double y, float radius, Filter filter,
+Pushed closest_points(lua_State* L, WorldRef self, double x, double y, NotNegative radius, Filter filter,
                       Ignored ignored) {
     return push_hits(L, self,
                      value_or_raise(L, ask(Sight(L, self, filter, ignored), [&](const QueryFilter& seen) {
@@ -268,7 +260,7 @@ Pushed closest_points(lua_State* L, WorldRef self, double x, double y, float rad
                                     })));
 }
 
-Pushed collision_planes(lua_State* L, WorldRef self, TableArgument shape, float reach, Filter filter,
+Pushed collision_planes(lua_State* L, WorldRef self, TableArgument shape, NotNegative reach, Filter filter,
                         Ignored ignored) {
     AskingShape asking;
     read_asking(L, shape, asking);
@@ -293,7 +285,7 @@ physics::Result<void> explode(lua_State* L, WorldRef self, TableArgument fields)
     });
 }
 
-physics::Result<void> apply_wind(lua_State* L, WorldRef self, TableArgument fields, float dt_s) {
+physics::Result<void> apply_wind(lua_State* L, WorldRef self, TableArgument fields, StepTime dt_s) {
     const FieldReader reader(L, fields.index, kWindFields);
     physics::WindDef def = read_wind(reader);
     return ask(Sight(L, self, reader), [&](const QueryFilter& seen) {
@@ -302,7 +294,7 @@ physics::Result<void> apply_wind(lua_State* L, WorldRef self, TableArgument fiel
     });
 }
 
-physics::Result<void> apply_wind_to_body(lua_State* L, BodyRef self, TableArgument fields, float dt_s) {
+physics::Result<void> apply_wind_to_body(lua_State* L, BodyRef self, TableArgument fields, StepTime dt_s) {
     const FieldReader reader(L, fields.index, kWindFields);
     physics::WindDef def = read_wind(reader);
     const physics::BodyId body = self.object.id;
@@ -314,19 +306,19 @@ physics::Result<void> apply_wind_to_body(lua_State* L, BodyRef self, TableArgume
     });
 }
 
-physics::Result<void> set_material_rule(lua_State* L, WorldRef self, std::int64_t kind_a, std::int64_t kind_b,
+physics::Result<void> set_material_rule(lua_State* L, WorldRef self, MaterialKind kind_a, MaterialKind kind_b,
                                         TableArgument fields) {
     const FieldReader reader(L, fields.index, kMaterialRuleFields);
     const physics::MaterialRule rule{
         .friction = {static_cast<physics::Mixing>(reader.choice(kFriction)), reader.real(kFixedFriction)},
         .restitution = {static_cast<physics::Mixing>(reader.choice(kRestitution)),
                         reader.real(kFixedRestitution)}};
-    return self.world.set_material_rule(to_kind(L, "kind_a", kind_a), to_kind(L, "kind_b", kind_b), rule);
+    return self.world.set_material_rule(static_cast<int>(kind_a.value), static_cast<int>(kind_b.value), rule);
 }
 
-Pushed material_rule(lua_State* L, WorldRef self, std::int64_t kind_a, std::int64_t kind_b) {
+Pushed material_rule(lua_State* L, WorldRef self, MaterialKind kind_a, MaterialKind kind_b) {
     const auto rule = value_or_raise(
-        L, self.world.material_rule(to_kind(L, "kind_a", kind_a), to_kind(L, "kind_b", kind_b)));
+        L, self.world.material_rule(static_cast<int>(kind_a.value), static_cast<int>(kind_b.value)));
     lua_createtable(L, 0, 4);
     set_mixing(L, kFriction, kFixedFriction, rule.friction);
     set_mixing(L, kRestitution, kFixedRestitution, rule.restitution);

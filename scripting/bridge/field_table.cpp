@@ -2,6 +2,16 @@
 #include "bridge/field_table.h"
 
 namespace cairn::scripting {
+namespace {
+
+/// What its description says, and its range.
+std::string meaning(const Field& field) {
+    const std::string range = to_text(field.range);
+    const std::string doc = field.doc;
+    return doc + (doc.empty() || range.empty() ? "" : "; ") + range;
+}
+
+}  // namespace
 
 std::string field_table(std::span<const Field* const> fields) {
     std::string out = "\n| field | type | default | |\n|---|---|---|---|\n";
@@ -13,7 +23,7 @@ std::string field_table(std::span<const Field* const> fields) {
             default_text = '"' + default_text + '"';
         }
         out += std::string("| `") + field->name + "` | " + field_type_name(field->type) + " | " +
-               default_text + " | " + field->doc + " |\n";
+               default_text + " | " + meaning(*field) + " |\n";
     }
     return out;
 }

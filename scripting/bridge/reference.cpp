@@ -23,9 +23,10 @@ says and which callbacks there are stands in [Games](games.md); the format of re
   `new_` or `add_`.
 - **World**: metres, y up, radians (anticlockwise), seconds, kilograms. **Screen**: logical pixels, y down, (0, 0) at the
   top left. Only a camera converts between the two.
-- Colors are 0..1. `name = value` shows a default: the argument may be left out.
-- A wrong argument raises an error that names the function, the argument, the value and the rule, at the caller's
-  `file:line`.
+- Colors are 0..1, and what lies beyond is drawn as the nearest of these. `name = value` shows a default: the argument
+  may be left out. Numbers are finite unless something else is said.
+- A wrong argument, or one too many, raises an error that names the function, the argument, the value and the rule, at
+  the caller's `file:line`.
 
 This page is written by `cairn help --reference` from the descriptions that also check the arguments.
 )";
@@ -101,6 +102,18 @@ std::string units(const Function& function) {
     return text;
 }
 
+/// "probability from 0 to 1; voices from 1 to 32".
+std::string ranges(const Function& function, const Module& module) {
+    std::string text;
+    std::size_t place = module.is_type ? 1 : 0;
+    for (const Parameter& parameter : parse_parameters(function.parameters)) {
+        const Range* range = function.parameter_ranges[place++];
+        if (range == nullptr) continue;
+        text += (text.empty() ? "" : "; ") + std::string(parameter.name) + ' ' + to_text(*range);
+    }
+    return text;
+}
+
 /// "world:step(dt)", with its results.
 std::string signature(const Function& function, const Module& module) {
     const std::string results = result_list(function);
@@ -113,6 +126,8 @@ void write_function(const Function& function, const Module& module, std::string&
     if (const std::string unit_text = units(function); !unit_text.empty()) {
         text += (text.empty() ? "" : " ") + std::string("Units: ") + unit_text + '.';
     }
+    if (const std::string range_text = ranges(function, module); !range_text.empty())
+        text += (text.empty() ? "" : " ") + std::string("Range: ") + range_text + '.';
     if (!text.empty()) out += '\n' + text + '\n';
     if (function.fields != nullptr) out += field_table(all_fields(*function.fields));
 }
@@ -156,6 +171,7 @@ void annotate_fields(const Function& function, const Module& module, std::string
         const bool is_optional = field->default_text != nullptr;
         out += std::string("---@field ") + field->name + (is_optional ? "? " : " ") +
                field_type_name(field->type);
+        if (const std::string range = to_text(field->range); !range.empty()) out += ' ' + range + ';';
         if (*field->doc != '\0') out += std::string(" ") + field->doc;
         out += '\n';
     }
@@ -172,9 +188,10 @@ void annotate(const Function& function, const Module& module, std::string& out) 
         const std::string class_name = has_fields ? fields_class(function, module) : "";
         const std::string type_name = annotated_type(has_fields ? class_name : function.parameter_types[type],
                                                      !parameter.default_value.empty());
-        ++type;
+        const Range* range = function.parameter_ranges[type++];
         out += "---@param " + std::string(parameter.name) + ' ' + type_name;
         if (!parameter.unit.empty()) out += " [" + std::string(parameter.unit) + ']';
+        if (range != nullptr) out += ' ' + to_text(*range);
         out += '\n';
         names += (names.empty() ? "" : ", ") + std::string(parameter.name);
     }

@@ -26,42 +26,25 @@ cairn.physics = {}
 ---@class cairn.physics.new_world.Fields
 ---@field gravity_x? number m/s^2
 ---@field gravity_y? number m/s^2
----@field substeps? integer solver passes per step, 1 to 64
+---@field substeps? integer from 1 to 64; solver passes per step
 ---@field sleep? boolean whether resting bodies stop being computed
----@field hit_speed? number m/s; the least approach speed that makes a "hit" event
----@field restitution_speed? number m/s; slower approaches do not bounce
----@field max_push_out_speed? number m/s; how fast overlap is undone at most
+---@field hit_speed? number at least 0; m/s; the least approach speed that makes a "hit" event
+---@field restitution_speed? number at least 0; m/s; slower approaches do not bounce
+---@field max_push_out_speed? number above 0; m/s; how fast overlap is undone at most
 ---@field joint_solver? string "automatic", "sweeping" (cheapest) or "direct" (all structures at once, whatever it costs)
----@field threads? integer that share a step, 1 to 64; the results do not depend on it
+---@field threads? integer from 1 to 64; that share a step; the results do not depend on it
 
 ---Makes an empty world. It lives until `world:destroy()`.
 ---@param fields cairn.physics.new_world.Fields?
 ---@return World world
 function cairn.physics.new_world(fields) end
 
----@class cairn.physics.define_material.Fields
----@field density? number kg/m^2
----@field friction? number Coulomb coefficient, at least 0
----@field restitution? number share of the approach speed given back, 0 to 1
----@field rolling_resistance? number coefficient: a torque of this times the normal force times the radius resists rolling
----@field surface_speed? number m/s; a conveyor belt: positive carries what lies on top to the right
----@field material_kind? integer what `world:set_material_rule` knows the material by, 0 to 63
-
----Gives what shapes are made of a name: after `cairn.physics.define_material("wood", { density = 0.7, friction = 0.6 })` the field `material = "wood"` stands for these, wherever a shape is made or its material set. Fields that stand beside it go before. Where two shapes touch their values mix as ever. Naming it again is for shapes that are made from then on. Levels have materials of their own; a file of materials can be included by levels and named here: `for name, fields in pairs(require("materials").materials) do cairn.physics.define_material(name, fields) end`.
----@param name string
----@param fields cairn.physics.define_material.Fields
-function cairn.physics.define_material(name, fields) end
-
----A new table of those that have names: name -> all their fields.
----@return table materials
-function cairn.physics.materials() end
-
 ---Makes an empty list of places for `world:read_transforms`.
 ---@return Transforms transforms
 function cairn.physics.new_transforms() end
 
 ---@class cairn.physics.new_recording.Fields
----@field states_between_whole_ones? integer 1 to 10000; every so many states one is kept whole: seeking applies at most so many differences
+---@field states_between_whole_ones? integer from 1 to 10000; every so many states one is kept whole: seeking applies at most so many differences
 
 ---Makes an empty recording, for the states of a world.
 ---@param fields cairn.physics.new_recording.Fields?
@@ -89,7 +72,7 @@ function cairn.physics.is_built_in(feature) end
 ---@param dx number [m]
 ---@param dy number [m]
 ---@param planes table
----@param gap number [m]
+---@param gap number [m] at least 0
 ---@return number dx [m]
 ---@return number dy [m]
 function cairn.physics.solve_planes(dx, dy, planes, gap) end
@@ -97,13 +80,13 @@ function cairn.physics.solve_planes(dx, dy, planes, gap) end
 ---@class cairn.physics.new_mover.Fields
 ---@field x? number m; of the feet
 ---@field y? number m
----@field height? number m, of the capsule, from its feet up
----@field radius? number m; less than half the height
+---@field height? number above 0; m, of the capsule, from its feet up
+---@field radius? number above 0; m; less than half the height
 ---@field up_x? number a direction of any length
 ---@field up_y? number
----@field max_slope? number rad; steeper ground is a wall; up to pi/2
----@field step_height? number m; steps up to this are walked over
----@field push_force? number N; at most, against dynamic bodies in the way
+---@field max_slope? number from 0 to 1.570796; rad; steeper ground is a wall
+---@field step_height? number at least 0; m; steps up to this are walked over
+---@field push_force? number at least 0; N; at most, against dynamic bodies in the way
 
 ---Makes a character that walks.
 ---@param fields cairn.physics.new_mover.Fields?
@@ -114,26 +97,26 @@ function cairn.physics.new_mover(fields) end
 local World = {}
 
 ---Moves the world on and replaces its events by those of this step.
----@param dt number [s]
+---@param dt number [s] above 0 and at most 1
 function World:step(dt) end
 
 ---@class World.new_body.Fields
----@field x? number m
----@field y? number m
+---@field x? number from -1e+12 to 1e+12; m
+---@field y? number from -1e+12 to 1e+12; m
 ---@field angle? number rad
 ---@field type? string "static", "kinematic" or "dynamic"
 ---@field linear_velocity_x? number m/s, of the centre of mass
 ---@field linear_velocity_y? number m/s, of the centre of mass
 ---@field angular_velocity? number rad/s
----@field linear_damping? number 1/s; c in v e^(-c t)
----@field angular_damping? number 1/s
+---@field linear_damping? number at least 0; 1/s; c in v e^(-c t)
+---@field angular_damping? number at least 0; 1/s
 ---@field gravity_scale? number
 ---@field allow_sleep? boolean
 ---@field awake? boolean
 ---@field lock_x? boolean the centre of mass stays at its x
 ---@field lock_y? boolean the centre of mass stays at its y
 ---@field lock_rotation? boolean it does not turn
----@field sleep_speed? number m/s; may sleep when slower than this for half a second; at 0 it never does
+---@field sleep_speed? number at least 0; m/s; may sleep when slower than this for half a second; at 0 it never does
 ---@field data? table becomes body.data
 
 ---Adds a body without shapes; give it some with `body:add_box{...}` and the like.
@@ -142,36 +125,35 @@ function World:step(dt) end
 function World:new_body(fields) end
 
 ---@class World.add_box.Fields
----@field width number m
----@field height number m
----@field radius? number m; rounds the corners outward
----@field x? number m
----@field y? number m
+---@field width number above 0 and at most 2000000; m
+---@field height number above 0 and at most 2000000; m
+---@field radius? number from 0 to 1000000; m; rounds the corners outward
+---@field x? number from -1e+12 to 1e+12; m
+---@field y? number from -1e+12 to 1e+12; m
 ---@field angle? number rad
 ---@field type? string "static", "kinematic" or "dynamic"
 ---@field linear_velocity_x? number m/s, of the centre of mass
 ---@field linear_velocity_y? number m/s, of the centre of mass
 ---@field angular_velocity? number rad/s
----@field linear_damping? number 1/s; c in v e^(-c t)
----@field angular_damping? number 1/s
+---@field linear_damping? number at least 0; 1/s; c in v e^(-c t)
+---@field angular_damping? number at least 0; 1/s
 ---@field gravity_scale? number
 ---@field allow_sleep? boolean
 ---@field awake? boolean
 ---@field lock_x? boolean the centre of mass stays at its x
 ---@field lock_y? boolean the centre of mass stays at its y
 ---@field lock_rotation? boolean it does not turn
----@field sleep_speed? number m/s; may sleep when slower than this for half a second; at 0 it never does
+---@field sleep_speed? number at least 0; m/s; may sleep when slower than this for half a second; at 0 it never does
 ---@field data? table becomes body.data
----@field material? string a name of `cairn.physics.define_material`; what is not said beside it is as there
----@field density? number kg/m^2
----@field friction? number Coulomb coefficient, at least 0
----@field restitution? number share of the approach speed given back, 0 to 1
----@field rolling_resistance? number coefficient: a torque of this times the normal force times the radius resists rolling
+---@field density? number at least 0; kg/m^2
+---@field friction? number at least 0; Coulomb coefficient
+---@field restitution? number from 0 to 1; share of the approach speed given back
+---@field rolling_resistance? number at least 0; coefficient: a torque of this times the normal force times the radius resists rolling
 ---@field surface_speed? number m/s; a conveyor belt: positive carries what lies on top to the right
----@field material_kind? integer what `world:set_material_rule` knows the material by, 0 to 63
+---@field material_kind? integer from 0 to 63; what `world:set_material_rule` knows the material by
 ---@field categories? integer bit set: what the shape is
 ---@field mask? integer bit set: what it collides with; -1 is everything
----@field group? integer two shapes of the same group other than 0: positive always collide, negative never
+---@field group? integer from -2147483648 to 2147483647; two shapes of the same group other than 0: positive always collide, negative never
 ---@field contact_events? boolean "begin" and "end" events
 ---@field hit_events? boolean "hit" events
 ---@field sensor? boolean collides with nothing; `world:sensor_events()` tells what comes to overlap it
@@ -185,34 +167,33 @@ function World:new_body(fields) end
 function World:add_box(fields) end
 
 ---@class World.add_circle.Fields
----@field radius number m
----@field x? number m
----@field y? number m
+---@field radius number above 0 and at most 1000000; m
+---@field x? number from -1e+12 to 1e+12; m
+---@field y? number from -1e+12 to 1e+12; m
 ---@field angle? number rad
 ---@field type? string "static", "kinematic" or "dynamic"
 ---@field linear_velocity_x? number m/s, of the centre of mass
 ---@field linear_velocity_y? number m/s, of the centre of mass
 ---@field angular_velocity? number rad/s
----@field linear_damping? number 1/s; c in v e^(-c t)
----@field angular_damping? number 1/s
+---@field linear_damping? number at least 0; 1/s; c in v e^(-c t)
+---@field angular_damping? number at least 0; 1/s
 ---@field gravity_scale? number
 ---@field allow_sleep? boolean
 ---@field awake? boolean
 ---@field lock_x? boolean the centre of mass stays at its x
 ---@field lock_y? boolean the centre of mass stays at its y
 ---@field lock_rotation? boolean it does not turn
----@field sleep_speed? number m/s; may sleep when slower than this for half a second; at 0 it never does
+---@field sleep_speed? number at least 0; m/s; may sleep when slower than this for half a second; at 0 it never does
 ---@field data? table becomes body.data
----@field material? string a name of `cairn.physics.define_material`; what is not said beside it is as there
----@field density? number kg/m^2
----@field friction? number Coulomb coefficient, at least 0
----@field restitution? number share of the approach speed given back, 0 to 1
----@field rolling_resistance? number coefficient: a torque of this times the normal force times the radius resists rolling
+---@field density? number at least 0; kg/m^2
+---@field friction? number at least 0; Coulomb coefficient
+---@field restitution? number from 0 to 1; share of the approach speed given back
+---@field rolling_resistance? number at least 0; coefficient: a torque of this times the normal force times the radius resists rolling
 ---@field surface_speed? number m/s; a conveyor belt: positive carries what lies on top to the right
----@field material_kind? integer what `world:set_material_rule` knows the material by, 0 to 63
+---@field material_kind? integer from 0 to 63; what `world:set_material_rule` knows the material by
 ---@field categories? integer bit set: what the shape is
 ---@field mask? integer bit set: what it collides with; -1 is everything
----@field group? integer two shapes of the same group other than 0: positive always collide, negative never
+---@field group? integer from -2147483648 to 2147483647; two shapes of the same group other than 0: positive always collide, negative never
 ---@field contact_events? boolean "begin" and "end" events
 ---@field hit_events? boolean "hit" events
 ---@field sensor? boolean collides with nothing; `world:sensor_events()` tells what comes to overlap it
@@ -226,35 +207,34 @@ function World:add_box(fields) end
 function World:add_circle(fields) end
 
 ---@class World.add_capsule.Fields
----@field length number m, between the centres of the two ends, along x
----@field radius number m
----@field x? number m
----@field y? number m
+---@field length number above 0.005 and at most 2000000; m, between the centres of the two ends, along x
+---@field radius number above 0 and at most 1000000; m
+---@field x? number from -1e+12 to 1e+12; m
+---@field y? number from -1e+12 to 1e+12; m
 ---@field angle? number rad
 ---@field type? string "static", "kinematic" or "dynamic"
 ---@field linear_velocity_x? number m/s, of the centre of mass
 ---@field linear_velocity_y? number m/s, of the centre of mass
 ---@field angular_velocity? number rad/s
----@field linear_damping? number 1/s; c in v e^(-c t)
----@field angular_damping? number 1/s
+---@field linear_damping? number at least 0; 1/s; c in v e^(-c t)
+---@field angular_damping? number at least 0; 1/s
 ---@field gravity_scale? number
 ---@field allow_sleep? boolean
 ---@field awake? boolean
 ---@field lock_x? boolean the centre of mass stays at its x
 ---@field lock_y? boolean the centre of mass stays at its y
 ---@field lock_rotation? boolean it does not turn
----@field sleep_speed? number m/s; may sleep when slower than this for half a second; at 0 it never does
+---@field sleep_speed? number at least 0; m/s; may sleep when slower than this for half a second; at 0 it never does
 ---@field data? table becomes body.data
----@field material? string a name of `cairn.physics.define_material`; what is not said beside it is as there
----@field density? number kg/m^2
----@field friction? number Coulomb coefficient, at least 0
----@field restitution? number share of the approach speed given back, 0 to 1
----@field rolling_resistance? number coefficient: a torque of this times the normal force times the radius resists rolling
+---@field density? number at least 0; kg/m^2
+---@field friction? number at least 0; Coulomb coefficient
+---@field restitution? number from 0 to 1; share of the approach speed given back
+---@field rolling_resistance? number at least 0; coefficient: a torque of this times the normal force times the radius resists rolling
 ---@field surface_speed? number m/s; a conveyor belt: positive carries what lies on top to the right
----@field material_kind? integer what `world:set_material_rule` knows the material by, 0 to 63
+---@field material_kind? integer from 0 to 63; what `world:set_material_rule` knows the material by
 ---@field categories? integer bit set: what the shape is
 ---@field mask? integer bit set: what it collides with; -1 is everything
----@field group? integer two shapes of the same group other than 0: positive always collide, negative never
+---@field group? integer from -2147483648 to 2147483647; two shapes of the same group other than 0: positive always collide, negative never
 ---@field contact_events? boolean "begin" and "end" events
 ---@field hit_events? boolean "hit" events
 ---@field sensor? boolean collides with nothing; `world:sensor_events()` tells what comes to overlap it
@@ -269,34 +249,33 @@ function World:add_capsule(fields) end
 
 ---@class World.add_polygon.Fields
 ---@field points number[][] { {x, y}, ... }, m: 3 to 256 corners in order, either way round
----@field radius? number m; rounds the corners outward
----@field x? number m
----@field y? number m
+---@field radius? number from 0 to 1000000; m; rounds the corners outward
+---@field x? number from -1e+12 to 1e+12; m
+---@field y? number from -1e+12 to 1e+12; m
 ---@field angle? number rad
 ---@field type? string "static", "kinematic" or "dynamic"
 ---@field linear_velocity_x? number m/s, of the centre of mass
 ---@field linear_velocity_y? number m/s, of the centre of mass
 ---@field angular_velocity? number rad/s
----@field linear_damping? number 1/s; c in v e^(-c t)
----@field angular_damping? number 1/s
+---@field linear_damping? number at least 0; 1/s; c in v e^(-c t)
+---@field angular_damping? number at least 0; 1/s
 ---@field gravity_scale? number
 ---@field allow_sleep? boolean
 ---@field awake? boolean
 ---@field lock_x? boolean the centre of mass stays at its x
 ---@field lock_y? boolean the centre of mass stays at its y
 ---@field lock_rotation? boolean it does not turn
----@field sleep_speed? number m/s; may sleep when slower than this for half a second; at 0 it never does
+---@field sleep_speed? number at least 0; m/s; may sleep when slower than this for half a second; at 0 it never does
 ---@field data? table becomes body.data
----@field material? string a name of `cairn.physics.define_material`; what is not said beside it is as there
----@field density? number kg/m^2
----@field friction? number Coulomb coefficient, at least 0
----@field restitution? number share of the approach speed given back, 0 to 1
----@field rolling_resistance? number coefficient: a torque of this times the normal force times the radius resists rolling
+---@field density? number at least 0; kg/m^2
+---@field friction? number at least 0; Coulomb coefficient
+---@field restitution? number from 0 to 1; share of the approach speed given back
+---@field rolling_resistance? number at least 0; coefficient: a torque of this times the normal force times the radius resists rolling
 ---@field surface_speed? number m/s; a conveyor belt: positive carries what lies on top to the right
----@field material_kind? integer what `world:set_material_rule` knows the material by, 0 to 63
+---@field material_kind? integer from 0 to 63; what `world:set_material_rule` knows the material by
 ---@field categories? integer bit set: what the shape is
 ---@field mask? integer bit set: what it collides with; -1 is everything
----@field group? integer two shapes of the same group other than 0: positive always collide, negative never
+---@field group? integer from -2147483648 to 2147483647; two shapes of the same group other than 0: positive always collide, negative never
 ---@field contact_events? boolean "begin" and "end" events
 ---@field hit_events? boolean "hit" events
 ---@field sensor? boolean collides with nothing; `world:sensor_events()` tells what comes to overlap it
@@ -314,33 +293,32 @@ function World:add_polygon(fields) end
 ---@field y1 number m
 ---@field x2 number m; the other end
 ---@field y2 number m
----@field x? number m
----@field y? number m
+---@field x? number from -1e+12 to 1e+12; m
+---@field y? number from -1e+12 to 1e+12; m
 ---@field angle? number rad
 ---@field type? string "static", "kinematic" or "dynamic"
 ---@field linear_velocity_x? number m/s, of the centre of mass
 ---@field linear_velocity_y? number m/s, of the centre of mass
 ---@field angular_velocity? number rad/s
----@field linear_damping? number 1/s; c in v e^(-c t)
----@field angular_damping? number 1/s
+---@field linear_damping? number at least 0; 1/s; c in v e^(-c t)
+---@field angular_damping? number at least 0; 1/s
 ---@field gravity_scale? number
 ---@field allow_sleep? boolean
 ---@field awake? boolean
 ---@field lock_x? boolean the centre of mass stays at its x
 ---@field lock_y? boolean the centre of mass stays at its y
 ---@field lock_rotation? boolean it does not turn
----@field sleep_speed? number m/s; may sleep when slower than this for half a second; at 0 it never does
+---@field sleep_speed? number at least 0; m/s; may sleep when slower than this for half a second; at 0 it never does
 ---@field data? table becomes body.data
----@field material? string a name of `cairn.physics.define_material`; what is not said beside it is as there
----@field density? number kg/m^2
----@field friction? number Coulomb coefficient, at least 0
----@field restitution? number share of the approach speed given back, 0 to 1
----@field rolling_resistance? number coefficient: a torque of this times the normal force times the radius resists rolling
+---@field density? number at least 0; kg/m^2
+---@field friction? number at least 0; Coulomb coefficient
+---@field restitution? number from 0 to 1; share of the approach speed given back
+---@field rolling_resistance? number at least 0; coefficient: a torque of this times the normal force times the radius resists rolling
 ---@field surface_speed? number m/s; a conveyor belt: positive carries what lies on top to the right
----@field material_kind? integer what `world:set_material_rule` knows the material by, 0 to 63
+---@field material_kind? integer from 0 to 63; what `world:set_material_rule` knows the material by
 ---@field categories? integer bit set: what the shape is
 ---@field mask? integer bit set: what it collides with; -1 is everything
----@field group? integer two shapes of the same group other than 0: positive always collide, negative never
+---@field group? integer from -2147483648 to 2147483647; two shapes of the same group other than 0: positive always collide, negative never
 ---@field contact_events? boolean "begin" and "end" events
 ---@field hit_events? boolean "hit" events
 ---@field sensor? boolean collides with nothing; `world:sensor_events()` tells what comes to overlap it
@@ -360,33 +338,32 @@ function World:add_segment(fields) end
 ---@field before_y? number m
 ---@field after_x? number m; the same behind the last point
 ---@field after_y? number m
----@field material? string a name of `cairn.physics.define_material`; what is not said beside it is as there
----@field friction? number Coulomb coefficient, at least 0
----@field restitution? number share of the approach speed given back, 0 to 1
----@field rolling_resistance? number coefficient: a torque of this times the normal force times the radius resists rolling
+---@field friction? number at least 0; Coulomb coefficient
+---@field restitution? number from 0 to 1; share of the approach speed given back
+---@field rolling_resistance? number at least 0; coefficient: a torque of this times the normal force times the radius resists rolling
 ---@field surface_speed? number m/s; a conveyor belt: positive carries what lies on top to the right
----@field material_kind? integer what `world:set_material_rule` knows the material by, 0 to 63
+---@field material_kind? integer from 0 to 63; what `world:set_material_rule` knows the material by
 ---@field categories? integer bit set: what the shape is
 ---@field mask? integer bit set: what it collides with; -1 is everything
----@field group? integer two shapes of the same group other than 0: positive always collide, negative never
+---@field group? integer from -2147483648 to 2147483647; two shapes of the same group other than 0: positive always collide, negative never
 ---@field contact_events? boolean "begin" and "end" events
 ---@field hit_events? boolean "hit" events
----@field x? number m
----@field y? number m
+---@field x? number from -1e+12 to 1e+12; m
+---@field y? number from -1e+12 to 1e+12; m
 ---@field angle? number rad
 ---@field type? string "static", "kinematic" or "dynamic"
 ---@field linear_velocity_x? number m/s, of the centre of mass
 ---@field linear_velocity_y? number m/s, of the centre of mass
 ---@field angular_velocity? number rad/s
----@field linear_damping? number 1/s; c in v e^(-c t)
----@field angular_damping? number 1/s
+---@field linear_damping? number at least 0; 1/s; c in v e^(-c t)
+---@field angular_damping? number at least 0; 1/s
 ---@field gravity_scale? number
 ---@field allow_sleep? boolean
 ---@field awake? boolean
 ---@field lock_x? boolean the centre of mass stays at its x
 ---@field lock_y? boolean the centre of mass stays at its y
 ---@field lock_rotation? boolean it does not turn
----@field sleep_speed? number m/s; may sleep when slower than this for half a second; at 0 it never does
+---@field sleep_speed? number at least 0; m/s; may sleep when slower than this for half a second; at 0 it never does
 ---@field data? table becomes body.data
 
 ---Adds a body with one chain, of any number of points.
@@ -402,19 +379,19 @@ function World:add_chain(fields) end
 ---@field y_a? number m
 ---@field x_b? number m; the anchor on body b
 ---@field y_b? number m
----@field length? number m; absent: the present distance
----@field frequency? number Hz; turns the spring on; with 0 nothing but its limits acts, as in a rope
----@field damping_ratio? number 1 is critical
----@field min_length? number m, of the spring
----@field max_length? number m, of the spring
----@field min_spring_force? number N; the spring pushes with no more
----@field max_spring_force? number N; and pulls with no more
+---@field length? number above 0.005; m; absent: the present distance
+---@field frequency? number at least 0; Hz; turns the spring on; with 0 nothing but its limits acts, as in a rope
+---@field damping_ratio? number at least 0; 1 is critical
+---@field min_length? number at least 0; m, of the spring
+---@field max_length? number at least 0; m, of the spring
+---@field min_spring_force? number at most 0; N; the spring pushes with no more
+---@field max_spring_force? number at least 0; N; and pulls with no more
 ---@field enable_spring? boolean absent: on when frequency is given
 ---@field collide_connected? boolean whether the two bodies collide
----@field stiffness_frequency? number Hz; softer where what is held shall give
----@field stiffness_damping_ratio? number 1 is critical
----@field break_force? number N, the mean over a step; beyond it the joint breaks
----@field break_torque? number N m, likewise
+---@field stiffness_frequency? number above 0; Hz; softer where what is held shall give
+---@field stiffness_damping_ratio? number at least 0; 1 is critical
+---@field break_force? number above 0; N, the mean over a step; beyond it the joint breaks
+---@field break_torque? number above 0; N m, likewise
 ---@field data? table becomes joint.data
 
 ---Keeps two points at a distance: rigidly, as a spring or as a rope.
@@ -431,17 +408,17 @@ function World:add_distance_joint(fields) end
 ---@field upper? number rad; any number of turns
 ---@field enable_limit? boolean absent: on when lower and upper are given
 ---@field motor_speed? number rad/s, of b against a; turns the motor on
----@field max_motor_torque? number N m
+---@field max_motor_torque? number at least 0; N m
 ---@field enable_motor? boolean absent: on when motor_speed is given
----@field frequency? number Hz; turns the spring on
----@field damping_ratio? number 1 is critical
+---@field frequency? number above 0; Hz; turns the spring on
+---@field damping_ratio? number at least 0; 1 is critical
 ---@field target? number rad; where the spring draws to
 ---@field enable_spring? boolean absent: on when frequency is given
 ---@field collide_connected? boolean whether the two bodies collide
----@field stiffness_frequency? number Hz; softer where what is held shall give
----@field stiffness_damping_ratio? number 1 is critical
----@field break_force? number N, the mean over a step; beyond it the joint breaks
----@field break_torque? number N m, likewise
+---@field stiffness_frequency? number above 0; Hz; softer where what is held shall give
+---@field stiffness_damping_ratio? number at least 0; 1 is critical
+---@field break_force? number above 0; N, the mean over a step; beyond it the joint breaks
+---@field break_torque? number above 0; N m, likewise
 ---@field data? table becomes joint.data
 
 ---Pins two bodies together at a point about which they turn. Angle 0 is how they stand now; it counts whole turns.
@@ -461,17 +438,17 @@ function World:add_revolute_joint(fields) end
 ---@field upper? number m
 ---@field enable_limit? boolean absent: on when lower and upper are given
 ---@field motor_speed? number m/s, of b against a; turns the motor on
----@field max_motor_force? number N
+---@field max_motor_force? number at least 0; N
 ---@field enable_motor? boolean absent: on when motor_speed is given
----@field frequency? number Hz; turns the spring on
----@field damping_ratio? number 1 is critical
+---@field frequency? number above 0; Hz; turns the spring on
+---@field damping_ratio? number at least 0; 1 is critical
 ---@field target? number m; where the spring draws to
 ---@field enable_spring? boolean absent: on when frequency is given
 ---@field collide_connected? boolean whether the two bodies collide
----@field stiffness_frequency? number Hz; softer where what is held shall give
----@field stiffness_damping_ratio? number 1 is critical
----@field break_force? number N, the mean over a step; beyond it the joint breaks
----@field break_torque? number N m, likewise
+---@field stiffness_frequency? number above 0; Hz; softer where what is held shall give
+---@field stiffness_damping_ratio? number at least 0; 1 is critical
+---@field break_force? number above 0; N, the mean over a step; beyond it the joint breaks
+---@field break_torque? number above 0; N m, likewise
 ---@field data? table becomes joint.data
 
 ---Lets b slide along an axis of a, and not turn. Translation 0 is where they stand now; without an axis it is the world's x axis.
@@ -484,15 +461,15 @@ function World:add_prismatic_joint(fields) end
 ---@field body_b Body
 ---@field x number m; the anchor on both bodies, in the world
 ---@field y number m
----@field linear_frequency? number Hz, of a spring that holds the place; 0 is rigid
----@field linear_damping_ratio? number 1 is critical
----@field angular_frequency? number Hz, of a spring that holds the angle; 0 is rigid
----@field angular_damping_ratio? number 1 is critical
+---@field linear_frequency? number at least 0; Hz, of a spring that holds the place; 0 is rigid
+---@field linear_damping_ratio? number at least 0; 1 is critical
+---@field angular_frequency? number at least 0; Hz, of a spring that holds the angle; 0 is rigid
+---@field angular_damping_ratio? number at least 0; 1 is critical
 ---@field collide_connected? boolean whether the two bodies collide
----@field stiffness_frequency? number Hz; softer where what is held shall give
----@field stiffness_damping_ratio? number 1 is critical
----@field break_force? number N, the mean over a step; beyond it the joint breaks
----@field break_torque? number N m, likewise
+---@field stiffness_frequency? number above 0; Hz; softer where what is held shall give
+---@field stiffness_damping_ratio? number at least 0; 1 is critical
+---@field break_force? number above 0; N, the mean over a step; beyond it the joint breaks
+---@field break_torque? number above 0; N m, likewise
 ---@field data? table becomes joint.data
 
 ---Holds b to a as they stand now: rigidly, or with springs.
@@ -508,21 +485,21 @@ function World:add_weld_joint(fields) end
 ---@field axis_angle? number rad, of the axis in the world
 ---@field axis_x? number the axis as a direction of any length, instead of axis_angle
 ---@field axis_y? number
----@field frequency? number Hz
----@field damping_ratio? number 1 is critical
+---@field frequency? number above 0; Hz
+---@field damping_ratio? number at least 0; 1 is critical
 ---@field target? number m; where the spring draws to
 ---@field enable_spring? boolean
 ---@field lower? number m along the axis; with upper: turns the limit on
 ---@field upper? number m
 ---@field enable_limit? boolean absent: on when lower and upper are given
 ---@field motor_speed? number rad/s, of b against a; turns the motor on
----@field max_motor_torque? number N m
+---@field max_motor_torque? number at least 0; N m
 ---@field enable_motor? boolean absent: on when motor_speed is given
 ---@field collide_connected? boolean whether the two bodies collide
----@field stiffness_frequency? number Hz; softer where what is held shall give
----@field stiffness_damping_ratio? number 1 is critical
----@field break_force? number N, the mean over a step; beyond it the joint breaks
----@field break_torque? number N m, likewise
+---@field stiffness_frequency? number above 0; Hz; softer where what is held shall give
+---@field stiffness_damping_ratio? number at least 0; 1 is critical
+---@field break_force? number above 0; N, the mean over a step; beyond it the joint breaks
+---@field break_torque? number above 0; N m, likewise
 ---@field data? table becomes joint.data
 
 ---Hangs a wheel b from a chassis a: its centre slides along an axis of a on a spring, and it turns freely or by a motor. Without an axis it is the world's y axis. Units of the limit: m; of the motor: rad/s.
@@ -541,15 +518,15 @@ function World:add_wheel_joint(fields) end
 ---@field linear_velocity_x? number m/s, of b's anchor in frame a, without linear_frequency
 ---@field linear_velocity_y? number m/s
 ---@field angular_velocity? number rad/s, of b against a, without angular_frequency
----@field linear_frequency? number Hz, of the way to the target; 0: the velocity counts
----@field linear_damping_ratio? number 1 is critical
----@field angular_frequency? number Hz, of the turn to the target; 0: the velocity counts
----@field angular_damping_ratio? number 1 is critical
----@field max_force? number N
----@field max_torque? number N m
+---@field linear_frequency? number at least 0; Hz, of the way to the target; 0: the velocity counts
+---@field linear_damping_ratio? number at least 0; 1 is critical
+---@field angular_frequency? number at least 0; Hz, of the turn to the target; 0: the velocity counts
+---@field angular_damping_ratio? number at least 0; 1 is critical
+---@field max_force? number at least 0; N
+---@field max_torque? number at least 0; N m
 ---@field collide_connected? boolean whether the two bodies collide
----@field break_force? number N, the mean over a step; beyond it the joint breaks
----@field break_torque? number N m, likewise
+---@field break_force? number above 0; N, the mean over a step; beyond it the joint breaks
+---@field break_torque? number above 0; N m, likewise
 ---@field data? table becomes joint.data
 
 ---Draws b to a target place and angle in the frame of a, or drives it at a velocity, with a force and a torque that have caps. The target 0 is how they stand now.
@@ -561,12 +538,12 @@ function World:add_motor_joint(fields) end
 ---@field body Body what is drawn
 ---@field x number m; what is held now, and the target at first, in the world
 ---@field y number m
----@field frequency? number Hz
----@field damping_ratio? number 1 is critical
----@field max_force? number N; absent: 1000 for each kg of the body
+---@field frequency? number above 0; Hz
+---@field damping_ratio? number at least 0; 1 is critical
+---@field max_force? number at least 0; N; absent: 1000 for each kg of the body
 ---@field collide_connected? boolean whether the two bodies collide
----@field break_force? number N, the mean over a step; beyond it the joint breaks
----@field break_torque? number N m, likewise
+---@field break_force? number above 0; N, the mean over a step; beyond it the joint breaks
+---@field break_torque? number above 0; N m, likewise
 ---@field data? table becomes joint.data
 
 ---Draws a point of a body to a target in the world, which `joint:set_target(x, y)` moves: the hand of a player.
@@ -579,10 +556,10 @@ function World:add_mouse_joint(fields) end
 ---@field joint_2 Joint revolute or prismatic
 ---@field ratio? number coordinate 1 + ratio * coordinate 2 stays; not 0; in m or 1/m between kinds
 ---@field collide_connected? boolean whether the two bodies collide
----@field stiffness_frequency? number Hz; softer where what is held shall give
----@field stiffness_damping_ratio? number 1 is critical
----@field break_force? number N, the mean over a step; beyond it the joint breaks
----@field break_torque? number N m, likewise
+---@field stiffness_frequency? number above 0; Hz; softer where what is held shall give
+---@field stiffness_damping_ratio? number at least 0; 1 is critical
+---@field break_force? number above 0; N, the mean over a step; beyond it the joint breaks
+---@field break_torque? number above 0; N m, likewise
 ---@field data? table becomes joint.data
 
 ---Ties the coordinates of two joints: angles (rad) of revolute ones, translations (m) of prismatic ones. It goes with either joint.
@@ -601,13 +578,13 @@ function World:add_gear_joint(fields) end
 ---@field wheel_y_a number m
 ---@field wheel_x_b number m; b's wheel
 ---@field wheel_y_b number m
----@field ratio? number of a block and tackle on the side of b
----@field length? number m, of a's side + ratio * b's; absent: as it is now
+---@field ratio? number above 0; of a block and tackle on the side of b
+---@field length? number at least 0; m, of a's side + ratio * b's; absent: as it is now
 ---@field collide_connected? boolean whether the two bodies collide
----@field stiffness_frequency? number Hz; softer where what is held shall give
----@field stiffness_damping_ratio? number 1 is critical
----@field break_force? number N, the mean over a step; beyond it the joint breaks
----@field break_torque? number N m, likewise
+---@field stiffness_frequency? number above 0; Hz; softer where what is held shall give
+---@field stiffness_damping_ratio? number at least 0; 1 is critical
+---@field break_force? number above 0; N, the mean over a step; beyond it the joint breaks
+---@field break_torque? number above 0; N m, likewise
 ---@field data? table becomes joint.data
 
 ---A rope from a over two fixed wheels to b. It pulls and never pushes.
@@ -620,8 +597,8 @@ function World:add_pulley_joint(fields) end
 ---@field body_b Body
 ---@field x number m; the anchor on both bodies, in the world
 ---@field y number m
----@field max_force? number N
----@field max_torque? number N m
+---@field max_force? number at least 0; N
+---@field max_torque? number at least 0; N m
 ---@field collide_connected? boolean whether the two bodies collide
 ---@field data? table becomes joint.data
 
@@ -790,7 +767,7 @@ function World:shapes_in_box(x1, y1, x2, y2, filter, ignored) end
 ---The nearest surface within a radius; inside shapes the distance is negative. nil when there is none.
 ---@param x number [m]
 ---@param y number [m]
----@param radius number [m]
+---@param radius number [m] at least 0
 ---@param filter integer|function|table?
 ---@param ignored Body?
 ---@return Body? body
@@ -805,7 +782,7 @@ function World:closest_point(x, y, radius, filter, ignored) end
 ---The nearest point of each shape within a radius: tables with body, shape, x, y, nx, ny, distance.
 ---@param x number [m]
 ---@param y number [m]
----@param radius number [m]
+---@param radius number [m] at least 0
 ---@param filter integer|function|table?
 ---@param ignored Body?
 ---@return table points
@@ -813,7 +790,7 @@ function World:closest_points(x, y, radius, filter, ignored) end
 
 ---What limits a shape, described as for cast_shape: a line for each shape within reach, as tables with body, shape, x, y, nx, ny, separation, dynamic, and, where edges meet at a corner, nx_before, ny_before, nx_after, ny_after. For characters of your own; see cairn.physics.solve_planes and new_mover.
 ---@param shape table
----@param reach number [m]
+---@param reach number [m] at least 0
 ---@param filter integer|function|table?
 ---@param ignored Body?
 ---@return table planes
@@ -822,8 +799,8 @@ function World:collision_planes(shape, reach, filter, ignored) end
 ---@class World.explode.Fields
 ---@field x? number m
 ---@field y? number m
----@field radius? number m; full strength up to here
----@field falloff? number m; from there on it fades to nothing over this distance
+---@field radius? number at least 0; m; full strength up to here
+---@field falloff? number at least 0; m; from there on it fades to nothing over this distance
 ---@field impulse? number N s per metre of outline that faces the point; negative: inward
 ---@field shelter? integer bit set: shapes of these categories keep it from what lies behind them
 ---@field mask? integer bit set: the categories that are met
@@ -838,9 +815,9 @@ function World:explode(fields) end
 ---@class World.apply_wind.Fields
 ---@field velocity_x? number m/s, of the air; (0, 0) slows bodies down
 ---@field velocity_y? number m/s
----@field density? number kg/m^2, of the air
----@field drag? number 1 suits most shapes
----@field lift? number 1 suits flat plates
+---@field density? number at least 0; kg/m^2, of the air
+---@field drag? number at least 0; 1 suits most shapes
+---@field lift? number at least 0; 1 suits flat plates
 ---@field mask? integer bit set: the categories that are met
 ---@field categories? integer bit set: only what would collide with one of these is met
 ---@field accepts? function gets a body and a shape, says true or false: whether it is met
@@ -848,24 +825,24 @@ function World:explode(fields) end
 
 ---Of moving air on all dynamic bodies that are awake, during the next step, which takes dt.
 ---@param fields World.apply_wind.Fields
----@param dt number [s]
+---@param dt number [s] above 0 and at most 1
 function World:apply_wind(fields, dt) end
 
 ---@class World.set_material_rule.Fields
 ---@field friction? string how the two values mix
----@field fixed_friction? number with "fixed"
+---@field fixed_friction? number at least 0; with "fixed"
 ---@field restitution? string how the two values mix
----@field fixed_restitution? number with "fixed"
+---@field fixed_restitution? number from 0 to 1; with "fixed"
 
 ---How materials of two kinds (`material_kind` of shapes) mix.
----@param kind_a integer
----@param kind_b integer
+---@param kind_a integer from 0 to 63
+---@param kind_b integer from 0 to 63
 ---@param fields World.set_material_rule.Fields
 function World:set_material_rule(kind_a, kind_b, fields) end
 
 ---A new table with the fields that `set_material_rule` takes.
----@param kind_a integer
----@param kind_b integer
+---@param kind_a integer from 0 to 63
+---@param kind_b integer from 0 to 63
 ---@return table rule
 function World:material_rule(kind_a, kind_b) end
 
@@ -1045,9 +1022,9 @@ function Body:apply_angular_impulse(impulse) end
 ---@class Body.apply_wind.Fields
 ---@field velocity_x? number m/s, of the air; (0, 0) slows bodies down
 ---@field velocity_y? number m/s
----@field density? number kg/m^2, of the air
----@field drag? number 1 suits most shapes
----@field lift? number 1 suits flat plates
+---@field density? number at least 0; kg/m^2, of the air
+---@field drag? number at least 0; 1 suits most shapes
+---@field lift? number at least 0; 1 suits flat plates
 ---@field mask? integer bit set: the categories that are met
 ---@field categories? integer bit set: only what would collide with one of these is met
 ---@field accepts? function gets a body and a shape, says true or false: whether it is met
@@ -1055,7 +1032,7 @@ function Body:apply_angular_impulse(impulse) end
 
 ---Of moving air, or water, during the next step, which takes dt; wakes the body.
 ---@param fields Body.apply_wind.Fields
----@param dt number [s]
+---@param dt number [s] above 0 and at most 1
 function Body:apply_wind(fields, dt) end
 
 ---0 unless dynamic.
@@ -1074,14 +1051,14 @@ function Body:local_center() end
 ---@return number damping [1/s]
 function Body:linear_damping() end
 
----c in v e^(-c t), at least 0.
----@param damping number [1/s]
+---c in v e^(-c t).
+---@param damping number [1/s] at least 0
 function Body:set_linear_damping(damping) end
 
 ---@return number damping [1/s]
 function Body:angular_damping() end
 
----@param damping number [1/s]
+---@param damping number [1/s] at least 0
 function Body:set_angular_damping(damping) end
 
 ---@return number scale
@@ -1120,26 +1097,25 @@ function Body:set_locks(x, y, rotation) end
 function Body:sleep_speed() end
 
 ---Slower than this it may sleep; at 0 never.
----@param speed number [m/s]
+---@param speed number [m/s] at least 0
 function Body:set_sleep_speed(speed) end
 
 ---@class Body.add_box.Fields
----@field width number m
----@field height number m
----@field radius? number m; rounds the corners outward
----@field x? number m
----@field y? number m
+---@field width number above 0 and at most 2000000; m
+---@field height number above 0 and at most 2000000; m
+---@field radius? number from 0 to 1000000; m; rounds the corners outward
+---@field x? number from -1e+12 to 1e+12; m
+---@field y? number from -1e+12 to 1e+12; m
 ---@field angle? number rad
----@field material? string a name of `cairn.physics.define_material`; what is not said beside it is as there
----@field density? number kg/m^2
----@field friction? number Coulomb coefficient, at least 0
----@field restitution? number share of the approach speed given back, 0 to 1
----@field rolling_resistance? number coefficient: a torque of this times the normal force times the radius resists rolling
+---@field density? number at least 0; kg/m^2
+---@field friction? number at least 0; Coulomb coefficient
+---@field restitution? number from 0 to 1; share of the approach speed given back
+---@field rolling_resistance? number at least 0; coefficient: a torque of this times the normal force times the radius resists rolling
 ---@field surface_speed? number m/s; a conveyor belt: positive carries what lies on top to the right
----@field material_kind? integer what `world:set_material_rule` knows the material by, 0 to 63
+---@field material_kind? integer from 0 to 63; what `world:set_material_rule` knows the material by
 ---@field categories? integer bit set: what the shape is
 ---@field mask? integer bit set: what it collides with; -1 is everything
----@field group? integer two shapes of the same group other than 0: positive always collide, negative never
+---@field group? integer from -2147483648 to 2147483647; two shapes of the same group other than 0: positive always collide, negative never
 ---@field contact_events? boolean "begin" and "end" events
 ---@field hit_events? boolean "hit" events
 ---@field sensor? boolean collides with nothing; `world:sensor_events()` tells what comes to overlap it
@@ -1154,20 +1130,19 @@ function Body:set_sleep_speed(speed) end
 function Body:add_box(fields) end
 
 ---@class Body.add_circle.Fields
----@field radius number m
----@field x? number m
----@field y? number m
+---@field radius number above 0 and at most 1000000; m
+---@field x? number from -1e+12 to 1e+12; m
+---@field y? number from -1e+12 to 1e+12; m
 ---@field angle? number rad
----@field material? string a name of `cairn.physics.define_material`; what is not said beside it is as there
----@field density? number kg/m^2
----@field friction? number Coulomb coefficient, at least 0
----@field restitution? number share of the approach speed given back, 0 to 1
----@field rolling_resistance? number coefficient: a torque of this times the normal force times the radius resists rolling
+---@field density? number at least 0; kg/m^2
+---@field friction? number at least 0; Coulomb coefficient
+---@field restitution? number from 0 to 1; share of the approach speed given back
+---@field rolling_resistance? number at least 0; coefficient: a torque of this times the normal force times the radius resists rolling
 ---@field surface_speed? number m/s; a conveyor belt: positive carries what lies on top to the right
----@field material_kind? integer what `world:set_material_rule` knows the material by, 0 to 63
+---@field material_kind? integer from 0 to 63; what `world:set_material_rule` knows the material by
 ---@field categories? integer bit set: what the shape is
 ---@field mask? integer bit set: what it collides with; -1 is everything
----@field group? integer two shapes of the same group other than 0: positive always collide, negative never
+---@field group? integer from -2147483648 to 2147483647; two shapes of the same group other than 0: positive always collide, negative never
 ---@field contact_events? boolean "begin" and "end" events
 ---@field hit_events? boolean "hit" events
 ---@field sensor? boolean collides with nothing; `world:sensor_events()` tells what comes to overlap it
@@ -1182,21 +1157,20 @@ function Body:add_box(fields) end
 function Body:add_circle(fields) end
 
 ---@class Body.add_capsule.Fields
----@field length number m, between the centres of the two ends, along x
----@field radius number m
----@field x? number m
----@field y? number m
+---@field length number above 0.005 and at most 2000000; m, between the centres of the two ends, along x
+---@field radius number above 0 and at most 1000000; m
+---@field x? number from -1e+12 to 1e+12; m
+---@field y? number from -1e+12 to 1e+12; m
 ---@field angle? number rad
----@field material? string a name of `cairn.physics.define_material`; what is not said beside it is as there
----@field density? number kg/m^2
----@field friction? number Coulomb coefficient, at least 0
----@field restitution? number share of the approach speed given back, 0 to 1
----@field rolling_resistance? number coefficient: a torque of this times the normal force times the radius resists rolling
+---@field density? number at least 0; kg/m^2
+---@field friction? number at least 0; Coulomb coefficient
+---@field restitution? number from 0 to 1; share of the approach speed given back
+---@field rolling_resistance? number at least 0; coefficient: a torque of this times the normal force times the radius resists rolling
 ---@field surface_speed? number m/s; a conveyor belt: positive carries what lies on top to the right
----@field material_kind? integer what `world:set_material_rule` knows the material by, 0 to 63
+---@field material_kind? integer from 0 to 63; what `world:set_material_rule` knows the material by
 ---@field categories? integer bit set: what the shape is
 ---@field mask? integer bit set: what it collides with; -1 is everything
----@field group? integer two shapes of the same group other than 0: positive always collide, negative never
+---@field group? integer from -2147483648 to 2147483647; two shapes of the same group other than 0: positive always collide, negative never
 ---@field contact_events? boolean "begin" and "end" events
 ---@field hit_events? boolean "hit" events
 ---@field sensor? boolean collides with nothing; `world:sensor_events()` tells what comes to overlap it
@@ -1212,20 +1186,19 @@ function Body:add_capsule(fields) end
 
 ---@class Body.add_polygon.Fields
 ---@field points number[][] { {x, y}, ... }, m: 3 to 256 corners in order, either way round
----@field radius? number m; rounds the corners outward
----@field x? number m
----@field y? number m
+---@field radius? number from 0 to 1000000; m; rounds the corners outward
+---@field x? number from -1e+12 to 1e+12; m
+---@field y? number from -1e+12 to 1e+12; m
 ---@field angle? number rad
----@field material? string a name of `cairn.physics.define_material`; what is not said beside it is as there
----@field density? number kg/m^2
----@field friction? number Coulomb coefficient, at least 0
----@field restitution? number share of the approach speed given back, 0 to 1
----@field rolling_resistance? number coefficient: a torque of this times the normal force times the radius resists rolling
+---@field density? number at least 0; kg/m^2
+---@field friction? number at least 0; Coulomb coefficient
+---@field restitution? number from 0 to 1; share of the approach speed given back
+---@field rolling_resistance? number at least 0; coefficient: a torque of this times the normal force times the radius resists rolling
 ---@field surface_speed? number m/s; a conveyor belt: positive carries what lies on top to the right
----@field material_kind? integer what `world:set_material_rule` knows the material by, 0 to 63
+---@field material_kind? integer from 0 to 63; what `world:set_material_rule` knows the material by
 ---@field categories? integer bit set: what the shape is
 ---@field mask? integer bit set: what it collides with; -1 is everything
----@field group? integer two shapes of the same group other than 0: positive always collide, negative never
+---@field group? integer from -2147483648 to 2147483647; two shapes of the same group other than 0: positive always collide, negative never
 ---@field contact_events? boolean "begin" and "end" events
 ---@field hit_events? boolean "hit" events
 ---@field sensor? boolean collides with nothing; `world:sensor_events()` tells what comes to overlap it
@@ -1244,19 +1217,18 @@ function Body:add_polygon(fields) end
 ---@field y1 number m
 ---@field x2 number m; the other end
 ---@field y2 number m
----@field x? number m
----@field y? number m
+---@field x? number from -1e+12 to 1e+12; m
+---@field y? number from -1e+12 to 1e+12; m
 ---@field angle? number rad
----@field material? string a name of `cairn.physics.define_material`; what is not said beside it is as there
----@field density? number kg/m^2
----@field friction? number Coulomb coefficient, at least 0
----@field restitution? number share of the approach speed given back, 0 to 1
----@field rolling_resistance? number coefficient: a torque of this times the normal force times the radius resists rolling
+---@field density? number at least 0; kg/m^2
+---@field friction? number at least 0; Coulomb coefficient
+---@field restitution? number from 0 to 1; share of the approach speed given back
+---@field rolling_resistance? number at least 0; coefficient: a torque of this times the normal force times the radius resists rolling
 ---@field surface_speed? number m/s; a conveyor belt: positive carries what lies on top to the right
----@field material_kind? integer what `world:set_material_rule` knows the material by, 0 to 63
+---@field material_kind? integer from 0 to 63; what `world:set_material_rule` knows the material by
 ---@field categories? integer bit set: what the shape is
 ---@field mask? integer bit set: what it collides with; -1 is everything
----@field group? integer two shapes of the same group other than 0: positive always collide, negative never
+---@field group? integer from -2147483648 to 2147483647; two shapes of the same group other than 0: positive always collide, negative never
 ---@field contact_events? boolean "begin" and "end" events
 ---@field hit_events? boolean "hit" events
 ---@field sensor? boolean collides with nothing; `world:sensor_events()` tells what comes to overlap it
@@ -1277,15 +1249,14 @@ function Body:add_segment(fields) end
 ---@field before_y? number m
 ---@field after_x? number m; the same behind the last point
 ---@field after_y? number m
----@field material? string a name of `cairn.physics.define_material`; what is not said beside it is as there
----@field friction? number Coulomb coefficient, at least 0
----@field restitution? number share of the approach speed given back, 0 to 1
----@field rolling_resistance? number coefficient: a torque of this times the normal force times the radius resists rolling
+---@field friction? number at least 0; Coulomb coefficient
+---@field restitution? number from 0 to 1; share of the approach speed given back
+---@field rolling_resistance? number at least 0; coefficient: a torque of this times the normal force times the radius resists rolling
 ---@field surface_speed? number m/s; a conveyor belt: positive carries what lies on top to the right
----@field material_kind? integer what `world:set_material_rule` knows the material by, 0 to 63
+---@field material_kind? integer from 0 to 63; what `world:set_material_rule` knows the material by
 ---@field categories? integer bit set: what the shape is
 ---@field mask? integer bit set: what it collides with; -1 is everything
----@field group? integer two shapes of the same group other than 0: positive always collide, negative never
+---@field group? integer from -2147483648 to 2147483647; two shapes of the same group other than 0: positive always collide, negative never
 ---@field contact_events? boolean "begin" and "end" events
 ---@field hit_events? boolean "hit" events
 
@@ -1321,10 +1292,10 @@ function Body:cut(x1, y1, x2, y2) end
 ---@field x? number m, of the impact; absent: the centre of mass
 ---@field y? number m
 ---@field pattern? string "uniform", pieces of about one size, or "radial", shards about the impact
----@field pieces? integer about how many, 2 to 256
+---@field pieces? integer from 2 to 256; about how many
 ---@field seed? integer the same seed, body and impact give the same pieces
----@field min_width? number m, of a piece; >= 0.01
----@field radius? number m; what is farther from the impact stays whole
+---@field min_width? number at least 0.01; m, of a piece
+---@field radius? number above 0; m; what is farther from the impact stays whole
 ---@field grain_x? number pieces are longer along the grain, 1 to 16 times
 ---@field grain_y? number
 ---@field release? boolean pieces of a static or kinematic body become dynamic
@@ -1335,15 +1306,15 @@ function Body:cut(x1, y1, x2, y2) end
 function Body:fracture(fields) end
 
 ---@class Body.set_breakable.Fields
----@field strength? number N s, the impulse of a contact in a step that it withstands
----@field generations? integer how often; pieces break one time less often, 1 to 16
+---@field strength? number above 0; N s, the impulse of a contact in a step that it withstands
+---@field generations? integer from 1 to 16; how often; pieces break one time less often
 ---@field automatic? boolean the step breaks it; otherwise the script does, when it reads world:breaks()
 ---@field gives_back? boolean what broke it keeps the momentum that it did not withstand
 ---@field pattern? string "uniform", pieces of about one size, or "radial", shards about the impact
----@field pieces? integer about how many, 2 to 256
+---@field pieces? integer from 2 to 256; about how many
 ---@field seed? integer the same seed, body and impact give the same pieces
----@field min_width? number m, of a piece; >= 0.01
----@field radius? number m; what is farther from the impact stays whole
+---@field min_width? number at least 0.01; m, of a piece
+---@field radius? number above 0; m; what is farther from the impact stays whole
 ---@field grain_x? number pieces are longer along the grain, 1 to 16 times
 ---@field grain_y? number
 ---@field release? boolean pieces of a static or kinematic body become dynamic
@@ -1396,21 +1367,19 @@ function Shape:radius() end
 function Shape:density() end
 
 ---The mass of the body follows, and the body wakes.
----@param density number [kg/m^2]
+---@param density number [kg/m^2] at least 0
 function Shape:set_density(density) end
 
 ---@return number friction
 function Shape:friction() end
 
----At least 0.
----@param friction number
+---@param friction number at least 0
 function Shape:set_friction(friction) end
 
 ---@return number restitution
 function Shape:restitution() end
 
----0 to 1.
----@param restitution number
+---@param restitution number from 0 to 1
 function Shape:set_restitution(restitution) end
 
 ---@return integer categories
@@ -1421,7 +1390,7 @@ function Shape:filter() end
 ---Ends touching that the new filter forbids.
 ---@param categories integer
 ---@param mask integer
----@param group integer
+---@param group integer from -2147483648 to 2147483647
 function Shape:set_filter(categories, mask, group) end
 
 ---A new table with the fields that `set_material` takes.
@@ -1429,12 +1398,11 @@ function Shape:set_filter(categories, mask, group) end
 function Shape:material() end
 
 ---@class Shape.set_material.Fields
----@field material? string a name of `cairn.physics.define_material`; what is not said beside it is as there
----@field friction? number Coulomb coefficient, at least 0
----@field restitution? number share of the approach speed given back, 0 to 1
----@field rolling_resistance? number coefficient: a torque of this times the normal force times the radius resists rolling
+---@field friction? number at least 0; Coulomb coefficient
+---@field restitution? number from 0 to 1; share of the approach speed given back
+---@field rolling_resistance? number at least 0; coefficient: a torque of this times the normal force times the radius resists rolling
 ---@field surface_speed? number m/s; a conveyor belt: positive carries what lies on top to the right
----@field material_kind? integer what `world:set_material_rule` knows the material by, 0 to 63
+---@field material_kind? integer from 0 to 63; what `world:set_material_rule` knows the material by
 
 ---What is not given is as by default.
 ---@param fields Shape.set_material.Fields
@@ -1530,12 +1498,11 @@ function Chain:index_of(shape) end
 function Chain:material(segment) end
 
 ---@class Chain.set_material.Fields
----@field material? string a name of `cairn.physics.define_material`; what is not said beside it is as there
----@field friction? number Coulomb coefficient, at least 0
----@field restitution? number share of the approach speed given back, 0 to 1
----@field rolling_resistance? number coefficient: a torque of this times the normal force times the radius resists rolling
+---@field friction? number at least 0; Coulomb coefficient
+---@field restitution? number from 0 to 1; share of the approach speed given back
+---@field rolling_resistance? number at least 0; coefficient: a torque of this times the normal force times the radius resists rolling
 ---@field surface_speed? number m/s; a conveyor belt: positive carries what lies on top to the right
----@field material_kind? integer what `world:set_material_rule` knows the material by, 0 to 63
+---@field material_kind? integer from 0 to 63; what `world:set_material_rule` knows the material by
 
 ---What is not given is as by default.
 ---@param segment integer
@@ -1610,7 +1577,7 @@ function Joint:change(fields) end
 ---Of a revolute or wheel joint in rad/s and N m, of a prismatic one in m/s and N.
 ---@param enabled boolean
 ---@param speed number
----@param max_effort number
+---@param max_effort number at least 0
 function Joint:set_motor(enabled, speed, max_effort) end
 
 ---Of a revolute joint in rad, of a prismatic or wheel joint in m.
@@ -1621,8 +1588,8 @@ function Joint:set_limits(enabled, lower, upper) end
 
 ---Of a distance, revolute, prismatic or wheel joint.
 ---@param enabled boolean
----@param frequency number [Hz]
----@param damping_ratio number
+---@param frequency number [Hz] at least 0
+---@param damping_ratio number at least 0
 function Joint:set_spring(enabled, frequency, damping_ratio) end
 
 ---Where the spring draws to: of a revolute joint in rad, of a prismatic or wheel joint in m. Of a mouse joint x, y in the world.
@@ -1631,7 +1598,7 @@ function Joint:set_spring(enabled, frequency, damping_ratio) end
 function Joint:set_target(target, y) end
 
 ---Of a distance joint: its rest length. Of a pulley joint: its rope's.
----@param length number [m]
+---@param length number [m] above 0
 function Joint:set_length(length) end
 
 function Joint:destroy() end
@@ -1647,7 +1614,7 @@ local Mover = {}
 ---@param world World
 ---@param vx number [m/s]
 ---@param vy number [m/s]
----@param dt number [s]
+---@param dt number [s] above 0 and at most 1
 ---@param filter integer|function|table?
 ---@param ignored Body?
 function Mover:move(world, vx, vy, dt, filter, ignored) end
@@ -1764,7 +1731,7 @@ cairn.prefab = {}
 ---@field data? table becomes body.data of every body
 ---@field categories? integer bit set: what the shape is
 ---@field mask? integer bit set: what it collides with; -1 is everything
----@field group? integer two shapes of the same group other than 0: positive always collide, negative never
+---@field group? integer from -2147483648 to 2147483647; two shapes of the same group other than 0: positive always collide, negative never
 ---@field contact_events? boolean "begin" and "end" events
 ---@field hit_events? boolean "hit" events
 
@@ -1794,7 +1761,7 @@ function cairn.prefab.chain(world, fields) end
 ---@field data? table becomes body.data of every body
 ---@field categories? integer bit set: what the shape is
 ---@field mask? integer bit set: what it collides with; -1 is everything
----@field group? integer two shapes of the same group other than 0: positive always collide, negative never
+---@field group? integer from -2147483648 to 2147483647; two shapes of the same group other than 0: positive always collide, negative never
 ---@field contact_events? boolean "begin" and "end" events
 ---@field hit_events? boolean "hit" events
 
@@ -1814,8 +1781,8 @@ function cairn.prefab.rope(world, fields) end
 ---@field thickness? number m
 ---@field friction_torque? number N m, of each pin
 ---@field damping? number 1/s, of the air
----@field break_force? number N, of each joint
----@field break_torque? number N m, of each joint
+---@field break_force? number at least 0; N, of each joint
+---@field break_torque? number at least 0; N m, of each joint
 ---@field density? number kg/m^2
 ---@field friction? number Coulomb coefficient
 ---@field restitution? number 0 to 1
@@ -1826,7 +1793,7 @@ function cairn.prefab.rope(world, fields) end
 ---@field data? table becomes body.data of every body
 ---@field categories? integer bit set: what the shape is
 ---@field mask? integer bit set: what it collides with; -1 is everything
----@field group? integer two shapes of the same group other than 0: positive always collide, negative never
+---@field group? integer from -2147483648 to 2147483647; two shapes of the same group other than 0: positive always collide, negative never
 ---@field contact_events? boolean "begin" and "end" events
 ---@field hit_events? boolean "hit" events
 
@@ -1853,7 +1820,7 @@ function cairn.prefab.bridge(world, fields) end
 ---@field data? table becomes body.data of every body
 ---@field categories? integer bit set: what the shape is
 ---@field mask? integer bit set: what it collides with; -1 is everything
----@field group? integer two shapes of the same group other than 0: positive always collide, negative never
+---@field group? integer from -2147483648 to 2147483647; two shapes of the same group other than 0: positive always collide, negative never
 ---@field contact_events? boolean "begin" and "end" events
 ---@field hit_events? boolean "hit" events
 
@@ -1878,7 +1845,7 @@ function cairn.prefab.vehicle(world, fields) end
 ---@field data? table becomes body.data of every body
 ---@field categories? integer bit set: what the shape is
 ---@field mask? integer bit set: what it collides with; -1 is everything
----@field group? integer two shapes of the same group other than 0: positive always collide, negative never
+---@field group? integer from -2147483648 to 2147483647; two shapes of the same group other than 0: positive always collide, negative never
 ---@field contact_events? boolean "begin" and "end" events
 ---@field hit_events? boolean "hit" events
 
@@ -1902,7 +1869,7 @@ function cairn.prefab.ragdoll(world, fields) end
 ---@field data? table becomes body.data of every body
 ---@field categories? integer bit set: what the shape is
 ---@field mask? integer bit set: what it collides with; -1 is everything
----@field group? integer two shapes of the same group other than 0: positive always collide, negative never
+---@field group? integer from -2147483648 to 2147483647; two shapes of the same group other than 0: positive always collide, negative never
 ---@field contact_events? boolean "begin" and "end" events
 ---@field hit_events? boolean "hit" events
 
@@ -1919,15 +1886,15 @@ function cairn.prefab.brick_wall(world, fields) end
 ---@field piece_radius? number m
 ---@field frequency? number Hz, of each weld
 ---@field damping_ratio? number 1 is critical
----@field break_force? number N, of each joint
----@field break_torque? number N m, of each joint
+---@field break_force? number at least 0; N, of each joint
+---@field break_torque? number at least 0; N m, of each joint
 ---@field density? number kg/m^2
 ---@field friction? number Coulomb coefficient
 ---@field restitution? number 0 to 1
 ---@field data? table becomes body.data of every body
 ---@field categories? integer bit set: what the shape is
 ---@field mask? integer bit set: what it collides with; -1 is everything
----@field group? integer two shapes of the same group other than 0: positive always collide, negative never
+---@field group? integer from -2147483648 to 2147483647; two shapes of the same group other than 0: positive always collide, negative never
 ---@field contact_events? boolean "begin" and "end" events
 ---@field hit_events? boolean "hit" events
 
@@ -1953,7 +1920,7 @@ function cairn.prefab.blob(world, fields) end
 ---@field data? table becomes body.data of every body
 ---@field categories? integer bit set: what the shape is
 ---@field mask? integer bit set: what it collides with; -1 is everything
----@field group? integer two shapes of the same group other than 0: positive always collide, negative never
+---@field group? integer from -2147483648 to 2147483647; two shapes of the same group other than 0: positive always collide, negative never
 ---@field contact_events? boolean "begin" and "end" events
 ---@field hit_events? boolean "hit" events
 
@@ -1981,7 +1948,7 @@ function cairn.prefab.pendulum(world, fields) end
 ---@field data? table becomes body.data of every body
 ---@field categories? integer bit set: what the shape is
 ---@field mask? integer bit set: what it collides with; -1 is everything
----@field group? integer two shapes of the same group other than 0: positive always collide, negative never
+---@field group? integer from -2147483648 to 2147483647; two shapes of the same group other than 0: positive always collide, negative never
 ---@field contact_events? boolean "begin" and "end" events
 ---@field hit_events? boolean "hit" events
 
@@ -2005,7 +1972,7 @@ function cairn.prefab.windmill(world, fields) end
 ---@field data? table becomes body.data of every body
 ---@field categories? integer bit set: what the shape is
 ---@field mask? integer bit set: what it collides with; -1 is everything
----@field group? integer two shapes of the same group other than 0: positive always collide, negative never
+---@field group? integer from -2147483648 to 2147483647; two shapes of the same group other than 0: positive always collide, negative never
 ---@field contact_events? boolean "begin" and "end" events
 ---@field hit_events? boolean "hit" events
 
@@ -2021,7 +1988,7 @@ function cairn.prefab.elevator(world, fields) end
 ---@field direction_x? number of the row, of any length
 ---@field direction_y? number
 ---@field motor_speed? number rad/s, of the first wheel
----@field max_motor_torque? number N m; 0: no motor
+---@field max_motor_torque? number at least 0; N m; 0: no motor
 ---@field density? number kg/m^2
 ---@field friction? number Coulomb coefficient
 ---@field restitution? number 0 to 1
@@ -2029,7 +1996,7 @@ function cairn.prefab.elevator(world, fields) end
 ---@field data? table becomes body.data of every body
 ---@field categories? integer bit set: what the shape is
 ---@field mask? integer bit set: what it collides with; -1 is everything
----@field group? integer two shapes of the same group other than 0: positive always collide, negative never
+---@field group? integer from -2147483648 to 2147483647; two shapes of the same group other than 0: positive always collide, negative never
 ---@field contact_events? boolean "begin" and "end" events
 ---@field hit_events? boolean "hit" events
 
@@ -2053,7 +2020,7 @@ function cairn.prefab.gear_train(world, fields) end
 ---@field data? table becomes body.data of every body
 ---@field categories? integer bit set: what the shape is
 ---@field mask? integer bit set: what it collides with; -1 is everything
----@field group? integer two shapes of the same group other than 0: positive always collide, negative never
+---@field group? integer from -2147483648 to 2147483647; two shapes of the same group other than 0: positive always collide, negative never
 ---@field contact_events? boolean "begin" and "end" events
 ---@field hit_events? boolean "hit" events
 
@@ -2099,7 +2066,7 @@ function Prefab:is_at(floor) end
 
 ---Of a windmill: what the wind does in the next step. Call it before each.
 ---@param wind number [m/s]
----@param dt number [s]
+---@param dt number [s] above 0 and at most 1
 function Prefab:blow(wind, dt) end
 
 ---Destroys what is left of it.
@@ -2110,12 +2077,12 @@ cairn.camera = {}
 ---@class cairn.camera.new.Fields
 ---@field x? number m; what the middle of the picture shows
 ---@field y? number m
----@field height? number m from the bottom to the top of the picture at zoom 1; from 1e-6 to 1e9
----@field zoom? number 2 shows everything twice as large
----@field follow_rate? number 1/s; of the way to what it follows, 63 % is covered in 1 / rate
----@field dead_zone_width? number m; inside this area around the middle
----@field dead_zone_height? number m; what it follows does not move it
----@field shake_share? number how far a shake of 1 moves the picture, in heights of the view
+---@field height? number from 1e-06 to 1000000000; m from the bottom to the top of the picture at zoom 1
+---@field zoom? number above 0 and at most 1000000; 2 shows everything twice as large
+---@field follow_rate? number above 0 and at most 1000000; 1/s; of the way to what it follows, 63 % is covered in 1 / rate
+---@field dead_zone_width? number at least 0; m; inside this area around the middle
+---@field dead_zone_height? number at least 0; m; what it follows does not move it
+---@field shake_share? number at least 0; how far a shake of 1 moves the picture, in heights of the view
 
 ---Makes a camera.
 ---@param fields cairn.camera.new.Fields?
@@ -2151,11 +2118,11 @@ function Camera:to_screen(x, y) end
 function Camera:follow(x, y) end
 
 ---Moves the camera on its way, and lets shakes fade. Once per update; pictures in between show it in between.
----@param dt number [s]
+---@param dt number [s] above 0 and at most 1
 function Camera:update(dt) end
 
----Shakes the picture, 0 to 1; strengths add up to 1 at most and fade within a second.
----@param strength number
+---Shakes the picture; strengths add up to 1 at most and fade within a second.
+---@param strength number at least 0
 function Camera:shake(strength) end
 
 ---Nothing outside is shown; where the view is larger, it shows the middle. Without arguments: no bounds.
@@ -2169,13 +2136,13 @@ function Camera:set_bounds(left, bottom, right, top) end
 function Camera:zoom() end
 
 ---2 shows everything twice as large as 1.
----@param zoom number
+---@param zoom number above 0 and at most 1000000
 function Camera:set_zoom(zoom) end
 
 ---Multiplies the zoom; what lies at that point of the screen stays there, as under a mouse wheel.
 ---@param x number [px]
 ---@param y number [px]
----@param factor number
+---@param factor number above 0 and at most 1000000
 function Camera:zoom_at(x, y, factor) end
 
 ---What the picture shows.
@@ -2199,7 +2166,7 @@ function Camera:set_position(x, y) end
 ---@return number height [m]
 function Camera:height() end
 
----@param height number [m]
+---@param height number [m] from 1e-06 to 1000000000
 function Camera:set_height(height) end
 
 ---How much of the world fits from left to right, at zoom 1.
@@ -2227,18 +2194,18 @@ function cairn.graphics.set_color(r, g, b, a) end
 function cairn.graphics.color() end
 
 ---In the present units. Starts 1.
----@param width number
+---@param width number at least 0
 function cairn.graphics.set_line_width(width) end
 
----"alpha" covers, "add" adds light, "multiply" darkens, "screen" lightens up to white, "replace" takes the place of what was there, transparency too.
+---"alpha" covers, "add" adds light, "multiply" darkens, "screen" lightens up to white, "replace" takes the place of what was there, transparency too; edges mix by the share of a pixel that is covered, but are hard where a translucent color is drawn into a canvas.
 ---@param mode string
 function cairn.graphics.set_blend_mode(mode) end
 
 ---Only what lies inside is drawn; screen pixels, whatever the transform. Without arguments: everything.
 ---@param x number? [px]
 ---@param y number? [px]
----@param width number? [px]
----@param height number? [px]
+---@param width number? [px] at least 0
+---@param height number? [px] at least 0
 function cairn.graphics.set_scissor(x, y, width, height) end
 
 ---Fills the picture.
@@ -2291,29 +2258,29 @@ function cairn.graphics.inverse_transform_point(x, y) end
 ---@param mode string
 ---@param x number
 ---@param y number
----@param width number
----@param height number
----@param radius number?
+---@param width number at least 0
+---@param height number at least 0
+---@param radius number? at least 0
 function cairn.graphics.rectangle(mode, x, y, width, height, radius) end
 
 ---@param mode string
 ---@param x number
 ---@param y number
----@param radius number
+---@param radius number at least 0
 function cairn.graphics.circle(mode, x, y, radius) end
 
 ---@param mode string
 ---@param x number
 ---@param y number
----@param radius_x number
----@param radius_y number
+---@param radius_x number at least 0
+---@param radius_y number at least 0
 function cairn.graphics.ellipse(mode, x, y, radius_x, radius_y) end
 
 ---"fill" draws the slice of a disc between two angles, "line" the arc alone.
 ---@param mode string
 ---@param x number
 ---@param y number
----@param radius number
+---@param radius number at least 0
 ---@param from number [rad]
 ---@param to number [rad]
 function cairn.graphics.arc(mode, x, y, radius, from, to) end
@@ -2323,10 +2290,10 @@ function cairn.graphics.arc(mode, x, y, radius, from, to) end
 ---@param y1 number
 ---@param x2 number
 ---@param y2 number
----@param radius number
+---@param radius number at least 0
 function cairn.graphics.capsule(mode, x1, y1, x2, y2, radius) end
 
----Through points = { x1, y1, x2, y2, ... } or { {x1, y1}, {x2, y2}, ... }; with "fill" it must be convex.
+---Through points = { x1, y1, x2, y2, ... } or { {x1, y1}, {x2, y2}, ... }. It may have dents; with "fill" its sides must not cross.
 ---@param mode string
 ---@param points table
 function cairn.graphics.polygon(mode, points) end
@@ -2347,8 +2314,8 @@ function cairn.graphics.mesh(vertices, image) end
 function cairn.graphics.new_image(path, filter) end
 
 ---Makes a transparent picture to draw into. Its pixels are logical ones.
----@param width integer [px]
----@param height integer [px]
+---@param width integer [px] from 1 to 8192
+---@param height integer [px] from 1 to 8192
 ---@param filter string?
 ---@return Canvas canvas
 function cairn.graphics.new_canvas(width, height, filter) end
@@ -2397,8 +2364,8 @@ function cairn.graphics.draw_sized(image, x, y, width, height, angle) end
 ---@param image Image|Canvas|Quad
 ---@param source_x number [px]
 ---@param source_y number [px]
----@param source_width number [px]
----@param source_height number [px]
+---@param source_width number [px] above 0
+---@param source_height number [px] above 0
 ---@param x number
 ---@param y number
 ---@param width number
@@ -2406,7 +2373,7 @@ function cairn.graphics.draw_sized(image, x, y, width, height, angle) end
 ---@param angle number? [rad]
 function cairn.graphics.draw_region(image, source_x, source_y, source_width, source_height, x, y, width, height, angle) end
 
----A convex polygon, { x1, y1, ... }, filled with the image; uvs = { u1, v1, ... } says which place of the image, 0 to 1 from its top left, lies at each point. The image is laid on flat: three of the points decide how.
+---A polygon whose sides do not cross, { x1, y1, ... }, filled with the image; uvs = { u1, v1, ... } says which place of the image, 0 to 1 from its top left, lies at each point. The image is laid on flat: three of the points decide how.
 ---@param image Image|Canvas|Quad
 ---@param points table
 ---@param uvs table
@@ -2416,17 +2383,17 @@ function cairn.graphics.draw_polygon(image, points, uvs) end
 ---@param image Image|Canvas|Quad
 ---@param x number
 ---@param y number
----@param width number
----@param height number
----@param left number [px]
----@param top number? [px]
----@param right number? [px]
----@param bottom number? [px]
----@param scale number?
+---@param width number at least 0
+---@param height number at least 0
+---@param left number [px] at least 0
+---@param top number? [px] at least 0
+---@param right number? [px] at least 0
+---@param bottom number? [px] at least 0
+---@param scale number? above 0
 function cairn.graphics.draw_nine_patch(image, x, y, width, height, left, top, right, bottom, scale) end
 
----Loads a TrueType font; size 4 to 256.
----@param size number [px]
+---Loads a TrueType font.
+---@param size number [px] from 4 to 256
 ---@param path string?
 ---@return Font font
 function cairn.graphics.new_font(size, path) end
@@ -2440,7 +2407,7 @@ function cairn.graphics.set_font(font) end
 ---@param x number
 ---@param y number
 ---@param align string?
----@param wrap_width number? [px]
+---@param wrap_width number? [px] at least 0
 function cairn.graphics.print(text, x, y, align, wrap_width) end
 
 ---Draws the body's shapes between the last two steps: with `body.data.image`, an Image spread over each shape, or `body.data.color`, {r, g, b, a?}, or a default. Not when `body.data.visible` is false.
@@ -2496,7 +2463,7 @@ local Font = {}
 
 ---The width of the longest line and the height of all lines.
 ---@param text any
----@param wrap_width number? [px]
+---@param wrap_width number? [px] at least 0
 ---@return number width [px]
 ---@return number height [px]
 function Font:measure(text, wrap_width) end
@@ -2592,13 +2559,13 @@ function Batch:draw() end
 cairn.particles = {}
 
 ---@class cairn.particles.new.Fields
----@field max_count? integer how many may live, 1 to 100000
----@field rate? number 1/s; born per second while it is started
+---@field max_count? integer from 1 to 100000; how many may live
+---@field rate? number from 0 to 1000000; 1/s; born per second while it is started
 ---@field x? number where they are born
 ---@field y? number
----@field area_width? number of the rectangle in which they are born
----@field area_height? number
----@field lifetime? number s
+---@field area_width? number at least 0; of the rectangle in which they are born
+---@field area_height? number at least 0;
+---@field lifetime? number above 0 and at most 1000000; s
 ---@field lifetime_max? number s; with it, any between the two
 ---@field speed? number per second
 ---@field speed_max? number with it, any between the two
@@ -2606,10 +2573,10 @@ cairn.particles = {}
 ---@field spread? number rad, around the direction
 ---@field acceleration_x? number per second squared
 ---@field acceleration_y? number
----@field damping? number 1/s; c in v e^(-c t)
----@field size? number at birth
+---@field damping? number at least 0; 1/s; c in v e^(-c t)
+---@field size? number at least 0; at birth
 ---@field size_max? number with it, any between the two
----@field size_end? number at the end; absent: as at birth
+---@field size_end? number at least 0; at the end; absent: as at birth
 ---@field rotation? number rad, at birth
 ---@field rotation_max? number rad; with it, any between the two
 ---@field spin? number rad/s
@@ -2627,7 +2594,7 @@ function cairn.particles.new(fields, image) end
 local Particles = {}
 
 ---That many at once, where it stands or at (x, y).
----@param count integer
+---@param count integer at least 0
 ---@param x number?
 ---@param y number?
 function Particles:emit(count, x, y) end
@@ -2663,11 +2630,11 @@ function Particles:set_position(x, y) end
 function Particles:set_direction(direction) end
 
 ---How many are born per second from now on.
----@param rate number [1/s]
+---@param rate number [1/s] from 0 to 1000000
 function Particles:set_rate(rate) end
 
 ---Moves them on; once per update.
----@param dt number [s]
+---@param dt number [s] above 0 and at most 1
 function Particles:update(dt) end
 
 ---All with one draw call, tinted by the color that is set; only in `cairn.draw`.
@@ -2676,7 +2643,7 @@ function Particles:draw() end
 cairn.tilemap = {}
 
 ---@class cairn.tilemap.load.Fields
----@field scale? number units per pixel of the map: metres, under a camera
+---@field scale? number above 0 and at most 1000000; units per pixel of the map: metres, under a camera
 ---@field y_up? boolean whether y points up, as under a camera
 ---@field filter? string of its pictures: "linear", or "nearest" for pixel art
 
@@ -2764,10 +2731,10 @@ cairn.ui = {}
 ---@class cairn.ui.new.Fields
 ---@field x? number px; the panel's middle; absent: that of the screen, also when its size changes
 ---@field y? number px
----@field width? number px
----@field max_height? number px of the panel; what does not fit is scrolled
----@field row_height? number px; less is hard to hit with a finger
----@field font_size? number px
+---@field width? number above 40 and at most 8192; px
+---@field max_height? number above 100 and at most 8192; px of the panel; what does not fit is scrolled
+---@field row_height? number above 10 and at most 400; px; less is hard to hit with a finger
+---@field font_size? number from 4 to 256; px
 ---@field title? string above the rows
 ---@field accent? table {r, g, b}: of the title, the focus and values
 ---@field back? function called for escape and the gamepad's "b"
@@ -2816,7 +2783,7 @@ function Ui:add_toggle(fields) end
 ---@field value? number from low to high; absent: 0, or the end next to it
 ---@field low? number
 ---@field high? number above low
----@field step? number what one press changes
+---@field step? number above 0; what one press changes
 ---@field changed? function called with the number
 ---@field text? string what stands on it
 ---@field enabled? boolean whether it can be used
@@ -2842,7 +2809,7 @@ function Ui:add_choice(fields) end
 
 ---@class Ui.add_text.Fields
 ---@field value? string
----@field max_length? integer characters, 1 to 1000
+---@field max_length? integer from 1 to 1000; characters
 ---@field changed? function called with the text
 ---@field text? string what stands on it
 ---@field enabled? boolean whether it can be used
@@ -2894,9 +2861,9 @@ function Ui:clear() end
 cairn.text = {}
 
 ---@class cairn.text.new.Fields
----@field width? number px; lines are broken to be no wider; 0: only at line ends
+---@field width? number at least 0; px; lines are broken to be no wider; 0: only at line ends
 ---@field align? string "left", "center" or "right"
----@field line_spacing? number times the font's height
+---@field line_spacing? number above 0 and at most 100; times the font's height
 
 ---Makes a text of a string, or of parts in colors of their own: `cairn.text.new({ "Press ", { "A", 1, 0.8, 0.3 }, " to jump" }, { width = 300 })`. Without a font it has the default one.
 ---@param parts any
@@ -2907,7 +2874,7 @@ function cairn.text.new(parts, fields, font) end
 
 ---The lines of a text that is broken to be no wider.
 ---@param text string
----@param width number [px]
+---@param width number [px] at least 0
 ---@param font Font?
 ---@return string[] lines
 function cairn.text.wrap(text, width, font) end
@@ -2928,7 +2895,7 @@ function Text:size() end
 function Text:length() end
 
 ---Only so many are drawn, where they will stand when all are: for text that is typed before the player's eyes. Nil: all.
----@param characters integer?
+---@param characters integer? at least 0
 function Text:set_shown(characters) end
 
 ---Another string, or other parts.
@@ -2938,9 +2905,9 @@ function Text:set_text(parts) end
 cairn.audio = {}
 
 ---@class cairn.audio.play.Fields
----@field volume? number 0 to 1
----@field pan? number -1 left to 1 right
----@field pitch? number 0.25 to 4
+---@field volume? number at least 0; more than 1 is as 1
+---@field pan? number -1 left to 1 right, and beyond as there
+---@field pitch? number above 0; 0.25 to 4, and beyond as there
 ---@field loop? boolean
 ---@field group? string "sfx", or one made with new_group
 
@@ -2961,18 +2928,19 @@ function cairn.audio.stop_all() end
 ---@return boolean playing
 function cairn.audio.is_playing(voice) end
 
+---More than 1 is as 1.
 ---@param voice integer
----@param volume number
+---@param volume number at least 0
 function cairn.audio.set_voice_volume(voice, volume) end
 
-----1 left to 1 right.
+----1 left to 1 right, and beyond as there.
 ---@param voice integer
 ---@param pan number
 function cairn.audio.set_voice_pan(voice, pan) end
 
----0.25 to 4: speed and pitch from now on, as of an engine that turns faster.
+---0.25 to 4, and beyond as there: speed and pitch from now on, as of an engine that turns faster.
 ---@param voice integer
----@param pitch number
+---@param pitch number above 0
 function cairn.audio.set_voice_pitch(voice, pitch) end
 
 ---Loads a sound and says how long it plays at pitch 1.
@@ -2982,14 +2950,14 @@ function cairn.audio.duration(path) end
 
 ---The same sound starts at most once per `seconds` and plays in at most `voices` voices; every sound begins with 0.03 and 8.
 ---@param path string
----@param seconds number [s]
----@param voices integer
+---@param seconds number [s] at least 0
+---@param voices integer from 1 to 32
 function cairn.audio.set_rate_cap(path, seconds, voices) end
 
 ---@class cairn.audio.play_music.Fields
----@field volume? number 0 to 1
+---@field volume? number from 0 to 1;
 ---@field loop? boolean
----@field fade? number s in which it swells from silence
+---@field fade? number from 0 to 3600; s in which it swells from silence
 
 ---Replaces the music that plays.
 ---@param path string
@@ -2997,11 +2965,11 @@ function cairn.audio.set_rate_cap(path, seconds, voices) end
 function cairn.audio.play_music(path, fields) end
 
 ---Within that time it falls silent.
----@param fade number? [s]
+---@param fade number? [s] from 0 to 3600
 function cairn.audio.stop_music(fade) end
 
----Of the music that plays, 0 to 1.
----@param volume number
+---Of the music that plays.
+---@param volume number from 0 to 1
 function cairn.audio.set_music_volume(volume) end
 
 ---The file of the music that plays, or nil.
@@ -3012,9 +2980,8 @@ function cairn.audio.music() end
 ---@param name string
 function cairn.audio.new_group(name) end
 
----0 to 1.
 ---@param group string
----@param volume number
+---@param volume number from 0 to 1
 function cairn.audio.set_volume(group, volume) end
 
 ---What plays in the group stands still, and so does what is started in it, until it is resumed.
@@ -3099,27 +3066,27 @@ function cairn.input.stop_listening() end
 function cairn.input.gamepads() end
 
 ---Empty when it is not connected.
----@param gamepad integer
+---@param gamepad integer from 1 to 8
 ---@return string name
 function cairn.input.gamepad_name(gamepad) end
 
 ---Buttons by their place on most gamepads: "a" (below), "b" (right), "x" (left), "y" (above), "back", "guide", "start", "left_stick", "right_stick", "left_shoulder", "right_shoulder", "dpad_up", "dpad_down", "dpad_left", "dpad_right".
----@param gamepad integer
+---@param gamepad integer from 1 to 8
 ---@param button string
 ---@return boolean down
 function cairn.input.is_gamepad_down(gamepad, button) end
 
 ---"left_x", "left_y", "right_x", "right_y": -1 to 1, right and up positive; "left_trigger", "right_trigger": 0 to 1. Small tremors around the middle are 0.
----@param gamepad integer
+---@param gamepad integer from 1 to 8
 ---@param axis string
 ---@return number value
 function cairn.input.gamepad_axis(gamepad, axis) end
 
----Shakes it, 0 to 1; `low` is the strength of its heavier weight.
----@param gamepad integer
----@param strength number
----@param seconds number [s]
----@param low number?
+---Shakes it; `low` is the strength of its heavier weight.
+---@param gamepad integer from 1 to 8
+---@param strength number from 0 to 1
+---@param seconds number [s] from 0 to 60
+---@param low number? from 0 to 1
 function cairn.input.rumble(gamepad, strength, seconds, low) end
 
 ---A new list of the fingers that touch, from 1.
@@ -3127,7 +3094,7 @@ function cairn.input.rumble(gamepad, strength, seconds, low) end
 function cairn.input.touches() end
 
 ---Where a finger is, or nil.
----@param touch integer
+---@param touch integer from 1 to 10
 ---@return number? x [px]
 ---@return number? y [px]
 function cairn.input.touch_position(touch) end
@@ -3140,8 +3107,8 @@ cairn.window = {}
 function cairn.window.size() end
 
 ---From the next picture on the game draws in so many pixels, 1 to 8192 a side, scaled to fit the window.
----@param width integer [px]
----@param height integer [px]
+---@param width integer [px] from 1 to 8192
+---@param height integer [px] from 1 to 8192
 function cairn.window.set_logical_size(width, height) end
 
 ---Of the window itself, in the desktop's points. The desktop decides it, so nothing but drawing may depend on it. Headless: as conf.lua or `set_window_size` said.
@@ -3150,8 +3117,8 @@ function cairn.window.set_logical_size(width, height) end
 function cairn.window.window_size() end
 
 ---Points of the desktop, 1 to 8192 a side; leaves full screen. With `scaling = "follow"` the picture follows, and `cairn.window_resized` is called.
----@param width integer
----@param height integer
+---@param width integer from 1 to 8192
+---@param height integer from 1 to 8192
 function cairn.window.set_window_size(width, height) end
 
 ---@param title string
@@ -3237,12 +3204,12 @@ function cairn.random.integer(low, high) end
 
 ---Normally distributed: most lie near the mean.
 ---@param mean number?
----@param deviation number?
+---@param deviation number? at least 0
 ---@return number number
 function cairn.random.normal(mean, deviation) end
 
----True with that probability, 0 to 1.
----@param probability number
+---True with that probability.
+---@param probability number from 0 to 1
 ---@return boolean happens
 function cairn.random.chance(probability) end
 
@@ -3285,12 +3252,12 @@ function Random:integer(low, high) end
 
 ---Normally distributed.
 ---@param mean number?
----@param deviation number?
+---@param deviation number? at least 0
 ---@return number number
 function Random:normal(mean, deviation) end
 
----True with that probability, 0 to 1.
----@param probability number
+---True with that probability.
+---@param probability number from 0 to 1
 ---@return boolean happens
 function Random:chance(probability) end
 
@@ -3310,13 +3277,13 @@ function Random:seed(seed) end
 cairn.timer = {}
 
 ---Calls `action()` once.
----@param seconds number [s]
+---@param seconds number [s] at least 0
 ---@param action function
 ---@return Timer timer
 function cairn.timer.after(seconds, action) end
 
 ---Calls `action()` again and again, until it returns false.
----@param seconds number [s]
+---@param seconds number [s] at least 0
 ---@param action function
 ---@return Timer timer
 function cairn.timer.every(seconds, action) end
@@ -3339,15 +3306,15 @@ cairn.tween = {}
 
 ---@class cairn.tween.to.Fields
 ---@field ease? string "linear", or quad, cubic, quart, quint, sine, expo, circ, back, elastic or bounce with _in, _out or _in_out: where it is slow
----@field delay? number s until it begins
----@field repeats? integer how often it runs again; -1: until it is cancelled
+---@field delay? number at least 0; s until it begins
+---@field repeats? integer at least -1; how often it runs again; -1: until it is cancelled
 ---@field yoyo? boolean every second run goes back
 ---@field done? function called at the end
 
 ---Moves number fields of a table to goals: `cairn.tween.to(menu, { y = 100, alpha = 1 }, 0.4)`. It starts from the values at its beginning. A newer tween of the same field takes it over.
 ---@param target table
 ---@param goals table
----@param seconds number [s]
+---@param seconds number [s] at least 0
 ---@param fields cairn.tween.to.Fields?
 ---@return Tween tween
 function cairn.tween.to(target, goals, seconds, fields) end
@@ -3413,7 +3380,7 @@ function cairn.data.check(data, schema) end
 cairn.level = {}
 
 ---@class cairn.level.load.Fields
----@field scale? number m per pixel, of maps of Tiled; absent: one tile is one metre wide
+---@field scale? number at least 0; m per pixel, of maps of Tiled; absent: one tile is one metre wide
 
 ---Reads a level, or a map of Tiled, as data: nothing in it is run. Faults are an error with a line for each, such as `levels/one.lua:14:9: bodies[3].radius = -1: must be above 0 and at most 1000000`.
 ---@param path string
@@ -3422,7 +3389,7 @@ cairn.level = {}
 function cairn.level.load(path, fields) end
 
 ---@class cairn.level.check.Fields
----@field scale? number m per pixel, of maps of Tiled; absent: one tile is one metre wide
+---@field scale? number at least 0; m per pixel, of maps of Tiled; absent: one tile is one metre wide
 
 ---A list of all that is wrong with a level; empty when it is good.
 ---@param path string
@@ -3528,12 +3495,12 @@ function cairn.test.test(name, body) end
 function cairn.test.start(fields) end
 
 ---Runs that many updates.
----@param frames integer
+---@param frames integer at least 0
 function cairn.test.run(frames) end
 
 ---Runs updates until `condition()` is true; false when it never was.
 ---@param condition function
----@param max_frames integer
+---@param max_frames integer at least 0
 ---@return boolean reached
 function cairn.test.run_until(condition, max_frames) end
 
@@ -3566,37 +3533,37 @@ function cairn.test.mouse_release(x, y, button) end
 ---@param dy number
 function cairn.test.wheel(dx, dy) end
 
----@param gamepad integer
+---@param gamepad integer from 1 to 8
 function cairn.test.gamepad_connect(gamepad) end
 
----@param gamepad integer
+---@param gamepad integer from 1 to 8
 function cairn.test.gamepad_disconnect(gamepad) end
 
----@param gamepad integer
+---@param gamepad integer from 1 to 8
 ---@param button string
 function cairn.test.gamepad_press(gamepad, button) end
 
----@param gamepad integer
+---@param gamepad integer from 1 to 8
 ---@param button string
 function cairn.test.gamepad_release(gamepad, button) end
 
----@param gamepad integer
+---@param gamepad integer from 1 to 8
 ---@param axis string
----@param value number
+---@param value number from -1 to 1
 function cairn.test.gamepad_move(gamepad, axis, value) end
 
 ---The finger alone, without the mouse.
----@param touch integer
+---@param touch integer from 1 to 10
 ---@param x number [px]
 ---@param y number [px]
 function cairn.test.touch_press(touch, x, y) end
 
----@param touch integer
+---@param touch integer from 1 to 10
 ---@param x number [px]
 ---@param y number [px]
 function cairn.test.touch_move(touch, x, y) end
 
----@param touch integer
+---@param touch integer from 1 to 10
 ---@param x number [px]
 ---@param y number [px]
 function cairn.test.touch_release(touch, x, y) end
@@ -3613,7 +3580,7 @@ function cairn.test.expect_equal(actual, expected) end
 
 ---@param actual number
 ---@param expected number
----@param tolerance number
+---@param tolerance number at least 0
 function cairn.test.expect_near(actual, expected, tolerance) end
 
 ---`action()` must raise an error whose message contains the text.
@@ -3622,8 +3589,8 @@ function cairn.test.expect_near(actual, expected, tolerance) end
 function cairn.test.expect_error(action, text) end
 
 ---@class cairn.test.expect_picture.Fields
----@field tolerance? number how far a color may be off, 0 to 1
----@field share? number of the pixels that may be farther off
+---@field tolerance? number from 0 to 1; how far a color may be off
+---@field share? number from 0 to 1; of the pixels that may be farther off
 
 ---What the game draws now must look like the picture, a PNG file of the game such as `tests/pictures/start.png`. `cairn test GAME --approve-pictures` writes it; where they differ, the new picture and one of the differences are kept, and the message tells where.
 ---@param path string

@@ -66,9 +66,10 @@ TEST_CASE("wrong arguments of cameras say the rule") {
     LuaBench bench(kSmall);
     REQUIRE(bench.run("c = cairn.camera.new{}") == "");
     CHECK(bench.run("c:set_zoom(0)") ==
-          "test.lua:1: Camera:set_zoom: zoom is 0; expected a number above 0 and at most 1e6");
+          "test.lua:1: Camera:set_zoom: zoom is 0; expected a number above 0 and at most 1000000");
     CHECK(bench.run("c:set_bounds(1, 2, 3)").find("left, bottom, right and top") != std::string::npos);
-    CHECK(bench.run("c:set_bounds(3, 0, 1, 1)").find("left must be at most right") != std::string::npos);
+    CHECK(bench.run("c:set_bounds(3, 0, 1, 1)").find("left is 3 and right is 1; expected left <= right") !=
+          std::string::npos);
     CHECK(bench.run("c:follow(1)").find("x and y are expected") != std::string::npos);
     CHECK(bench.run("c:update(0)").find("above 0 and at most 1 s") != std::string::npos);
     CHECK(bench.run("c:shake(-1)").find("at least 0") != std::string::npos);

@@ -95,10 +95,11 @@ TEST_CASE("a belt carries, locked axes stay, a segment holds from both sides") {
     CHECK(bench.value("select(2, beam:position()) < 8.5") == "true");
     CHECK(bench.value("math.abs(crate:shapes()[1]:material().rolling_resistance - 0.1) < 1e-6") == "true");
     CHECK_THAT(bench.run("w:add_circle{ radius = 1, material_kind = 64 }"),
-               Contains("material_kind = 64: must be 0 to 63"));
+               Contains("material_kind = 64: must be from 0 to 63"));
     CHECK_THAT(bench.run("cairn.physics.new_world{ joint_solver = 'drect' }"),
                Contains("no such joint solver; did you mean \"direct\"?"));
-    CHECK_THAT(bench.run("cairn.physics.new_world{ threads = 0 }"), Contains("threads = 0: must be 1 to 64"));
+    CHECK_THAT(bench.run("cairn.physics.new_world{ threads = 0 }"),
+               Contains("threads = 0: must be from 1 to 64"));
 }
 
 }  // namespace

@@ -128,7 +128,8 @@ TEST_CASE("drawing outside of cairn.draw and wrong modes are errors") {
     CHECK(bench.run("cairn.graphics.circle('fill', 0, 0, 1)") ==
           "test.lua:1: cairn.graphics.circle: there is no picture to draw on; call it inside cairn.draw");
     CHECK(bench.run("cairn.camera.new{}:attach()").find("call it inside cairn.draw") != std::string::npos);
-    CHECK(bench.run("cairn.camera.new{ height = 0 }").find("height is 0") != std::string::npos);
+    CHECK(bench.run("cairn.camera.new{ height = 0 }").find("height = 0: must be from 1e-06 to 1000000000") !=
+          std::string::npos);
     CHECK(bench.run("cairn.graphics.new_image('none.png')").find("none.png") != std::string::npos);
     CHECK(draw_error(bench, "cairn.graphics.circle('full', 0, 0, 1)") ==
           "test.lua:1: cairn.graphics.circle: mode is \"full\"; expected \"fill\" or \"line\"");

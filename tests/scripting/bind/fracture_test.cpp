@@ -153,9 +153,10 @@ TEST_CASE("wrong fractures are refused with field, value and rule") {
           std::string::npos);
     CHECK(bench.run("b:set_breakable{ pattern = 'radal' }").find("did you mean \"radial\"?") !=
           std::string::npos);
-    CHECK(bench.run("b:fracture{ pieces = 1 }") == "test.lua:1: Body:fracture: pieces = 1: must be 2 to 256");
+    CHECK(bench.run("b:fracture{ pieces = 1 }") ==
+          "test.lua:1: Body:fracture: pieces = 1: must be from 2 to 256");
     CHECK(bench.run("b:set_breakable{ strength = 0 }").find("strength = 0") != std::string::npos);
-    CHECK(bench.run("b:set_breakable{ generations = 17 }").find("must be 1 to 16") != std::string::npos);
+    CHECK(bench.run("b:set_breakable{ generations = 17 }").find("must be from 1 to 16") != std::string::npos);
     CHECK(bench.run("b:cut(0, 0, 0 / 0, 1)") != "");
     CHECK(bench.value("b:is_valid() and w:body_count()") == "1");
 }

@@ -48,7 +48,7 @@ TEST_CASE("a recording is saved and loaded as a string, and can take another fut
     CHECK(bench.run("copy:load(text:sub(1, -2))").find("Recording:load: ") != std::string::npos);
     CHECK(bench.value("copy:size()") == "30");
     CHECK(bench.run("cairn.physics.new_recording{ states_between_whole_ones = 0 }")
-              .find("states_between_whole_ones = 0: must be at least 1") != std::string::npos);
+              .find("states_between_whole_ones = 0: must be from 1 to 10000") != std::string::npos);
 }
 
 TEST_CASE("the difference of two snapshots makes one of the other, and of none else") {

@@ -160,7 +160,7 @@ TEST_CASE("wrong tweens say what is wrong") {
     LuaBench bench;
     REQUIRE(bench.run("t = { x = 1, name = 'n' }") == "");
     CHECK(bench.run("cairn.tween.to(t, { x = 2 }, -1)") ==
-          "test.lua:1: cairn.tween.to: seconds is -1; expected a time in seconds, at least 0");
+          "test.lua:1: cairn.tween.to: seconds is -1; expected a number, at least 0 s");
     CHECK(bench.run("cairn.tween.to(t, {}, 1)") ==
           "test.lua:1: cairn.tween.to: goals is empty; expected fields with numbers");
     CHECK(bench.run("cairn.tween.to(t, { name = 2 }, 1)") ==

@@ -222,7 +222,8 @@ TEST_CASE("rules say how kinds of material mix") {
     CHECK(bench.value("math.abs(b:linear_velocity() - 3) < 1e-3") == "true");
     CHECK(bench.value("w:material_rule(2, 1).friction") == "fixed");
     CHECK(bench.value("w:material_rule(3, 1).restitution") == "maximum");
-    CHECK_THAT(bench.run("w:set_material_rule(1, 64, {})"), Contains("kind_b is 64; expected 0 to 63"));
+    CHECK_THAT(bench.run("w:set_material_rule(1, 64, {})"),
+               Contains("kind_b is 64; expected an integer from 0 to 63"));
     CHECK_THAT(bench.run("w:set_material_rule(1, 2, { friction = 'avrage' })"),
                Contains("did you mean \"average\"?"));
 }

@@ -81,8 +81,8 @@ TEST_CASE("errors of the physics arrive with the place of the call and leave the
         CHECK(bench.value("w:body_count()") == "0");
     }
     CHECK(bench.run("w:step(-1)").find("test.lua:1: World:step: ") == 0);
-    CHECK(bench.run("cairn.physics.new_world{ substeps = 1000 }").find("substeps = 1000: must be 1 to 64") !=
-          std::string::npos);
+    CHECK(bench.run("cairn.physics.new_world{ substeps = 1000 }")
+              .find("substeps = 1000: must be from 1 to 64") != std::string::npos);
 }
 
 TEST_CASE("a destroyed world says so and frees its place among the living") {

@@ -40,7 +40,7 @@ local function call(name, f, ...)
     local fine, message = pcall(f, ...)
     -- What is expected and does not hold fails in words of its own.
     if fine or name:find("^expect") then return end
-    test.expect(tostring(message):find("cairn.test." .. name .. ": ", 1, true), name .. ": " .. tostring(message))
+    test.expect(tostring(message):find("cairn%.test%." .. name .. "[: ]"), name .. ": " .. tostring(message))
 end
 test.test("nonsense", function()
     test.start{}

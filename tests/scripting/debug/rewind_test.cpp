@@ -19,7 +19,7 @@ const char* const kHeap = R"(
     frames = 0
     function cairn.update(dt)
         frames = frames + 1
-        boxes[1 + frames % 12]:apply_impulse_to_center(cairn.random.uniform(-2, 2), 0)
+        boxes[1 + frames % 12]:apply_impulse_to_center(cairn.random.number(-2, 2), 0)
         if frames == 20 then w:add_circle{ x = -3, y = 5, radius = 0.5 } end
         if frames == 30 then boxes[13] = boxes[12] boxes[12]:destroy() boxes[12] = boxes[1] end
         w:step(dt)
