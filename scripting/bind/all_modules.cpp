@@ -53,8 +53,6 @@ constexpr TypeOfObject kTypes[] = {
     {ObjectTag::Batch, &kBatchMethods, finalize_batch},
 };
 
-constexpr std::string_view kPrefix = "cairn.";
-
 }  // namespace
 
 std::span<const Module* const> all_modules() {
@@ -69,19 +67,18 @@ void register_all(lua_State* L) {
     register_event_cursor(L);
     lua_newtable(L);  // cairn
     for (const Module* module : kModules) {
-        const std::string_view name = module->name;
         if (module->is_type || module == &kCoreModule) continue;
         // cairn.test is there only where tests run, so that a game cannot come to depend on it.
         if (module == &kTestModule && context_of(L).test == nullptr) continue;
         lua_newtable(L);
         if (module == &kRandomModule) install_random(L);
         fill_table(L, *module);
-        lua_setfield(L, -2, std::string(name.substr(kPrefix.size())).c_str());
+        lua_setfield(L, -2, std::string(module->short_name()).c_str());
     }
-    // The game adds its callbacks to `cairn`, so unknown names there are simply nil.
     add_functions(L, kCoreModule);
     lua_pushliteral(L, CAIRN_VERSION);
     lua_setfield(L, -2, "version");
+    report_misspelt_modules(L);
     lua_setglobal(L, "cairn");
     install_require(L);
 }

@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <string>
 
+#include "bind/callbacks.h"
 #include "bind/context.h"
 #include "bind/fields.h"
 #include "bind/modules.h"
+#include "data/nearest.h"
 #include "lua/errors.h"
 #include "lua/state.h"
 
@@ -124,6 +126,36 @@ constexpr Function kFunctions[] = {
                                     "gameplay depends on."),
 };
 
+// ---- Slips
+
+/// __index of `cairn`: reached only for names that are not there.
+int find_slip(lua_State* L) {
+    if (lua_type(L, 2) != LUA_TSTRING) return 0;
+    const std::string_view name = lua_tostring(L, 2);
+    const auto callbacks = callback_names();
+    if (std::find(callbacks.begin(), callbacks.end(), name) != callbacks.end()) return 0;
+    if (!meant_callback(name).empty()) return 0;
+    std::vector<std::string> names;
+    for (const Module* module : all_modules()) {
+        if (!module->is_type && module != &kCoreModule) names.emplace_back(module->short_name());
+    }
+    for (const Function& function : kFunctions) names.emplace_back(function.name);
+    if (std::find(names.begin(), names.end(), name) != names.end()) return 0;  // cairn.test outside of tests
+    constexpr std::size_t kShort = 5;  // of short names too many words are near
+    constexpr std::size_t kLongest = 40;
+    if (name.size() > kLongest) return 0;
+    const std::string* best = nullptr;
+    int best_distance = name.size() <= kShort ? 2 : 3;
+    for (const std::string& candidate : names) {
+        const int distance = edit_distance(name, candidate);
+        if (distance >= best_distance) continue;
+        best = &candidate;
+        best_distance = distance;
+    }
+    if (best == nullptr) return 0;
+    raise(L, "cairn has no \"" + std::string(name) + "\"; did you mean \"" + *best + "\"?");
+}
+
 // ---- require
 
 constexpr const char* kLoadedModules = "cairn.loaded";
@@ -175,6 +207,15 @@ int require_module(lua_State* L) {
 }
 
 }  // namespace
+
+void report_misspelt_modules(lua_State* L) {
+    lua_createtable(L, 0, 2);
+    lua_pushcfunction(L, find_slip);
+    lua_setfield(L, -2, "__index");
+    lua_pushboolean(L, 0);
+    lua_setfield(L, -2, "__metatable");
+    lua_setmetatable(L, -2);
+}
 
 void forget_modules(lua_State* L) {
     State::of(L).forget_sources();

@@ -18,6 +18,12 @@ struct Module {
     const char* doc;
     std::span<const Function> functions;
     bool is_type = false;
+
+    /// "graphics" of "cairn.graphics"; of types and of `cairn` itself the whole name.
+    [[nodiscard]] constexpr std::string_view short_name() const {
+        const std::string_view whole = name;
+        return whole.substr(whole.rfind('.') + 1);  // all of it without a dot
+    }
 };
 
 /// Every module, in the order of the reference.

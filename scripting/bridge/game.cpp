@@ -107,7 +107,8 @@ struct Game::CallbackCall {
 int Game::run_callback(lua_State* L) {
     auto& callback = *static_cast<CallbackCall*>(lua_touserdata(L, 1));
     lua_rawgeti(L, LUA_REGISTRYINDEX, callback.cairn);
-    lua_getfield(L, -1, callback.name);
+    lua_pushstring(L, callback.name);
+    lua_rawget(L, -2);  // callbacks that the game has not are no slips
     if (lua_isfunction(L, -1)) {
         lua_call(L, callback.push_arguments(L), 1);
         callback.result = lua_toboolean(L, -1) != 0;

@@ -26,7 +26,7 @@ says and which callbacks there are stands in [Games](games.md); the format of re
 - Colors are 0..1, and what lies beyond is drawn as the nearest of these. `name = value` shows a default: the argument
   may be left out. Numbers are finite unless something else is said.
 - A wrong argument, or one too many, raises an error that names the function, the argument, the value and the rule, at
-  the caller's `file:line`.
+  the caller's `file:line`. A misspelt name of a module, a function or a method is an error that tells the nearest one.
 
 This page is written by `cairn help --reference` from the descriptions that also check the arguments.
 )";

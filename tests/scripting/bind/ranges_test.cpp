@@ -1,9 +1,10 @@
-// Numbers that make no sense, arguments too many: of every binding, from its
+// Numbers that make no sense, arguments too many, names that are none: of every binding, from its
 // description.
 #include <catch2/catch.hpp>
 
 #include <cairn/scripting/reference.h>
 
+#include "bind/callbacks.h"
 #include "bind/module.h"
 #include "bind/range.h"
 #include "scripting/support/drawing.h"
@@ -185,6 +186,47 @@ TEST_CASE("calls within calls pass their values on, as long as they fit") {
     CHECK(draw_error(bench, "cairn.graphics.line(1, 2, 3, 4, 5, 6, 7, 8)") == "");
     CHECK_THAT(draw_error(bench, "cairn.graphics.line({ 1, 2, 3, 4 }, 5)"),
                Catch::Contains("cairn.graphics.line takes 1 argument, 2 given"));
+}
+
+// ---- Names
+
+TEST_CASE("every type and module tells of a name that it lacks, and the nearest that it has") {
+    for (const Module* module : all_modules()) {
+        const std::string type = module->name;
+        if (type == "cairn.test" || type == "cairn") continue;
+        LuaBench bench(kGoodFiles);
+        REQUIRE(bench.run(kGood) == "");
+        REQUIRE(bench.run("receiver = " + (module->is_type ? good_receiver(type) : type)) == "");
+        for (const Function& function : module->functions) {
+            const std::string slip = std::string(function.name) + "z";
+            INFO(type << ' ' << slip);
+            const std::string start = "test.lua:1: " + type + " has no \"" + slip + '"';
+            CHECK(bench.run("local _ = receiver." + slip) ==
+                  start + "; did you mean \"" + function.name + "\"?");
+        }
+    }
+}
+
+TEST_CASE("a misspelt module or function of cairn names the nearest, and all else that cairn lacks is nil") {
+    LuaBench bench;
+    CHECK(bench.run("cairn.graphic.circle('fill', 1, 2, 3)") ==
+          "test.lua:1: cairn has no \"graphic\"; did you mean \"graphics\"?");
+    CHECK(bench.run("local r = cairn.randon") ==
+          "test.lua:1: cairn has no \"randon\"; did you mean \"random\"?");
+    CHECK(bench.run("cairn.sorted_pair({})") ==
+          "test.lua:1: cairn has no \"sorted_pair\"; did you mean \"sorted_pairs\"?");
+    CHECK(bench.run("cairn.Audio.stop_all()") ==
+          "test.lua:1: cairn has no \"Audio\"; did you mean \"audio\"?");
+    for (const std::string_view callback : callback_names())
+        CHECK(bench.value("cairn." + std::string(callback)) == "nil");
+    for (const char* name : {"test", "updat", "player", "my_levels", "x"})
+        CHECK(bench.value("cairn." + std::string(name)) == "nil");
+    CHECK(bench.value("cairn[1]") == "nil");
+    CHECK(
+        bench.run(
+            "cairn.graphic = 5 assert(cairn.graphic == 5) function cairn.wheel() end assert(cairn.wheel)") ==
+        "");
+    CHECK(bench.run("setmetatable(cairn, nil)") != "");
 }
 
 }  // namespace
