@@ -307,12 +307,8 @@ Matter read_matter(const FieldReader& reader) {
                        .rolling_resistance = surface(kRolling, &physics::Material::rolling_resistance),
                        .surface_speed_m_s = surface(kSurfaceSpeed, &physics::Material::surface_speed_m_s),
                        .kind = named != nullptr ? named->material.kind : 0};
-    if (named == nullptr || reader.has(kMaterialKind)) {
-        const std::int64_t kind = reader.integer(kMaterialKind);
-        if (!is_in_range(kMaterialKind, static_cast<double>(kind)))
-            reader.fail(kMaterialKind, "must be 0 to 63");
-        matter.material.kind = static_cast<int>(kind);
-    }
+    if (named == nullptr || reader.has(kMaterialKind))
+        matter.material.kind = static_cast<int>(reader.integer(kMaterialKind));
     return matter;
 }
 

@@ -22,6 +22,8 @@ struct Range {
     [[nodiscard]] constexpr bool has_low() const { return low > std::numeric_limits<double>::lowest(); }
     [[nodiscard]] constexpr bool has_high() const { return high < std::numeric_limits<double>::max(); }
     [[nodiscard]] constexpr bool is_finite() const { return high <= std::numeric_limits<double>::max(); }
+
+    friend bool operator==(const Range&, const Range&) = default;
 };
 
 /// "from 0 to 1", "above 0 and at most 2000000", "at least 0"; empty where it only says that numbers are

@@ -178,8 +178,7 @@ std::vector<const Field*> part_fields(PartKind kind, std::string_view variant) {
 
 std::vector<const Field*> undisputed_fields(PartKind kind) {
     const auto agree = [](const Field& a, const Field& b) {
-        return a.type == b.type && a.low == b.low && a.high == b.high && a.excludes_low == b.excludes_low &&
-               a.choices == b.choices;
+        return a.type == b.type && a.range == b.range && a.choices == b.choices;
     };
     std::vector<const Field*> fields;
     std::set<std::string_view> disputed;

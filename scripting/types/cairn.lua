@@ -39,6 +39,23 @@ cairn.physics = {}
 ---@return World world
 function cairn.physics.new_world(fields) end
 
+---@class cairn.physics.define_material.Fields
+---@field density? number at least 0; kg/m^2
+---@field friction? number at least 0; Coulomb coefficient
+---@field restitution? number from 0 to 1; share of the approach speed given back
+---@field rolling_resistance? number at least 0; coefficient: a torque of this times the normal force times the radius resists rolling
+---@field surface_speed? number m/s; a conveyor belt: positive carries what lies on top to the right
+---@field material_kind? integer from 0 to 63; what `world:set_material_rule` knows the material by
+
+---Gives what shapes are made of a name: after `cairn.physics.define_material("wood", { density = 0.7, friction = 0.6 })` the field `material = "wood"` stands for these, wherever a shape is made or its material set. Fields that stand beside it go before. Where two shapes touch their values mix as ever. Naming it again is for shapes that are made from then on. Levels have materials of their own; a file of materials can be included by levels and named here: `for name, fields in pairs(require("materials").materials) do cairn.physics.define_material(name, fields) end`.
+---@param name string
+---@param fields cairn.physics.define_material.Fields
+function cairn.physics.define_material(name, fields) end
+
+---A new table of those that have names: name -> all their fields.
+---@return table materials
+function cairn.physics.materials() end
+
 ---Makes an empty list of places for `world:read_transforms`.
 ---@return Transforms transforms
 function cairn.physics.new_transforms() end
@@ -145,6 +162,7 @@ function World:new_body(fields) end
 ---@field lock_rotation? boolean it does not turn
 ---@field sleep_speed? number at least 0; m/s; may sleep when slower than this for half a second; at 0 it never does
 ---@field data? table becomes body.data
+---@field material? string a name of `cairn.physics.define_material`; what is not said beside it is as there
 ---@field density? number at least 0; kg/m^2
 ---@field friction? number at least 0; Coulomb coefficient
 ---@field restitution? number from 0 to 1; share of the approach speed given back
@@ -185,6 +203,7 @@ function World:add_box(fields) end
 ---@field lock_rotation? boolean it does not turn
 ---@field sleep_speed? number at least 0; m/s; may sleep when slower than this for half a second; at 0 it never does
 ---@field data? table becomes body.data
+---@field material? string a name of `cairn.physics.define_material`; what is not said beside it is as there
 ---@field density? number at least 0; kg/m^2
 ---@field friction? number at least 0; Coulomb coefficient
 ---@field restitution? number from 0 to 1; share of the approach speed given back
@@ -226,6 +245,7 @@ function World:add_circle(fields) end
 ---@field lock_rotation? boolean it does not turn
 ---@field sleep_speed? number at least 0; m/s; may sleep when slower than this for half a second; at 0 it never does
 ---@field data? table becomes body.data
+---@field material? string a name of `cairn.physics.define_material`; what is not said beside it is as there
 ---@field density? number at least 0; kg/m^2
 ---@field friction? number at least 0; Coulomb coefficient
 ---@field restitution? number from 0 to 1; share of the approach speed given back
@@ -267,6 +287,7 @@ function World:add_capsule(fields) end
 ---@field lock_rotation? boolean it does not turn
 ---@field sleep_speed? number at least 0; m/s; may sleep when slower than this for half a second; at 0 it never does
 ---@field data? table becomes body.data
+---@field material? string a name of `cairn.physics.define_material`; what is not said beside it is as there
 ---@field density? number at least 0; kg/m^2
 ---@field friction? number at least 0; Coulomb coefficient
 ---@field restitution? number from 0 to 1; share of the approach speed given back
@@ -310,6 +331,7 @@ function World:add_polygon(fields) end
 ---@field lock_rotation? boolean it does not turn
 ---@field sleep_speed? number at least 0; m/s; may sleep when slower than this for half a second; at 0 it never does
 ---@field data? table becomes body.data
+---@field material? string a name of `cairn.physics.define_material`; what is not said beside it is as there
 ---@field density? number at least 0; kg/m^2
 ---@field friction? number at least 0; Coulomb coefficient
 ---@field restitution? number from 0 to 1; share of the approach speed given back
@@ -338,6 +360,7 @@ function World:add_segment(fields) end
 ---@field before_y? number m
 ---@field after_x? number m; the same behind the last point
 ---@field after_y? number m
+---@field material? string a name of `cairn.physics.define_material`; what is not said beside it is as there
 ---@field friction? number at least 0; Coulomb coefficient
 ---@field restitution? number from 0 to 1; share of the approach speed given back
 ---@field rolling_resistance? number at least 0; coefficient: a torque of this times the normal force times the radius resists rolling
@@ -1107,6 +1130,7 @@ function Body:set_sleep_speed(speed) end
 ---@field x? number from -1e+12 to 1e+12; m
 ---@field y? number from -1e+12 to 1e+12; m
 ---@field angle? number rad
+---@field material? string a name of `cairn.physics.define_material`; what is not said beside it is as there
 ---@field density? number at least 0; kg/m^2
 ---@field friction? number at least 0; Coulomb coefficient
 ---@field restitution? number from 0 to 1; share of the approach speed given back
@@ -1134,6 +1158,7 @@ function Body:add_box(fields) end
 ---@field x? number from -1e+12 to 1e+12; m
 ---@field y? number from -1e+12 to 1e+12; m
 ---@field angle? number rad
+---@field material? string a name of `cairn.physics.define_material`; what is not said beside it is as there
 ---@field density? number at least 0; kg/m^2
 ---@field friction? number at least 0; Coulomb coefficient
 ---@field restitution? number from 0 to 1; share of the approach speed given back
@@ -1162,6 +1187,7 @@ function Body:add_circle(fields) end
 ---@field x? number from -1e+12 to 1e+12; m
 ---@field y? number from -1e+12 to 1e+12; m
 ---@field angle? number rad
+---@field material? string a name of `cairn.physics.define_material`; what is not said beside it is as there
 ---@field density? number at least 0; kg/m^2
 ---@field friction? number at least 0; Coulomb coefficient
 ---@field restitution? number from 0 to 1; share of the approach speed given back
@@ -1190,6 +1216,7 @@ function Body:add_capsule(fields) end
 ---@field x? number from -1e+12 to 1e+12; m
 ---@field y? number from -1e+12 to 1e+12; m
 ---@field angle? number rad
+---@field material? string a name of `cairn.physics.define_material`; what is not said beside it is as there
 ---@field density? number at least 0; kg/m^2
 ---@field friction? number at least 0; Coulomb coefficient
 ---@field restitution? number from 0 to 1; share of the approach speed given back
@@ -1220,6 +1247,7 @@ function Body:add_polygon(fields) end
 ---@field x? number from -1e+12 to 1e+12; m
 ---@field y? number from -1e+12 to 1e+12; m
 ---@field angle? number rad
+---@field material? string a name of `cairn.physics.define_material`; what is not said beside it is as there
 ---@field density? number at least 0; kg/m^2
 ---@field friction? number at least 0; Coulomb coefficient
 ---@field restitution? number from 0 to 1; share of the approach speed given back
@@ -1249,6 +1277,7 @@ function Body:add_segment(fields) end
 ---@field before_y? number m
 ---@field after_x? number m; the same behind the last point
 ---@field after_y? number m
+---@field material? string a name of `cairn.physics.define_material`; what is not said beside it is as there
 ---@field friction? number at least 0; Coulomb coefficient
 ---@field restitution? number from 0 to 1; share of the approach speed given back
 ---@field rolling_resistance? number at least 0; coefficient: a torque of this times the normal force times the radius resists rolling
@@ -1398,6 +1427,7 @@ function Shape:set_filter(categories, mask, group) end
 function Shape:material() end
 
 ---@class Shape.set_material.Fields
+---@field material? string a name of `cairn.physics.define_material`; what is not said beside it is as there
 ---@field friction? number at least 0; Coulomb coefficient
 ---@field restitution? number from 0 to 1; share of the approach speed given back
 ---@field rolling_resistance? number at least 0; coefficient: a torque of this times the normal force times the radius resists rolling
@@ -1498,6 +1528,7 @@ function Chain:index_of(shape) end
 function Chain:material(segment) end
 
 ---@class Chain.set_material.Fields
+---@field material? string a name of `cairn.physics.define_material`; what is not said beside it is as there
 ---@field friction? number at least 0; Coulomb coefficient
 ---@field restitution? number from 0 to 1; share of the approach speed given back
 ---@field rolling_resistance? number at least 0; coefficient: a torque of this times the normal force times the radius resists rolling

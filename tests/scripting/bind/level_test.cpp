@@ -279,9 +279,9 @@ TEST_CASE("what a level says of its places, pictures and files is checked like t
              "more.lua:1:27: bodies: has no effect here",
              "l.lua:3:34: bounds.right = -5: must be above left, which is 5",
              "l.lua:3:56: bounds.top = 1: must be above bottom, which is 1",
-             "l.lua:4:20: camera.x = 1e+30: must be at least -1e+12 and at most 1e+12",
-             "l.lua:4:42: camera.height = 1e+30: must be at least 1e-06 and at most 1e+09",
-             "l.lua:5:44: spawns[1].y = -1e+30: must be at least -1e+12 and at most 1e+12",
+             "l.lua:4:20: camera.x = 1e+30: must be from -1e+12 to 1e+12",
+             "l.lua:4:42: camera.height = 1e+30: must be from 1e-06 to 1000000000",
+             "l.lua:5:44: spawns[1].y = -1e+30: must be from -1e+12 to 1e+12",
              "l.lua:6:31: decorations[1].image = \"notes.txt\": must be a picture: image 'notes.txt': is "
              "neither a PNG "
              "nor a JPEG file",

@@ -89,7 +89,7 @@ TEST_CASE_METHOD(Materials,
     CHECK_THAT(run("cairn.physics.define_material('ice', { fricton = 1 })"),
                Contains("did you mean \"friction\""));
     CHECK_THAT(run("cairn.physics.define_material('ice', { material_kind = 64 })"),
-               Contains("must be 0 to 63"));
+               Contains("must be from 0 to 63"));
     CHECK_THAT(run("cairn.physics.define_material('', {})"), Contains("expected a name, not empty"));
 }
 

@@ -65,7 +65,7 @@ inline const GameFiles kGoodFiles{
     {"pixel.png", kPixel},
     {"atlas.json", R"({"frames": {}, "meta": {"image": "pixel.png"}})"},
     {"level.lua", "{ bodies = { { name = 'a', shape = 'circle', radius = 1 } } }"},
-    {"map.tmj", R"({"width": 1, "height": 1, "tilewidth": 1, "tileheight": 1})"}};
+    {"map.tmj", R"({"width": 1, "height": 1, "tilewidth": 1, "tileheight": 1, "layers": []})"}};
 
 /// A world with one of each, for arguments that are fine.
 inline const char* const kGood = R"(
