@@ -82,6 +82,7 @@ cairn_feature(FRACTURE "cuts, breaks and breakable bodies"
 cairn_feature(RESTITUTION "impacts that give back speed"
   resolve/impacts.cpp
   resolve/restitution.cpp
+  world/bounce_energy.cpp
   world/bounces.cpp
   world/impact_groups.cpp)
 cairn_feature(ROLLING_RESISTANCE "torques that resist rolling"

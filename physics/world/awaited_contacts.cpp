@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "integrator/integrate.h"
+#include "world/bounce_energy.h"
 
 namespace cairn::physics {
 namespace {
@@ -53,8 +54,10 @@ void reach_contacts(StepScratch& scratch, int substep, const ContactRules& rules
         c = reached(awaited, motions, rules);
         // Like what joints do, it is not taken for an impulse that contacts give in each substep.
         for (const int row : {c.a, c.b}) begin_joints(motions, row, row + 1);
+        const std::array came_with{motions.velocity[static_cast<std::size_t>(c.a)],
+                                   motions.velocity[static_cast<std::size_t>(c.b)]};
         solve_contact(c, motions, rules, time.h_s, Pass::Relax);
-        apply_restitution({&c, 1}, motions, scratch.drives, rules);
+        give_back_speed(c, came_with, scratch, rules);
         for (const int row : {c.a, c.b}) end_joints(motions, row, row + 1);
         forget_impulses(c);
     }

@@ -9,6 +9,7 @@
 
 #include "base/ample.h"
 #include "resolve/contact_points.h"
+#include "world/bounce_energy.h"
 #include "world/special_contacts.h"
 
 namespace cairn::physics {
@@ -201,7 +202,7 @@ class Groups {
         Impact hit;
         if (!describe(contact, c, hit)) {
             is_alone_ = false;
-            return true;
+            return !has_pushed(contact);
         }
         if (c.restitution == 0 || (c.special & (special::kSurface | special::kOneWay)) != 0) return false;
         hit.friction = c.friction;
@@ -214,6 +215,14 @@ class Groups {
         work_.marked.push_back(contact);
         mark(contact).group = group_;
         return reach(c.body_a) && reach(c.body_b);
+    }
+
+    // What it gave one of the group another body would keep.
+    [[nodiscard]] bool has_pushed(int contact) {
+        const ContactConstraint* plain = plain_form(contact);
+        return plain != nullptr &&
+               std::any_of(plain->points.begin(), plain->points.begin() + plain->count,
+                           [](const ContactPointConstraint& p) { return p.total_normal_impulse > 0; });
     }
 
     // False when the surfaces are apart at the end of the step.
@@ -307,16 +316,9 @@ class Groups {
             scratch_.motions.velocity[static_cast<std::size_t>(work_.rows[i])] = work_.solved[i];
     }
 
-    // What was given is no guess for the next step: the bodies part.
     void note_impulses() {
         for (std::size_t i = 0; i < work_.contacts.size(); ++i) {
-            const ContactRecord& c = stores_.contacts.slots[work_.contacts[i]];
-            if (is_colored(c.bucket)) {
-                ContactMemory memory = stores_.contacts.lanes.memory(c.lane);
-                memory.impulse = {};
-                memory.friction_impulse = 0;
-                stores_.contacts.lanes.set_memory(c.lane, memory);
-            }
+            forget_lane_impulses(stores_.contacts, work_.contacts[i]);
             ContactConstraint* plain = plain_form(work_.contacts[i]);
             if (plain == nullptr) continue;
             plain->restitution = 0;  // done

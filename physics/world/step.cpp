@@ -6,6 +6,7 @@
 #include "base/stage_clock.h"
 #include "integrator/integrate.h"
 #include "world/awaited_contacts.h"
+#include "world/bounce_energy.h"
 #include "world/bounces.h"
 #include "world/breakables.h"
 #include "world/contact_events.h"
@@ -79,7 +80,7 @@ void step_world(WorldState& world, float dt_s) {
     collect_outcomes(stores.contacts, scratch);
     place_bounces(stores.bodies.rows(RowSet::Awake), scratch, time, rules);
     pass_impacts_on(stores, scratch, time, rules);
-    apply_restitution(scratch.contacts, scratch.motions, scratch.drives, rules);
+    give_back_speed(stores, scratch, rules);
     push_apart(scratch.deep, scratch.contacts, def.max_push_out_speed_m_s * dt_s, scratch.motions);
     close_tears(scratch.torn, scratch.motions);
 

@@ -210,6 +210,21 @@ struct ImpactScratch {
     std::vector<VelocityRow> solved;  // beside the rows: as the solver left them
 };
 
+/// Bounces that win no energy (world/bounce_energy.h).
+struct BounceScratch {
+    struct Mark {
+        int before = kNone;  // place in `before`, of what bounces
+        int group = kNone;
+    };
+    enum class Push : std::uint8_t { Unknown, None, Some };
+    // Of each row of the motions and of each contact; between steps none has any.
+    std::vector<Mark> marks;
+    std::vector<Push> pushes;
+    std::vector<int> marked;          // rows, those that bounce first
+    std::vector<VelocityRow> before;  // bounces, beside them
+    std::vector<int> group;           // rows of one
+};
+
 /// What a step works on. Kept from step to step for its memory only.
 struct StepScratch {
     // Contacts that change their list are few in most steps, and may be many in one.
@@ -227,7 +242,8 @@ struct StepScratch {
     std::vector<DeepOverlap> deep;        // those of them that overlap deeply
     std::vector<int> pushed;              // bodies that were moved out of others in the last step
     ImpactScratch impacts;
-    std::vector<JointConstraint> joints;  // the swept ones, in their order
+    std::unique_ptr<BounceScratch> bouncing;  // none before the first bounce
+    std::vector<JointConstraint> joints;      // the swept ones, in their order
     std::vector<JointPlace> joint_places;
     std::vector<TornJoint> torn;
     std::vector<int> unseated;  // joints that may get a lane, or break
