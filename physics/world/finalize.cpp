@@ -46,6 +46,7 @@ bool is_finite(const Motions& motions, int row) {
 void halt(Motions& motions, int row) {
     motions.pose[row].d = {};
     motions.pose[row].theta = 0;
+    motions.turned[row] = {};
     motions.velocity[row].v = {};
     motions.velocity[row].w = 0;
 }

@@ -128,6 +128,31 @@ TEST_CASE("what is spun beyond all measure stands") {
     }
 }
 
+TEST_CASE("what is halted as it comes to touch tells where it does") {
+    const auto [of_a_m_s, of_b_m_s, spin_a_rad_s, spin_b_rad_s] =
+        GENERATE(table<Vec2, Vec2, float, float>({{{7.3e37f, 0.1f}, {0.3f, -1.5e18f}, 1.7e27f, 9.3e14f},
+                                                  {{1.4f, -0.9f}, {-6.7e37f, -1.7f}, 1.5e37f, -2.6e11f},
+                                                  {{-0.9f, 1.2f}, {-7e37f, -2.2f}, -400.0f, -1.2e8f},
+                                                  {{8.9e37f, 1.1f}, {1.5e33f, 1.9f}, -5.8f, 4.6e33f}}));
+    for (int phase = 0; phase < 50; ++phase) {
+        World world({.gravity_m_s2 = {}});
+        const ShapeDef reporting{.contact_events = true};
+        add(world, {.linear_velocity_m_s = of_a_m_s, .angular_velocity_rad_s = spin_a_rad_s}, Box{0.5f, 0.5f},
+            reporting);
+        add(world,
+            {.position_m = {1.001 + 0.001 * phase, 0.1},
+             .linear_velocity_m_s = of_b_m_s,
+             .angular_velocity_rad_s = spin_b_rad_s},
+            Box{0.5f, 0.5f}, reporting);
+        world.step(kStep_s).value();
+        CAPTURE(of_a_m_s.x, phase);
+        for (const ContactBegin& begin : world.contact_begins()) {
+            REQUIRE(std::isfinite(begin.point_m.x));
+            REQUIRE(std::isfinite(begin.point_m.y));
+        }
+    }
+}
+
 TEST_CASE("what has less mass than float can divide by is pushed by nothing") {
     World world;
     const BodyId mote = add(world, {.linear_velocity_m_s = {1, 0}}, Circle{}, {.density_kg_m2 = 1e-40f});
