@@ -125,6 +125,25 @@ bool refers_to_unmade(const Level& level, std::size_t part, const std::vector<bo
     });
 }
 
+/// What is wrong with the forms of a part's faulty shapes, each tried out on a body of its own.
+std::vector<std::string> faults_of_outlines(lua_State* L, const LevelPart& part, int world) {
+    Level level;
+    for (const ShapePart& outline : part.outlines) {
+        LevelPart body;
+        body.fields.content = Entries{};
+        body.shapes = {outline};
+        level.parts.push_back(std::move(body));
+    }
+    lua_newtable(L);
+    std::vector<std::string> faults;
+    for (std::size_t body = 0; body < level.parts.size(); ++body) {
+        const std::vector<std::string> found = make_part(L, level, body, world, lua_gettop(L));
+        faults.insert(faults.end(), found.begin(), found.end());
+    }
+    lua_pop(L, 1);
+    return faults;
+}
+
 /// Makes a world for trying out; pushed.
 void push_scratch_world(lua_State* L) {
     push_function(L, kPhysicsModule, "new_world");
@@ -191,6 +210,8 @@ std::vector<std::string> faults_of_building(lua_State* L, const Level& level) {
     std::vector<std::string> faults;
     std::vector<bool> is_made(level.parts.size());
     for (std::size_t part = 0; part < level.parts.size(); ++part) {
+        const std::vector<std::string> wrong = faults_of_outlines(L, level.parts[part], top + 1);
+        faults.insert(faults.end(), wrong.begin(), wrong.end());
         // The cause is told.
         if (level.parts[part].is_faulty || refers_to_unmade(level, part, is_made)) continue;
         const std::vector<std::string> found = make_part(L, level, part, top + 1, top + 2);

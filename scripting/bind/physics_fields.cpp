@@ -166,6 +166,9 @@ constexpr const Field* kChainOwn[] = {&kChainPoints,   &kClosed,       &kBeforeX
                                       &kSurfaceSpeed,  &kMaterialKind, &kCategories, &kMask,        &kGroup,
                                       &kContactEvents, &kHitEvents};
 
+constexpr const Field* kChainOutlineOwn[] = {&kChainPoints, &kClosed, &kBeforeX,
+                                             &kBeforeY,     &kAfterX, &kAfterY};
+
 constexpr FieldSet kBodyFields{kBodyOwn};
 
 std::vector<Vec2> read_points(lua_State* L, const FieldReader& reader, const Field& field) {
@@ -213,6 +216,7 @@ const FieldSet kMaterialFields{kMaterialOwn};
 const FieldSet kMatterFields{kMatterOwn};
 const FieldSet kMaterialNameFields{kMaterialNameOwn};
 const FieldSet kChainShapeFields{kChainOwn};
+const FieldSet kChainOutlineFields{kChainOutlineOwn};
 
 const FieldSet kGeometryFields[kGeometryKinds] = {
     {kBoxOwn}, {kCircleOwn}, {kCapsuleOwn}, {kPolygonOwn}, {kSegmentOwn},

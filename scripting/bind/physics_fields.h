@@ -48,6 +48,8 @@ extern const FieldSet kMaterialNameFields;
 extern const FieldSet kWorldAddChainFields;
 extern const FieldSet kBodyAddChainFields;
 extern const FieldSet kChainShapeFields;
+/// Where a chain runs.
+extern const FieldSet kChainOutlineFields;
 
 /// The fields of `world:add_...`: those of the body, the shape and the geometry.
 constexpr const FieldSet& fields_of_world_add(GeometryKind kind) {

@@ -41,12 +41,9 @@ void read_parameters(const FieldReader& reader, const std::array<PrefabParameter
             case FieldType::Boolean:
                 parameter.set(def, reader.boolean(field) ? 1 : 0);
                 break;
-            case FieldType::Integer: {
-                const std::int64_t value = reader.integer(field);
-                if (value != static_cast<std::int32_t>(value)) reader.fail(field, "must fit into 32 bits");
-                parameter.set(def, static_cast<double>(value));
+            case FieldType::Integer:
+                parameter.set(def, static_cast<double>(reader.integer(field)));
                 break;
-            }
             default:
                 parameter.set(def, reader.number(field));
         }
@@ -65,11 +62,12 @@ constexpr auto fields_with(const std::array<const Field*, kMore>& more = {}) {
 // ---- Shared by several
 constexpr Field kX = number_field("x", 0, "0", "m");
 constexpr Field kY = number_field("y", 0, "0", "m");
-constexpr Field kDensity = number_field("density", 1, "1", "kg/m^2");
-constexpr Field kFriction = number_field("friction", 0.6, "0.6", "Coulomb coefficient");
-constexpr Field kRestitution = number_field("restitution", 0, "0", "0 to 1");
-constexpr Field kDamping = number_field("damping", 0, "0", "1/s, of the air");
-constexpr Field kPinFriction = number_field("friction_torque", 0, "0", "N m, of each pin");
+constexpr Field kDensity = at_least(number_field("density", 1, "1", "kg/m^2"), 0);
+constexpr Field kFriction = at_least(number_field("friction", 0.6, "0.6", "Coulomb coefficient"), 0);
+constexpr Field kRestitution =
+    within(number_field("restitution", 0, "0", "share of the approach speed given back"), 0, 1);
+constexpr Field kDamping = at_least(number_field("damping", 0, "0", "1/s, of the air"), 0);
+constexpr Field kPinFriction = at_least(number_field("friction_torque", 0, "0", "N m, of each pin"), 0);
 constexpr Field kHoldStart = boolean_field("hold_start", true, "whether the start is held");
 constexpr Field kHoldEnd = boolean_field("hold_end", true, "whether the end is held");
 constexpr Field kStartBody = optional_field("start_body", FieldType::Body, "by what; absent: the world");
@@ -129,9 +127,9 @@ Def read_common(const FieldReader& reader, const auto& parameters) {
 // ---- Chain
 constexpr Field kDirectionX = number_field("direction_x", 0, "0", "of any length");
 constexpr Field kDirectionY = number_field("direction_y", -1, "-1", "");
-constexpr Field kLinks = integer_field("links", 10, "10", "");
-constexpr Field kLinkLength = number_field("link_length", 0.5, "0.5", "m, from pin to pin");
-constexpr Field kLinkThickness = number_field("thickness", 0.15, "0.15", "m");
+constexpr Field kLinks = within(integer_field("links", 10, "10", ""), 1, 10000);
+constexpr Field kLinkLength = above(number_field("link_length", 0.5, "0.5", "m, from pin to pin"), 0.01);
+constexpr Field kLinkThickness = above(number_field("thickness", 0.15, "0.15", "m"), 0);
 constexpr Field kHoldChainEnd = boolean_field("hold_end", false, "whether the end is held");
 constexpr std::array kChain = joined(
     std::array{
@@ -151,10 +149,10 @@ constexpr auto kChainFields =
 
 // ---- Rope
 constexpr Field kRopeLength =
-    number_field("length", 0, "0", "m, at least the distance of the ends; 0: just that");
-constexpr Field kRopeLinks = integer_field("links", 20, "20", "");
-constexpr Field kRopeRadius = number_field("radius", 0.04, "0.04", "m");
-constexpr Field kRopeDamping = number_field("damping", 1, "1", "1/s, of the air");
+    at_least(number_field("length", 0, "0", "m, at least the distance of the ends; 0: just that"), 0);
+constexpr Field kRopeLinks = within(integer_field("links", 20, "20", ""), 2, 10000);
+constexpr Field kRopeRadius = above(number_field("radius", 0.04, "0.04", "m"), 0);
+constexpr Field kRopeDamping = at_least(number_field("damping", 1, "1", "1/s, of the air"), 0);
 constexpr Field kRopeEndX = number_field("to_x", 5, "5", "m");
 constexpr Field kEndY = number_field("to_y", 0, "0", "m");
 constexpr std::array kRope = joined(
@@ -175,12 +173,12 @@ constexpr auto kRopeFields =
 
 // ---- Bridge
 constexpr Field kBridgeEndX = number_field("to_x", 10, "10", "m");
-constexpr Field kPlanks = integer_field("planks", 20, "20", "");
+constexpr Field kPlanks = within(integer_field("planks", 20, "20", ""), 2, 10000);
 constexpr Field kSlack =
-    number_field("slack", 0.01, "0.01", "how much longer than the straight way, a share");
-constexpr Field kPlankThickness = number_field("thickness", 0.2, "0.2", "m");
-constexpr Field kPlankFriction = number_field("friction_torque", 0.5, "0.5", "N m, of each pin");
-constexpr Field kPlankDensity = number_field("density", 4, "4", "kg/m^2");
+    within(number_field("slack", 0.01, "0.01", "how much longer than the straight way, a share"), 0, 1);
+constexpr Field kPlankThickness = above(number_field("thickness", 0.2, "0.2", "m"), 0);
+constexpr Field kPlankFriction = at_least(number_field("friction_torque", 0.5, "0.5", "N m, of each pin"), 0);
+constexpr Field kPlankDensity = at_least(number_field("density", 4, "4", "kg/m^2"), 0);
 constexpr std::array kBridge = {
     parameter<&BridgeDef::from_m, &Position::x>(kX),
     parameter<&BridgeDef::from_m, &Position::y>(kY),
@@ -201,16 +199,19 @@ constexpr auto kBridgeFields =
     fields_with<kBridge>(std::array<const Field*, 4>{&kHoldStart, &kStartBody, &kHoldEnd, &kEndBody});
 
 // ---- Vehicle
-constexpr Field kVehicleLength = number_field("length", 3, "3", "m, of the chassis");
-constexpr Field kVehicleHeight = number_field("height", 0.6, "0.6", "m, of the chassis");
-constexpr Field kSuspension = number_field("suspension_frequency", 3, "3", "Hz");
-constexpr Field kSuspensionDamping = number_field("suspension_damping", 0.8, "0.8", "ratio; 1 is critical");
-constexpr Field kSuspensionTravel = number_field("suspension_travel", 0.3, "0.3", "m, up and down");
-constexpr Field kDriveTorque = number_field("drive_torque", 30, "30", "N m, of each driven wheel");
-constexpr Field kBrakeTorque = number_field("brake_torque", 60, "60", "N m, of each braked wheel");
-constexpr Field kChassisDensity = number_field("density", 2, "2", "kg/m^2, of the chassis");
-constexpr Field kTyreFriction = number_field("tyre_friction", 1, "1", "");
-constexpr Field kTyreDensity = number_field("tyre_density", 1, "1", "kg/m^2");
+constexpr Field kVehicleLength = above(number_field("length", 3, "3", "m, of the chassis"), 0);
+constexpr Field kVehicleHeight = above(number_field("height", 0.6, "0.6", "m, of the chassis"), 0);
+constexpr Field kSuspension = above(number_field("suspension_frequency", 3, "3", "Hz"), 0);
+constexpr Field kSuspensionDamping =
+    at_least(number_field("suspension_damping", 0.8, "0.8", "ratio; 1 is critical"), 0);
+constexpr Field kSuspensionTravel = above(number_field("suspension_travel", 0.3, "0.3", "m, up and down"), 0);
+constexpr Field kDriveTorque =
+    at_least(number_field("drive_torque", 30, "30", "N m, of each driven wheel"), 0);
+constexpr Field kBrakeTorque =
+    at_least(number_field("brake_torque", 60, "60", "N m, of each braked wheel"), 0);
+constexpr Field kChassisDensity = at_least(number_field("density", 2, "2", "kg/m^2, of the chassis"), 0);
+constexpr Field kTyreFriction = at_least(number_field("tyre_friction", 1, "1", ""), 0);
+constexpr Field kTyreDensity = at_least(number_field("tyre_density", 1, "1", "kg/m^2"), 0);
 constexpr Field kWheels = optional_field(
     "wheels", FieldType::Table,
     "a list of { x = 0, y = 0, radius = 0.4, driven = true, braked = true }, m in the chassis; absent: two");
@@ -230,7 +231,7 @@ constexpr std::array kVehicle = {
 };
 constexpr auto kVehicleFields = fields_with<kVehicle>(std::array<const Field*, 1>{&kWheels});
 
-constexpr Field kWheelRadius = number_field("radius", 0.4, "0.4", "m");
+constexpr Field kWheelRadius = above(number_field("radius", 0.4, "0.4", "m"), 0);
 constexpr Field kDriven = boolean_field("driven", true, "");
 constexpr Field kBraked = boolean_field("braked", true, "");
 constexpr const Field* kWheelOwn[] = {&kX, &kY, &kWheelRadius, &kDriven, &kBraked};
@@ -258,14 +259,16 @@ std::vector<VehicleWheelDef> read_wheels(lua_State* L, const FieldReader& reader
 }
 
 // ---- Ragdoll
-constexpr Field kScale = number_field("scale", 1, "1", "1: it is 1.6 m tall");
-constexpr Field kMuscle = number_field("friction_torque", 0.05, "0.05", "N m, of the hips, at scale 1");
+constexpr Field kScale = above(number_field("scale", 1, "1", "1: it is 1.6 m tall"), 0);
+constexpr Field kMuscle =
+    at_least(number_field("friction_torque", 0.05, "0.05", "N m, of the hips, at scale 1"), 0);
 constexpr Field kMuscleSpring =
-    number_field("spring_frequency", 0, "0", "Hz, of springs towards how it is made; 0: limp");
-constexpr Field kMuscleDamping = number_field("spring_damping", 0.5, "0.5", "ratio; 1 is critical");
+    at_least(number_field("spring_frequency", 0, "0", "Hz, of springs towards how it is made; 0: limp"), 0);
+constexpr Field kMuscleDamping =
+    at_least(number_field("spring_damping", 0.5, "0.5", "ratio; 1 is critical"), 0);
 constexpr Field kVelocityX = number_field("linear_velocity_x", 0, "0", "m/s");
 constexpr Field kVelocityY = number_field("linear_velocity_y", 0, "0", "m/s");
-constexpr Field kSkinFriction = number_field("friction", 0.2, "0.2", "Coulomb coefficient");
+constexpr Field kSkinFriction = at_least(number_field("friction", 0.2, "0.2", "Coulomb coefficient"), 0);
 constexpr std::array kRagdoll = {
     parameter<&RagdollDef::position_m, &Position::x>(kX),
     parameter<&RagdollDef::position_m, &Position::y>(kY),
@@ -282,11 +285,11 @@ constexpr std::array kRagdoll = {
 constexpr auto kRagdollFields = fields_with<kRagdoll>();
 
 // ---- Brick wall
-constexpr Field kColumns = integer_field("columns", 6, "6", "bricks in a course");
-constexpr Field kCourses = integer_field("courses", 8, "8", "");
-constexpr Field kBrickWidth = number_field("brick_width", 0.5, "0.5", "m");
-constexpr Field kBrickHeight = number_field("brick_height", 0.25, "0.25", "m");
-constexpr Field kMortar = number_field("mortar", 400, "400", "N/m: what a metre of mortar bears");
+constexpr Field kColumns = within(integer_field("columns", 6, "6", "bricks in a course"), 1, 1000);
+constexpr Field kCourses = within(integer_field("courses", 8, "8", ""), 1, 1000);
+constexpr Field kBrickWidth = above(number_field("brick_width", 0.5, "0.5", "m"), 0.02);
+constexpr Field kBrickHeight = above(number_field("brick_height", 0.25, "0.25", "m"), 0.01);
+constexpr Field kMortar = above(number_field("mortar", 400, "400", "N/m: what a metre of mortar bears"), 0);
 constexpr std::array kWall = joined(
     std::array{
         parameter<&BrickWallDef::position_m, &Position::x>(kX),
@@ -301,10 +304,10 @@ constexpr std::array kWall = joined(
 constexpr auto kWallFields = fields_with<kWall>();
 
 // ---- Blob
-constexpr Field kRings = integer_field("rings", 3, "3", "of pieces about the middle one");
-constexpr Field kPieceRadius = number_field("piece_radius", 0.15, "0.15", "m");
-constexpr Field kBlobFrequency = number_field("frequency", 15, "15", "Hz, of each weld");
-constexpr Field kBlobDamping = number_field("damping_ratio", 0.7, "0.7", "1 is critical");
+constexpr Field kRings = within(integer_field("rings", 3, "3", "of pieces about the middle one"), 1, 50);
+constexpr Field kPieceRadius = above(number_field("piece_radius", 0.15, "0.15", "m"), 0);
+constexpr Field kBlobFrequency = above(number_field("frequency", 15, "15", "Hz, of each weld"), 0);
+constexpr Field kBlobDamping = at_least(number_field("damping_ratio", 0.7, "0.7", "1 is critical"), 0);
 constexpr std::array kBlob = joined(
     std::array{
         parameter<&BlobDef::position_m, &Position::x>(kX),
@@ -320,9 +323,9 @@ constexpr std::array kBlob = joined(
 constexpr auto kBlobFields = fields_with<kBlob>();
 
 // ---- Pendulum
-constexpr Field kBobs = integer_field("bobs", 1, "1", "two make a double pendulum");
-constexpr Field kRod = number_field("rod", 1, "1", "m, from centre to centre");
-constexpr Field kBobRadius = number_field("radius", 0.15, "0.15", "m, of each bob");
+constexpr Field kBobs = within(integer_field("bobs", 1, "1", "two make a double pendulum"), 1, 100);
+constexpr Field kRod = above(number_field("rod", 1, "1", "m, from centre to centre"), 0);
+constexpr Field kBobRadius = above(number_field("radius", 0.15, "0.15", "m, of each bob"), 0);
 constexpr Field kStartAngle = number_field("angle", 0.5, "0.5", "rad, from straight down");
 constexpr std::array kPendulum = joined(
     std::array{
@@ -339,14 +342,14 @@ constexpr auto kPendulumFields =
     fields_with<kPendulum>(std::array<const Field*, 2>{&kHoldStart, &kStartBody});
 
 // ---- Windmill
-constexpr Field kSails = integer_field("sails", 4, "4", "2 to 24");
-constexpr Field kHubRadius = number_field("hub_radius", 0.3, "0.3", "m");
-constexpr Field kSailLength = number_field("sail_length", 2, "2", "m");
-constexpr Field kSailWidth = number_field("sail_width", 0.4, "0.4", "m");
-constexpr Field kTipRatio =
-    number_field("tip_speed_ratio", 2, "2", "speed of the tips to that of the wind when nothing brakes");
+constexpr Field kSails = within(integer_field("sails", 4, "4", ""), 2, 24);
+constexpr Field kHubRadius = above(number_field("hub_radius", 0.3, "0.3", "m"), 0);
+constexpr Field kSailLength = above(number_field("sail_length", 2, "2", "m"), 0);
+constexpr Field kSailWidth = above(number_field("sail_width", 0.4, "0.4", "m"), 0);
+constexpr Field kTipRatio = above(
+    number_field("tip_speed_ratio", 2, "2", "speed of the tips to that of the wind when nothing brakes"), 0);
 constexpr Field kClockwise = boolean_field("clockwise", false, "which way it turns");
-constexpr Field kHubFriction = number_field("friction_torque", 0.5, "0.5", "N m, of the hub");
+constexpr Field kHubFriction = at_least(number_field("friction_torque", 0.5, "0.5", "N m, of the hub"), 0);
 constexpr std::array kWindmill = joined(
     std::array{
         parameter<&WindmillDef::position_m, &Position::x>(kX),
@@ -366,12 +369,12 @@ constexpr auto kWindmillFields =
 // ---- Elevator
 constexpr Field kFloors =
     optional_field("floors", FieldType::Table, "a list of heights over y, m, ascending; absent: { 0, 3, 6 }");
-constexpr Field kPlatformWidth = number_field("width", 2, "2", "m, of the platform");
-constexpr Field kPlatformThickness = number_field("thickness", 0.2, "0.2", "m");
-constexpr Field kSpeed = number_field("speed", 1.5, "1.5", "m/s");
-constexpr Field kLoad = number_field("load", 100, "100", "kg, that it can carry");
-constexpr Field kPlatformDensity = number_field("density", 100, "100", "kg/m^2");
-constexpr Field kPlatformFriction = number_field("friction", 0.9, "0.9", "Coulomb coefficient");
+constexpr Field kPlatformWidth = above(number_field("width", 2, "2", "m, of the platform"), 0);
+constexpr Field kPlatformThickness = above(number_field("thickness", 0.2, "0.2", "m"), 0);
+constexpr Field kSpeed = above(number_field("speed", 1.5, "1.5", "m/s"), 0);
+constexpr Field kLoad = at_least(number_field("load", 100, "100", "kg, that it can carry"), 0);
+constexpr Field kPlatformDensity = at_least(number_field("density", 100, "100", "kg/m^2"), 0);
+constexpr Field kPlatformFriction = at_least(number_field("friction", 0.9, "0.9", "Coulomb coefficient"), 0);
 constexpr std::array kElevator = {
     parameter<&ElevatorDef::position_m, &Position::x>(kX),
     parameter<&ElevatorDef::position_m, &Position::y>(kY),
@@ -406,13 +409,14 @@ constexpr std::array kGears = joined(
 constexpr auto kGearFields = fields_with<kGears>(std::array<const Field*, 1>{&kRadii});
 
 // ---- Pulley lift
-constexpr Field kDistance = number_field("distance", 4, "4", "m, between the centres of the platforms");
-constexpr Field kTravel = number_field("travel", 2, "2", "m, up and down");
-constexpr Field kLiftWidth = number_field("width", 1.5, "1.5", "m, of each platform");
-constexpr Field kRopeUp = number_field("rope", 5, "5", "m, up to the wheels");
-constexpr Field kRatio = number_field("ratio", 1, "1", "of a block and tackle on the right");
-constexpr Field kLeftDensity = number_field("left_density", 1, "1", "kg/m^2");
-constexpr Field kRightDensity = number_field("right_density", 1, "1", "kg/m^2");
+constexpr Field kDistance =
+    above(number_field("distance", 4, "4", "m, between the centres of the platforms"), 0);
+constexpr Field kTravel = above(number_field("travel", 2, "2", "m, up and down"), 0);
+constexpr Field kLiftWidth = above(number_field("width", 1.5, "1.5", "m, of each platform"), 0);
+constexpr Field kRopeUp = above(number_field("rope", 5, "5", "m, up to the wheels"), 0);
+constexpr Field kRatio = above(number_field("ratio", 1, "1", "of a block and tackle on the right"), 0);
+constexpr Field kLeftDensity = at_least(number_field("left_density", 1, "1", "kg/m^2"), 0);
+constexpr Field kRightDensity = at_least(number_field("right_density", 1, "1", "kg/m^2"), 0);
 constexpr std::array kLift = {
     parameter<&PulleyLiftDef::position_m, &Position::x>(kX),
     parameter<&PulleyLiftDef::position_m, &Position::y>(kY),

@@ -92,6 +92,7 @@ std::vector<std::string> LevelChecker::faults() const {
 void LevelChecker::fault(const Layer& where, const Value& value, const std::string& field,
                          const std::string& rule) {
     faulty_.insert(where.table);
+    faulty_.insert(&value);
     if (value.is_unreadable) {
         ++told_;  // when the file was read
         return;
@@ -138,7 +139,11 @@ void LevelChecker::check_value(const Layer& layer, const Value& value, const Fie
         return;
     }
     if (field.type == FieldType::Number || field.type == FieldType::Integer) {
-        if (!is_in_range(field, value.number())) fault(layer, value, field.name, range_rule(field));
+        if (!is_in_range(field, value.number())) {
+            fault(layer, value, field.name, range_rule(field));
+        } else if (field.type == FieldType::Number && is_beyond_float(value.number())) {
+            fault(layer, value, field.name, std::string("must be ") + kWithinFloat);
+        }
     }
     if (!field.choices.empty()) {
         std::string what = field.name;
@@ -152,6 +157,7 @@ void LevelChecker::check_points(const Layer& layer, const Value& value, const st
     for (std::size_t i = 0; i < value.entries().size(); ++i) {
         const Value& point = value.entries()[i].value;
         if (is_point(point)) continue;
+        faulty_.insert(&value);
         const Value* unreadable = nullptr;
         if (point.kind() == Value::Kind::Table) {
             for (const Entry& entry : point.entries()) {

@@ -45,6 +45,8 @@ class LevelChecker {
     [[nodiscard]] std::size_t count() const { return told_; }
     /// Whether a fault of that very table was told.
     [[nodiscard]] bool is_faulty(const Layer& layer) const { return faulty_.contains(layer.table); }
+    /// Whether one was told of that very value, or of what it holds.
+    [[nodiscard]] bool is_faulty(const Value& value) const { return faulty_.contains(&value); }
     /// Each once; those of the file that was read first come first, from its beginning to its end.
     [[nodiscard]] std::vector<std::string> faults() const;
 

@@ -205,6 +205,11 @@ std::vector<const Field*> shape_fields(std::string_view variant) {
     return joined_fields({&kOwn, &kBodyAddChainFields});
 }
 
+std::vector<const Field*> outline_fields(std::string_view variant) {
+    const int index = index_in(variants_of(PartKind::Body), variant);
+    return all_fields(index >= 0 && index < kGeometryKinds ? kGeometryFields[index] : kChainOutlineFields);
+}
+
 std::vector<const Field*> fields_of_any_body() {
     return joined_fields({&kBodyOwnFields, &kWorldAddFields[0], &kWorldAddFields[1], &kWorldAddFields[2],
                           &kWorldAddFields[3], &kWorldAddFields[4], &kWorldAddChainFields});

@@ -38,6 +38,8 @@ std::vector<const Field*> part_fields(PartKind kind, std::string_view variant);
 std::vector<const Field*> undisputed_fields(PartKind kind);
 /// The fields of an entry of a body's `shapes`.
 std::vector<const Field*> shape_fields(std::string_view variant);
+/// Those of them that say what form it has.
+std::vector<const Field*> outline_fields(std::string_view variant);
 /// Every field that an entry of some variant may have: of templates that leave the variant open.
 std::vector<const Field*> fields_of_any_body();
 

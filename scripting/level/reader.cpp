@@ -343,6 +343,7 @@ class Reader {
         for (const Layer& layer : layers)
             part.is_faulty |= check_.is_faulty(layer) && &layer != &layers.front();
         part.fields = merged(layers, fields);
+        if (part.is_faulty && is_shape(kind, part.variant)) note_outline(part, part.variant, layers);
         if (kind == PartKind::Body) read_shapes(part, layers);
         note_names(part, layers);
         note_references(part, entry, fields);
@@ -416,6 +417,21 @@ class Reader {
         }
         if (const auto parts = convex_parts(outline); !parts)
             check_.fault(*layer, *points, "", parts.error().message);
+    }
+
+    static bool is_shape(PartKind kind, const std::string& variant) {
+        return (kind == PartKind::Body || kind == PartKind::Trigger) && !variant.empty();
+    }
+
+    /// Keeps the form of a faulty shape, unless it is faulty itself: its rules need nothing else.
+    void note_outline(LevelPart& part, const std::string& variant, std::span<const Layer> layers) const {
+        const std::vector<const Field*> fields = outline_fields(variant);
+        for (const Field* field : fields) {
+            const Value* value = find_in(layers, field->name);
+            const bool is_missing = value == nullptr && field->default_text == nullptr;
+            if (is_missing || (value != nullptr && check_.is_faulty(*value))) return;
+        }
+        part.outlines.push_back({variant, merged(layers, fields), place_of_entry(layers.front())});
     }
 
     /// One table of all layers, without what only levels know. In the order of the fields, so that equal
@@ -494,6 +510,7 @@ class Reader {
         is_faulty |= tells([&] { check_outline(variant->text(), layers); });
         if (!is_faulty)
             part.shapes.push_back({variant->text(), merged(layers, fields), place_of_entry(entry)});
+        if (is_faulty || part.is_faulty) note_outline(part, variant->text(), layers);
     }
 
     /// What scripts want to know of a body: its name and material, in its data.

@@ -35,6 +35,8 @@ struct LevelPart {
     std::string variant;  ///< "box", "revolute", "rope"; empty: a body with `shapes`
     Value fields;         ///< as the function of the Lua API takes them, but for references
     std::vector<ShapePart> shapes;
+    /// The forms alone of shapes that have faults elsewhere: what of these can still be tried out.
+    std::vector<ShapePart> outlines;
     std::vector<PartReference> references;
     std::string place;              ///< "levels/one.lua:12:5: bodies[3]": for messages
     bool is_faulty = false;         ///< it cannot be tried out

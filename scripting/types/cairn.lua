@@ -1747,14 +1747,14 @@ cairn.prefab = {}
 ---@field y? number m
 ---@field direction_x? number of any length
 ---@field direction_y? number
----@field links? integer
----@field link_length? number m, from pin to pin
----@field thickness? number m
----@field friction_torque? number N m, of each pin
----@field damping? number 1/s, of the air
----@field density? number kg/m^2
----@field friction? number Coulomb coefficient
----@field restitution? number 0 to 1
+---@field links? integer from 1 to 10000;
+---@field link_length? number above 0.01; m, from pin to pin
+---@field thickness? number above 0; m
+---@field friction_torque? number at least 0; N m, of each pin
+---@field damping? number at least 0; 1/s, of the air
+---@field density? number at least 0; kg/m^2
+---@field friction? number at least 0; Coulomb coefficient
+---@field restitution? number from 0 to 1; share of the approach speed given back
 ---@field hold_start? boolean whether the start is held
 ---@field start_body? Body by what; absent: the world
 ---@field hold_end? boolean whether the end is held
@@ -1777,14 +1777,14 @@ function cairn.prefab.chain(world, fields) end
 ---@field y? number m
 ---@field to_x? number m
 ---@field to_y? number m
----@field length? number m, at least the distance of the ends; 0: just that
----@field links? integer
----@field radius? number m
----@field friction_torque? number N m, of each pin
----@field damping? number 1/s, of the air
----@field density? number kg/m^2
----@field friction? number Coulomb coefficient
----@field restitution? number 0 to 1
+---@field length? number at least 0; m, at least the distance of the ends; 0: just that
+---@field links? integer from 2 to 10000;
+---@field radius? number above 0; m
+---@field friction_torque? number at least 0; N m, of each pin
+---@field damping? number at least 0; 1/s, of the air
+---@field density? number at least 0; kg/m^2
+---@field friction? number at least 0; Coulomb coefficient
+---@field restitution? number from 0 to 1; share of the approach speed given back
 ---@field hold_start? boolean whether the start is held
 ---@field start_body? Body by what; absent: the world
 ---@field hold_end? boolean whether the end is held
@@ -1807,16 +1807,16 @@ function cairn.prefab.rope(world, fields) end
 ---@field y? number m
 ---@field to_x? number m
 ---@field to_y? number m
----@field planks? integer
----@field slack? number how much longer than the straight way, a share
----@field thickness? number m
----@field friction_torque? number N m, of each pin
----@field damping? number 1/s, of the air
+---@field planks? integer from 2 to 10000;
+---@field slack? number from 0 to 1; how much longer than the straight way, a share
+---@field thickness? number above 0; m
+---@field friction_torque? number at least 0; N m, of each pin
+---@field damping? number at least 0; 1/s, of the air
 ---@field break_force? number at least 0; N, of each joint
 ---@field break_torque? number at least 0; N m, of each joint
----@field density? number kg/m^2
----@field friction? number Coulomb coefficient
----@field restitution? number 0 to 1
+---@field density? number at least 0; kg/m^2
+---@field friction? number at least 0; Coulomb coefficient
+---@field restitution? number from 0 to 1; share of the approach speed given back
 ---@field hold_start? boolean whether the start is held
 ---@field start_body? Body by what; absent: the world
 ---@field hold_end? boolean whether the end is held
@@ -1837,16 +1837,16 @@ function cairn.prefab.bridge(world, fields) end
 ---@class cairn.prefab.vehicle.Fields
 ---@field x? number m
 ---@field y? number m
----@field length? number m, of the chassis
----@field height? number m, of the chassis
----@field suspension_frequency? number Hz
----@field suspension_damping? number ratio; 1 is critical
----@field suspension_travel? number m, up and down
----@field drive_torque? number N m, of each driven wheel
----@field brake_torque? number N m, of each braked wheel
----@field density? number kg/m^2, of the chassis
----@field tyre_friction? number
----@field tyre_density? number kg/m^2
+---@field length? number above 0; m, of the chassis
+---@field height? number above 0; m, of the chassis
+---@field suspension_frequency? number above 0; Hz
+---@field suspension_damping? number at least 0; ratio; 1 is critical
+---@field suspension_travel? number above 0; m, up and down
+---@field drive_torque? number at least 0; N m, of each driven wheel
+---@field brake_torque? number at least 0; N m, of each braked wheel
+---@field density? number at least 0; kg/m^2, of the chassis
+---@field tyre_friction? number at least 0;
+---@field tyre_density? number at least 0; kg/m^2
 ---@field wheels? table a list of { x = 0, y = 0, radius = 0.4, driven = true, braked = true }, m in the chassis; absent: two
 ---@field data? table becomes body.data of every body
 ---@field categories? integer bit set: what the shape is
@@ -1864,15 +1864,15 @@ function cairn.prefab.vehicle(world, fields) end
 ---@class cairn.prefab.ragdoll.Fields
 ---@field x? number m
 ---@field y? number m
----@field scale? number 1: it is 1.6 m tall
----@field friction_torque? number N m, of the hips, at scale 1
----@field spring_frequency? number Hz, of springs towards how it is made; 0: limp
----@field spring_damping? number ratio; 1 is critical
+---@field scale? number above 0; 1: it is 1.6 m tall
+---@field friction_torque? number at least 0; N m, of the hips, at scale 1
+---@field spring_frequency? number at least 0; Hz, of springs towards how it is made; 0: limp
+---@field spring_damping? number at least 0; ratio; 1 is critical
 ---@field linear_velocity_x? number m/s
 ---@field linear_velocity_y? number m/s
----@field density? number kg/m^2
----@field friction? number Coulomb coefficient
----@field restitution? number 0 to 1
+---@field density? number at least 0; kg/m^2
+---@field friction? number at least 0; Coulomb coefficient
+---@field restitution? number from 0 to 1; share of the approach speed given back
 ---@field data? table becomes body.data of every body
 ---@field categories? integer bit set: what the shape is
 ---@field mask? integer bit set: what it collides with; -1 is everything
@@ -1889,14 +1889,14 @@ function cairn.prefab.ragdoll(world, fields) end
 ---@class cairn.prefab.brick_wall.Fields
 ---@field x? number m
 ---@field y? number m
----@field columns? integer bricks in a course
----@field courses? integer
----@field brick_width? number m
----@field brick_height? number m
----@field mortar? number N/m: what a metre of mortar bears
----@field density? number kg/m^2
----@field friction? number Coulomb coefficient
----@field restitution? number 0 to 1
+---@field columns? integer from 1 to 1000; bricks in a course
+---@field courses? integer from 1 to 1000;
+---@field brick_width? number above 0.02; m
+---@field brick_height? number above 0.01; m
+---@field mortar? number above 0; N/m: what a metre of mortar bears
+---@field density? number at least 0; kg/m^2
+---@field friction? number at least 0; Coulomb coefficient
+---@field restitution? number from 0 to 1; share of the approach speed given back
 ---@field data? table becomes body.data of every body
 ---@field categories? integer bit set: what the shape is
 ---@field mask? integer bit set: what it collides with; -1 is everything
@@ -1913,15 +1913,15 @@ function cairn.prefab.brick_wall(world, fields) end
 ---@class cairn.prefab.blob.Fields
 ---@field x? number m
 ---@field y? number m
----@field rings? integer of pieces about the middle one
----@field piece_radius? number m
----@field frequency? number Hz, of each weld
----@field damping_ratio? number 1 is critical
+---@field rings? integer from 1 to 50; of pieces about the middle one
+---@field piece_radius? number above 0; m
+---@field frequency? number above 0; Hz, of each weld
+---@field damping_ratio? number at least 0; 1 is critical
 ---@field break_force? number at least 0; N, of each joint
 ---@field break_torque? number at least 0; N m, of each joint
----@field density? number kg/m^2
----@field friction? number Coulomb coefficient
----@field restitution? number 0 to 1
+---@field density? number at least 0; kg/m^2
+---@field friction? number at least 0; Coulomb coefficient
+---@field restitution? number from 0 to 1; share of the approach speed given back
 ---@field data? table becomes body.data of every body
 ---@field categories? integer bit set: what the shape is
 ---@field mask? integer bit set: what it collides with; -1 is everything
@@ -1938,14 +1938,14 @@ function cairn.prefab.blob(world, fields) end
 ---@class cairn.prefab.pendulum.Fields
 ---@field x? number m
 ---@field y? number m
----@field bobs? integer two make a double pendulum
----@field rod? number m, from centre to centre
----@field radius? number m, of each bob
+---@field bobs? integer from 1 to 100; two make a double pendulum
+---@field rod? number above 0; m, from centre to centre
+---@field radius? number above 0; m, of each bob
 ---@field angle? number rad, from straight down
----@field damping? number 1/s, of the air
----@field density? number kg/m^2
----@field friction? number Coulomb coefficient
----@field restitution? number 0 to 1
+---@field damping? number at least 0; 1/s, of the air
+---@field density? number at least 0; kg/m^2
+---@field friction? number at least 0; Coulomb coefficient
+---@field restitution? number from 0 to 1; share of the approach speed given back
 ---@field hold_start? boolean whether the start is held
 ---@field start_body? Body by what; absent: the world
 ---@field data? table becomes body.data of every body
@@ -1964,16 +1964,16 @@ function cairn.prefab.pendulum(world, fields) end
 ---@class cairn.prefab.windmill.Fields
 ---@field x? number m
 ---@field y? number m
----@field sails? integer 2 to 24
----@field hub_radius? number m
----@field sail_length? number m
----@field sail_width? number m
----@field tip_speed_ratio? number speed of the tips to that of the wind when nothing brakes
+---@field sails? integer from 2 to 24;
+---@field hub_radius? number above 0; m
+---@field sail_length? number above 0; m
+---@field sail_width? number above 0; m
+---@field tip_speed_ratio? number above 0; speed of the tips to that of the wind when nothing brakes
 ---@field clockwise? boolean which way it turns
----@field friction_torque? number N m, of the hub
----@field density? number kg/m^2
----@field friction? number Coulomb coefficient
----@field restitution? number 0 to 1
+---@field friction_torque? number at least 0; N m, of the hub
+---@field density? number at least 0; kg/m^2
+---@field friction? number at least 0; Coulomb coefficient
+---@field restitution? number from 0 to 1; share of the approach speed given back
 ---@field hold_start? boolean whether the start is held
 ---@field start_body? Body by what; absent: the world
 ---@field data? table becomes body.data of every body
@@ -1992,13 +1992,13 @@ function cairn.prefab.windmill(world, fields) end
 ---@class cairn.prefab.elevator.Fields
 ---@field x? number m
 ---@field y? number m
----@field width? number m, of the platform
----@field thickness? number m
----@field speed? number m/s
----@field load? number kg, that it can carry
----@field density? number kg/m^2
----@field friction? number Coulomb coefficient
----@field restitution? number 0 to 1
+---@field width? number above 0; m, of the platform
+---@field thickness? number above 0; m
+---@field speed? number above 0; m/s
+---@field load? number at least 0; kg, that it can carry
+---@field density? number at least 0; kg/m^2
+---@field friction? number at least 0; Coulomb coefficient
+---@field restitution? number from 0 to 1; share of the approach speed given back
 ---@field floors? table a list of heights over y, m, ascending; absent: { 0, 3, 6 }
 ---@field data? table becomes body.data of every body
 ---@field categories? integer bit set: what the shape is
@@ -2020,9 +2020,9 @@ function cairn.prefab.elevator(world, fields) end
 ---@field direction_y? number
 ---@field motor_speed? number rad/s, of the first wheel
 ---@field max_motor_torque? number at least 0; N m; 0: no motor
----@field density? number kg/m^2
----@field friction? number Coulomb coefficient
----@field restitution? number 0 to 1
+---@field density? number at least 0; kg/m^2
+---@field friction? number at least 0; Coulomb coefficient
+---@field restitution? number from 0 to 1; share of the approach speed given back
 ---@field radii? table a list of radii, m; absent: { 0.5, 1, 0.25 }
 ---@field data? table becomes body.data of every body
 ---@field categories? integer bit set: what the shape is
@@ -2040,14 +2040,14 @@ function cairn.prefab.gear_train(world, fields) end
 ---@class cairn.prefab.pulley_lift.Fields
 ---@field x? number m
 ---@field y? number m
----@field distance? number m, between the centres of the platforms
----@field travel? number m, up and down
----@field width? number m, of each platform
----@field thickness? number m
----@field rope? number m, up to the wheels
----@field ratio? number of a block and tackle on the right
----@field left_density? number kg/m^2
----@field right_density? number kg/m^2
+---@field distance? number above 0; m, between the centres of the platforms
+---@field travel? number above 0; m, up and down
+---@field width? number above 0; m, of each platform
+---@field thickness? number above 0; m
+---@field rope? number above 0; m, up to the wheels
+---@field ratio? number above 0; of a block and tackle on the right
+---@field left_density? number at least 0; kg/m^2
+---@field right_density? number at least 0; kg/m^2
 ---@field data? table becomes body.data of every body
 ---@field categories? integer bit set: what the shape is
 ---@field mask? integer bit set: what it collides with; -1 is everything
