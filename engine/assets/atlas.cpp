@@ -94,6 +94,14 @@ Result<Atlas> load_atlas(const Files& files, std::string_view path) {
     return atlas;
 }
 
+bool is_atlas_text(std::string_view text) {
+    const Json json = Json::parse(text, nullptr, false);
+    if (json.is_discarded())
+        return text.find("\"frames\"") != std::string_view::npos ||
+               text.find("\"meta\"") != std::string_view::npos;
+    return json.is_object() && json.contains("frames") && json.contains("meta");
+}
+
 Result<void> check_atlas(const Atlas& atlas, Size image, std::string_view path) {
     for (const AtlasFrame& frame : atlas.frames) {
         const Rect& r = frame.source;

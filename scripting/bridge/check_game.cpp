@@ -23,6 +23,13 @@ namespace fs = std::filesystem;
 
 constexpr const char* kOwnCheck = "check.lua";
 
+/// What stands below `levels/` and is no level: notes, and files that Tiled keeps beside its maps.
+bool is_beside_levels(std::string_view ending) {
+    constexpr std::string_view kEndings[] = {".md", ".txt",   ".tsx",           ".tsj",          ".tx",
+                                             ".tj", ".world", ".tiled-project", ".tiled-session"};
+    return std::find(std::begin(kEndings), std::end(kEndings), ending) != std::end(kEndings);
+}
+
 class Inspector {
   public:
     Inspector(Machine& machine) : machine_(machine), game_(machine.services(), {.plays_saves = true}) {}
@@ -45,6 +52,12 @@ class Inspector {
             inspect_asset(path, machine_.renderer->load_font(path, 16));
         } else if (ending == ".replay") {
             inspect_replay(path);
+        } else if (ending == ".json" && is_atlas(path)) {
+            inspect_atlas(path);
+        } else if (ending == ".json" && is_level) {
+            inspect_map(path, is_level);
+        } else if (is_level && !is_beside_levels(ending)) {
+            inspect_level(path);
         }
     }
 
@@ -101,6 +114,22 @@ class Inspector {
         if (!text) return note(path, text.error().message);
         ++files_;
         for (const std::string& fault : faults_of_conf(*text, path)) tell(path, fault);
+    }
+
+    bool is_atlas(const std::string& path) const {
+        const auto text = machine_.files->read_text(path);
+        return text && engine::is_atlas_text(*text);
+    }
+
+    void inspect_atlas(const std::string& path) {
+        const auto atlas = engine::load_atlas(*machine_.files, path);
+        if (!atlas) return note(path, atlas.error().message);
+        const auto texture = machine_.renderer->load_texture(atlas->image_path);
+        if (!texture)
+            return note(path, "atlas '" + path + "': meta.image is \"" + atlas->image_path + "\", but " +
+                                  texture.error().message);
+        const auto fits = engine::check_atlas(*atlas, machine_.renderer->texture_size(*texture), path);
+        note(path, fits ? "" : fits.error().message);
     }
 
     /// A map, which may be a level, and the pictures of its tiles.

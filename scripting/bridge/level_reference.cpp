@@ -14,7 +14,8 @@ constexpr const char* kPreamble = R"(# The format of levels
 
 A level is a file of Lua table text that says what stands where. It is read as data and nothing in it is ever run: numbers,
 texts in quotes, `true`, `false`, tables and comments, no names, no calls, no sums. `cairn.level.load "levels/one.lua"` reads it,
-`level:build(world)` makes what it says, `cairn check GAME` examines every file below `levels/` and tells all faults, each with
+`level:build(world)` makes what it says, `cairn check GAME` examines every file below `levels/`, whatever its ending (but for
+assets, `.md`, `.txt` and what Tiled keeps beside its maps), and tells all faults, each with
 file, line, column, the path of the field, the value and the rule:
 
     levels/one.lua:14:30: bodies[3].radius = -1: must be above 0 and at most 1000000

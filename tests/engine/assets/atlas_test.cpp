@@ -24,6 +24,16 @@ struct Folder {
     std::unique_ptr<Files> files;
 };
 
+TEST_CASE("what is meant to be an atlas has frames and meta, or is a damaged one") {
+    CHECK(is_atlas_text(R"({"frames": {}, "meta": {}})"));
+    CHECK(is_atlas_text(R"({"frames": {"a": {"fra)"));
+    CHECK(is_atlas_text(R"({"meta": {"image": "a.png"}, )"));
+    CHECK_FALSE(is_atlas_text(R"({"frames": 3})"));
+    CHECK_FALSE(is_atlas_text(R"([{"frames": {}, "meta": {}}])"));
+    CHECK_FALSE(is_atlas_text("{ 'a game may have a form of its own' }"));
+    CHECK_FALSE(is_atlas_text(""));
+}
+
 }  // namespace
 
 TEST_CASE_METHOD(Folder, "both forms of the format give the same atlas, in the order of the file") {

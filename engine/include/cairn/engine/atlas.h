@@ -28,6 +28,10 @@ struct Atlas {
 /// is relative to the file. Errors name the path, the frame and the rule.
 Result<Atlas> load_atlas(const Files& files, std::string_view path);
 
+/// Whether a JSON text is meant to be an atlas: it has "frames" and "meta", or one of them and is cut off or
+/// otherwise no JSON.
+bool is_atlas_text(std::string_view json);
+
 /// Whether every frame lies inside an image of that size.
 Result<void> check_atlas(const Atlas& atlas, Size image, std::string_view path);
 

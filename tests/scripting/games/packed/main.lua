@@ -1,0 +1,1 @@
+-- A game with atlases, and with levels of an ending of its own.
