@@ -81,7 +81,8 @@ wide unless `scale` says otherwise; the map's bottom left is (0, 0), y points up
 - **Objects** without a class, or with the class `body`, become bodies, static unless the property `type` says otherwise:
   rectangles, ellipses (those that are no circles as eight corners), polygons (as a chain when they are not convex or have more
   than eight corners), lines (as a chain that is solid from above). Properties that are fields of bodies are such; the
-  others become `data`.
+  others become `data`. A tile that is placed as an object becomes a box of its size with the class `body`, and is a picture alone
+  without a class; a text or a point of class `body` is a fault.
 - The **class** `trigger` makes a trigger, `spawn` a spawn, `camera` and `bounds` those of the level. `joint` and `prefab` make
   these at the object's place, with the properties as fields. Any other class is the name of a template.
 - **Properties of the map**: `name`, `gravity_x`, `gravity_y`; `includes` names a file with materials and templates; the others become

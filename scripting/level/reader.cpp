@@ -334,7 +334,10 @@ class Reader {
             level_.parts.push_back(std::move(part));
             return;
         }
-        const std::vector<const Field*> fields = part_fields(kind, part.variant);
+        // A template that is not there may have been to say the shape.
+        const bool has_open_shape = !has_all_layers && part.variant.empty();
+        const std::vector<const Field*> fields =
+            has_open_shape ? fields_of_any_body() : part_fields(kind, part.variant);
         part.is_faulty |= tells([&] { check_.check_fields(entry, fields); });
         if (kind == PartKind::Body) add_named(layers, kMaterial, "material", materials_);
         // What is missing may stand in a template that is not there; that is told.

@@ -85,7 +85,9 @@ bool is_convex(const std::vector<Vec2>& points) {
 
 class MapReader {
   public:
-    MapReader(const engine::TileMap& map, double scale) : map_(map), scale_(scale) {}
+    /// Objects that cannot be what their class says are told in `faults`.
+    MapReader(const engine::TileMap& map, double scale, std::vector<std::string>& faults)
+        : map_(map), scale_(scale), faults_(faults) {}
 
     Value read() {
         for (auto& [name, list] : lists_) list = new_table();
@@ -244,10 +246,17 @@ class MapReader {
 
     void read_body(const MapObject& object) {
         const bool is_plain = object.kind.empty() || object.kind == "body";
-        // Without a class these are pictures and labels.
-        if (is_plain && (object.shape == MapShape::Tile || object.shape == MapShape::Text ||
-                         object.shape == MapShape::Point))
+        const bool is_formless = object.shape == MapShape::Text || object.shape == MapShape::Point;
+        // Without a class these are pictures, labels and marks.
+        if (object.kind.empty() && (is_formless || object.shape == MapShape::Tile)) return;
+        if (is_plain && is_formless) {
+            faults_.push_back("object " + std::to_string(object.id) +
+                              (object.name.empty() ? "" : " \"" + object.name + '"') + " is a " +
+                              (object.shape == MapShape::Text ? "text" : "point") +
+                              " of class \"body\", but a body must have a form: a tile, a rectangle, an "
+                              "ellipse, a polygon or a line");
             return;
+        }
         Value body = named(object);
         if (!is_plain) add_entry(body, "template", to_value(object.kind));
         const bool has_shape = object.shape != MapShape::Point && object.shape != MapShape::Tile;
@@ -357,6 +366,7 @@ class MapReader {
 
     const engine::TileMap& map_;
     double scale_;
+    std::vector<std::string>& faults_;
     std::pair<const char*, Value> lists_[5] = {
         {"bodies", {}}, {"triggers", {}}, {"prefabs", {}}, {"joints", {}}, {"spawns", {}}};
     std::optional<Value> camera_;
@@ -426,7 +436,10 @@ std::optional<Value> tiled_level(const engine::Files& files, std::string_view pa
             "': levels are made of orthogonal maps; this one is isometric, staggered or hexagonal");
     }
     if (!faults.empty()) return std::nullopt;
-    return MapReader(map, scale > 0 ? scale : 1.0 / map.tile_size.width).read();
+    std::vector<std::string> wrong;
+    Value level = MapReader(map, scale > 0 ? scale : 1.0 / map.tile_size.width, wrong).read();
+    for (const std::string& fault : wrong) faults.push_back("map '" + std::string(path) + "': " + fault);
+    return level;
 }
 
 }  // namespace cairn::scripting

@@ -17,7 +17,7 @@
 namespace cairn::scripting {
 
 /// `scale`: metres per pixel; 0: one tile is one metre wide. What is wrong with the map is added to `faults`;
-/// then there is no level.
+/// then there is no level, unless it is wrong with single objects, which the level lacks.
 std::optional<Value> tiled_level(const engine::Files& files, std::string_view path, double scale,
                                  std::vector<std::string>& faults);
 
