@@ -127,6 +127,7 @@ constexpr const Field* kMaterialOwn[] = {&kMaterialName, &kFriction,     &kResti
                                          &kRolling,      &kSurfaceSpeed, &kMaterialKind};
 constexpr const Field* kMatterOwn[] = {&kDensity, &kFriction,     &kRestitution,
                                        &kRolling, &kSurfaceSpeed, &kMaterialKind};
+constexpr const Field* kOtherMatterOwn[] = {&kMaterialName, &kRolling, &kSurfaceSpeed, &kMaterialKind};
 constexpr const Field* kFilterOwn[] = {&kCategories, &kMask, &kGroup, &kContactEvents, &kHitEvents};
 
 // ---- Geometry
@@ -214,6 +215,7 @@ const FieldSet kPlaceFields{kPlaceOwn};
 const FieldSet kDataFields{kShapeDataOwn};
 const FieldSet kMaterialFields{kMaterialOwn};
 const FieldSet kMatterFields{kMatterOwn};
+const FieldSet kOtherMatterFields{kOtherMatterOwn};
 const FieldSet kMaterialNameFields{kMaterialNameOwn};
 const FieldSet kChainShapeFields{kChainOwn};
 const FieldSet kChainOutlineFields{kChainOutlineOwn};
@@ -314,6 +316,16 @@ Matter read_matter(const FieldReader& reader) {
     if (named == nullptr || reader.has(kMaterialKind))
         matter.material.kind = static_cast<int>(reader.integer(kMaterialKind));
     return matter;
+}
+
+void read_other_matter(const FieldReader& reader, physics::ShapeDef& def) {
+    if (const Matter* named = find_material(reader)) {
+        def.density_kg_m2 = named->density_kg_m2;
+        def.material = named->material;
+    }
+    if (reader.has(kRolling)) def.material.rolling_resistance = reader.real(kRolling);
+    if (reader.has(kSurfaceSpeed)) def.material.surface_speed_m_s = reader.real(kSurfaceSpeed);
+    if (reader.has(kMaterialKind)) def.material.kind = static_cast<int>(reader.integer(kMaterialKind));
 }
 
 physics::Material read_material(const FieldReader& reader) {

@@ -42,6 +42,8 @@ extern const FieldSet kBodyAddFields[kGeometryKinds];
 extern const FieldSet kMaterialFields;
 /// The same with the density: what a material with a name is.
 extern const FieldSet kMatterFields;
+/// What things made of several shapes have besides fields of their own for density, friction and restitution.
+extern const FieldSet kOtherMatterFields;
 /// The field by which shapes name one.
 extern const FieldSet kMaterialNameFields;
 /// Of `world:add_chain`, `body:add_chain`, and of the chain alone.
@@ -67,6 +69,9 @@ physics::ShapeDef read_shape_def(const FieldReader& reader);
 void read_filter(const FieldReader& reader, physics::ShapeDef& def);
 /// What the table says, else what the material says that it names, else what is so by default.
 Matter read_matter(const FieldReader& reader);
+/// Of a table with kOtherMatterFields: puts what its material says and what these fields say over what is so
+/// by default there.
+void read_other_matter(const FieldReader& reader, physics::ShapeDef& def);
 /// Of it the part that the surface has.
 physics::Material read_material(const FieldReader& reader);
 /// Pushes a table with the fields of a surface.

@@ -79,6 +79,8 @@ constexpr Field kBreakTorque =
 constexpr Field kData = optional_field("data", FieldType::Table, "becomes body.data of every body");
 constexpr const Field* kCommon[] = {&kData};
 constexpr FieldSet kCommonFields{kCommon, {&kFilterFields}};
+/// The same of those whose shapes, or whose main one, are of one material.
+constexpr FieldSet kOneMatterFields{kCommon, {&kFilterFields, &kOtherMatterFields}};
 
 void read_end(lua_State* L, const FieldReader& reader, const Field& held, const Field& body, PrefabEnd& end) {
     if (reader.has(held)) end.held = reader.boolean(held);
@@ -119,6 +121,7 @@ constexpr std::array kMatter = {
 template <class Def>
 Def read_common(const FieldReader& reader, const auto& parameters) {
     Def def;
+    read_other_matter(reader, def.shape);  // first, for the fields beside a material go before it
     read_parameters(reader, parameters, def);
     read_filter(reader, def.shape);
     return def;
@@ -210,6 +213,8 @@ constexpr Field kDriveTorque =
 constexpr Field kBrakeTorque =
     at_least(number_field("brake_torque", 60, "60", "N m, of each braked wheel"), 0);
 constexpr Field kChassisDensity = at_least(number_field("density", 2, "2", "kg/m^2, of the chassis"), 0);
+constexpr Field kChassisFriction =
+    at_least(number_field("friction", 0.6, "0.6", "Coulomb coefficient, of the chassis"), 0);
 constexpr Field kTyreFriction = at_least(number_field("tyre_friction", 1, "1", ""), 0);
 constexpr Field kTyreDensity = at_least(number_field("tyre_density", 1, "1", "kg/m^2"), 0);
 constexpr Field kWheels = optional_field(
@@ -226,6 +231,8 @@ constexpr std::array kVehicle = {
     parameter<&VehicleDef::drive_torque_nm>(kDriveTorque),
     parameter<&VehicleDef::brake_torque_nm>(kBrakeTorque),
     parameter<&VehicleDef::chassis, &ShapeDef::density_kg_m2>(kChassisDensity),
+    parameter<&VehicleDef::chassis, &ShapeDef::material, &Material::friction>(kChassisFriction),
+    parameter<&VehicleDef::chassis, &ShapeDef::material, &Material::restitution>(kRestitution),
     parameter<&VehicleDef::tyre, &ShapeDef::material, &Material::friction>(kTyreFriction),
     parameter<&VehicleDef::tyre, &ShapeDef::density_kg_m2>(kTyreDensity),
 };
@@ -433,17 +440,17 @@ constexpr auto kLiftFields = fields_with<kLift>();
 
 }  // namespace
 
-const FieldSet PrefabReader<LinkChainDef>::kFields{kChainFields, {&kCommonFields}};
-const FieldSet PrefabReader<RopeDef>::kFields{kRopeFields, {&kCommonFields}};
-const FieldSet PrefabReader<BridgeDef>::kFields{kBridgeFields, {&kCommonFields}};
-const FieldSet PrefabReader<VehicleDef>::kFields{kVehicleFields, {&kCommonFields}};
-const FieldSet PrefabReader<RagdollDef>::kFields{kRagdollFields, {&kCommonFields}};
-const FieldSet PrefabReader<BrickWallDef>::kFields{kWallFields, {&kCommonFields}};
-const FieldSet PrefabReader<BlobDef>::kFields{kBlobFields, {&kCommonFields}};
-const FieldSet PrefabReader<PendulumDef>::kFields{kPendulumFields, {&kCommonFields}};
-const FieldSet PrefabReader<WindmillDef>::kFields{kWindmillFields, {&kCommonFields}};
-const FieldSet PrefabReader<ElevatorDef>::kFields{kElevatorFields, {&kCommonFields}};
-const FieldSet PrefabReader<GearTrainDef>::kFields{kGearFields, {&kCommonFields}};
+const FieldSet PrefabReader<LinkChainDef>::kFields{kChainFields, {&kOneMatterFields}};
+const FieldSet PrefabReader<RopeDef>::kFields{kRopeFields, {&kOneMatterFields}};
+const FieldSet PrefabReader<BridgeDef>::kFields{kBridgeFields, {&kOneMatterFields}};
+const FieldSet PrefabReader<VehicleDef>::kFields{kVehicleFields, {&kOneMatterFields}};
+const FieldSet PrefabReader<RagdollDef>::kFields{kRagdollFields, {&kOneMatterFields}};
+const FieldSet PrefabReader<BrickWallDef>::kFields{kWallFields, {&kOneMatterFields}};
+const FieldSet PrefabReader<BlobDef>::kFields{kBlobFields, {&kOneMatterFields}};
+const FieldSet PrefabReader<PendulumDef>::kFields{kPendulumFields, {&kOneMatterFields}};
+const FieldSet PrefabReader<WindmillDef>::kFields{kWindmillFields, {&kOneMatterFields}};
+const FieldSet PrefabReader<ElevatorDef>::kFields{kElevatorFields, {&kOneMatterFields}};
+const FieldSet PrefabReader<GearTrainDef>::kFields{kGearFields, {&kOneMatterFields}};
 const FieldSet PrefabReader<PulleyLiftDef>::kFields{kLiftFields, {&kCommonFields}};
 
 LinkChainDef PrefabReader<LinkChainDef>::read(lua_State* L, const FieldReader& reader) {
@@ -466,6 +473,7 @@ BridgeDef PrefabReader<BridgeDef>::read(lua_State* L, const FieldReader& reader)
 }
 VehicleDef PrefabReader<VehicleDef>::read(lua_State* L, const FieldReader& reader) {
     VehicleDef def;
+    read_other_matter(reader, def.chassis);
     read_parameters(reader, kVehicle, def);
     read_filter(reader, def.chassis);
     read_filter(reader, def.tyre);

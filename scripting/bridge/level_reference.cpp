@@ -145,7 +145,8 @@ std::string level_reference_markdown() {
 
     add(out, "## prefabs", "", *section_of(PartKind::Prefab).own);
     for (const Function& maker : kPrefabModule.functions)
-        add(out, std::string("### `prefab = \"") + maker.name + "\"`", maker.doc, *maker.fields);
+        add(out, std::string("### `prefab = \"") + maker.name + "\"`", maker.doc,
+            without(part_fields(PartKind::Prefab, maker.name), *section_of(PartKind::Prefab).own));
 
     add(out, "## joints", "`body_a` may be left out: the world.", *section_of(PartKind::Joint).own);
     for (const JointKindFields& joint : kJointKinds)

@@ -168,8 +168,17 @@ std::vector<const Field*> part_fields(PartKind kind, std::string_view variant) {
             static constexpr FieldSet kDataFields{kTriggerDataOwn};
             return joined_fields({own, &kPlaceFields, &kGeometryFields[index], &kFilterFields, &kDataFields});
         }
-        case PartKind::Prefab:
-            return joined_fields({own, kPrefabModule.functions[static_cast<std::size_t>(index)].fields});
+        case PartKind::Prefab: {
+            const FieldSet* made = kPrefabModule.functions[static_cast<std::size_t>(index)].fields;
+            static constexpr const Field* kMaterialOwn[] = {&kMaterial};
+            static constexpr FieldSet kOneOfMaterials{kMaterialOwn};
+            const std::vector<const Field*> fields = all_fields(*made);
+            const bool takes_material = std::any_of(fields.begin(), fields.end(), [](const Field* field) {
+                return std::string_view(field->name) == level_fields::kMaterial;
+            });
+            // The level's own materials, and not those of scripts.
+            return takes_material ? joined_fields({own, &kOneOfMaterials, made}) : joined_fields({own, made});
+        }
         case PartKind::Joint:
             return joined_fields({own, &kJointKinds[index].making});
     }

@@ -339,7 +339,10 @@ class Reader {
         const std::vector<const Field*> fields =
             has_open_shape ? fields_of_any_body() : part_fields(kind, part.variant);
         part.is_faulty |= tells([&] { check_.check_fields(entry, fields); });
-        if (kind == PartKind::Body) add_named(layers, kMaterial, "material", materials_);
+        const bool takes_material = std::any_of(fields.begin(), fields.end(), [](const Field* field) {
+            return std::string_view(field->name) == kMaterial;
+        });
+        if (takes_material) add_named(layers, kMaterial, "material", materials_);
         // What is missing may stand in a template that is not there; that is told.
         if (has_all_layers) part.is_faulty |= tells([&] { check_.check_missing(layers, fields, "body_a"); });
         part.is_faulty |= tells([&] { check_outline(part.variant, layers); });
@@ -521,7 +524,7 @@ class Reader {
         if (part.kind == PartKind::Joint) return;
         const Value* material = find_in(layers, kMaterial);
         const bool has_material =
-            part.kind == PartKind::Body && material != nullptr && material->kind() == Value::Kind::String;
+            part.kind != PartKind::Trigger && material != nullptr && material->kind() == Value::Kind::String;
         if (part.name.empty() && !has_material) return;
         if (part.fields.find("data") == nullptr) {
             Value empty;

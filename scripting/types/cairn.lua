@@ -1765,6 +1765,10 @@ cairn.prefab = {}
 ---@field group? integer from -2147483648 to 2147483647; two shapes of the same group other than 0: positive always collide, negative never
 ---@field contact_events? boolean "begin" and "end" events
 ---@field hit_events? boolean "hit" events
+---@field material? string a name of `cairn.physics.define_material`; what is not said beside it is as there
+---@field rolling_resistance? number at least 0; coefficient: a torque of this times the normal force times the radius resists rolling
+---@field surface_speed? number m/s; a conveyor belt: positive carries what lies on top to the right
+---@field material_kind? integer from 0 to 63; what `world:set_material_rule` knows the material by
 
 ---Rigid links, pinned end to end from x, y on.
 ---@param world World
@@ -1795,6 +1799,10 @@ function cairn.prefab.chain(world, fields) end
 ---@field group? integer from -2147483648 to 2147483647; two shapes of the same group other than 0: positive always collide, negative never
 ---@field contact_events? boolean "begin" and "end" events
 ---@field hit_events? boolean "hit" events
+---@field material? string a name of `cairn.physics.define_material`; what is not said beside it is as there
+---@field rolling_resistance? number at least 0; coefficient: a torque of this times the normal force times the radius resists rolling
+---@field surface_speed? number m/s; a conveyor belt: positive carries what lies on top to the right
+---@field material_kind? integer from 0 to 63; what `world:set_material_rule` knows the material by
 
 ---A rope from x, y to to_x, to_y. It bends freely; what hangs from it does not stretch it.
 ---@param world World
@@ -1827,6 +1835,10 @@ function cairn.prefab.rope(world, fields) end
 ---@field group? integer from -2147483648 to 2147483647; two shapes of the same group other than 0: positive always collide, negative never
 ---@field contact_events? boolean "begin" and "end" events
 ---@field hit_events? boolean "hit" events
+---@field material? string a name of `cairn.physics.define_material`; what is not said beside it is as there
+---@field rolling_resistance? number at least 0; coefficient: a torque of this times the normal force times the radius resists rolling
+---@field surface_speed? number m/s; a conveyor belt: positive carries what lies on top to the right
+---@field material_kind? integer from 0 to 63; what `world:set_material_rule` knows the material by
 
 ---Planks, pinned end to end from x, y to to_x, to_y.
 ---@param world World
@@ -1845,6 +1857,8 @@ function cairn.prefab.bridge(world, fields) end
 ---@field drive_torque? number at least 0; N m, of each driven wheel
 ---@field brake_torque? number at least 0; N m, of each braked wheel
 ---@field density? number at least 0; kg/m^2, of the chassis
+---@field friction? number at least 0; Coulomb coefficient, of the chassis
+---@field restitution? number from 0 to 1; share of the approach speed given back
 ---@field tyre_friction? number at least 0;
 ---@field tyre_density? number at least 0; kg/m^2
 ---@field wheels? table a list of { x = 0, y = 0, radius = 0.4, driven = true, braked = true }, m in the chassis; absent: two
@@ -1854,6 +1868,10 @@ function cairn.prefab.bridge(world, fields) end
 ---@field group? integer from -2147483648 to 2147483647; two shapes of the same group other than 0: positive always collide, negative never
 ---@field contact_events? boolean "begin" and "end" events
 ---@field hit_events? boolean "hit" events
+---@field material? string a name of `cairn.physics.define_material`; what is not said beside it is as there
+---@field rolling_resistance? number at least 0; coefficient: a torque of this times the normal force times the radius resists rolling
+---@field surface_speed? number m/s; a conveyor belt: positive carries what lies on top to the right
+---@field material_kind? integer from 0 to 63; what `world:set_material_rule` knows the material by
 
 ---A chassis on sprung wheels. See `prefab:drive`, `brake` and `coast`.
 ---@param world World
@@ -1879,6 +1897,10 @@ function cairn.prefab.vehicle(world, fields) end
 ---@field group? integer from -2147483648 to 2147483647; two shapes of the same group other than 0: positive always collide, negative never
 ---@field contact_events? boolean "begin" and "end" events
 ---@field hit_events? boolean "hit" events
+---@field material? string a name of `cairn.physics.define_material`; what is not said beside it is as there
+---@field rolling_resistance? number at least 0; coefficient: a torque of this times the normal force times the radius resists rolling
+---@field surface_speed? number m/s; a conveyor belt: positive carries what lies on top to the right
+---@field material_kind? integer from 0 to 63; what `world:set_material_rule` knows the material by
 
 ---A limp human figure of eleven bones with its feet at x, y, facing right; its bodies are `hip`, `torso`, `head`, then `upper_leg`, `lower_leg` twice and `upper_arm`, `lower_arm` twice. Without a `group` it has one of its own, so that its bones do not collide.
 ---@param world World
@@ -1903,6 +1925,10 @@ function cairn.prefab.ragdoll(world, fields) end
 ---@field group? integer from -2147483648 to 2147483647; two shapes of the same group other than 0: positive always collide, negative never
 ---@field contact_events? boolean "begin" and "end" events
 ---@field hit_events? boolean "hit" events
+---@field material? string a name of `cairn.physics.define_material`; what is not said beside it is as there
+---@field rolling_resistance? number at least 0; coefficient: a torque of this times the normal force times the radius resists rolling
+---@field surface_speed? number m/s; a conveyor belt: positive carries what lies on top to the right
+---@field material_kind? integer from 0 to 63; what `world:set_material_rule` knows the material by
 
 ---Bricks in running bond, held by mortar that breaks. Its foot is at x, y.
 ---@param world World
@@ -1928,6 +1954,10 @@ function cairn.prefab.brick_wall(world, fields) end
 ---@field group? integer from -2147483648 to 2147483647; two shapes of the same group other than 0: positive always collide, negative never
 ---@field contact_events? boolean "begin" and "end" events
 ---@field hit_events? boolean "hit" events
+---@field material? string a name of `cairn.physics.define_material`; what is not said beside it is as there
+---@field rolling_resistance? number at least 0; coefficient: a torque of this times the normal force times the radius resists rolling
+---@field surface_speed? number m/s; a conveyor belt: positive carries what lies on top to the right
+---@field material_kind? integer from 0 to 63; what `world:set_material_rule` knows the material by
 
 ---A soft disc of round pieces, welded softly to their neighbours.
 ---@param world World
@@ -1954,6 +1984,10 @@ function cairn.prefab.blob(world, fields) end
 ---@field group? integer from -2147483648 to 2147483647; two shapes of the same group other than 0: positive always collide, negative never
 ---@field contact_events? boolean "begin" and "end" events
 ---@field hit_events? boolean "hit" events
+---@field material? string a name of `cairn.physics.define_material`; what is not said beside it is as there
+---@field rolling_resistance? number at least 0; coefficient: a torque of this times the normal force times the radius resists rolling
+---@field surface_speed? number m/s; a conveyor belt: positive carries what lies on top to the right
+---@field material_kind? integer from 0 to 63; what `world:set_material_rule` knows the material by
 
 ---Bobs on rods without mass, hung from x, y.
 ---@param world World
@@ -1982,6 +2016,10 @@ function cairn.prefab.pendulum(world, fields) end
 ---@field group? integer from -2147483648 to 2147483647; two shapes of the same group other than 0: positive always collide, negative never
 ---@field contact_events? boolean "begin" and "end" events
 ---@field hit_events? boolean "hit" events
+---@field material? string a name of `cairn.physics.define_material`; what is not said beside it is as there
+---@field rolling_resistance? number at least 0; coefficient: a torque of this times the normal force times the radius resists rolling
+---@field surface_speed? number m/s; a conveyor belt: positive carries what lies on top to the right
+---@field material_kind? integer from 0 to 63; what `world:set_material_rule` knows the material by
 
 ---A wheel of sails. See `prefab:blow`.
 ---@param world World
@@ -2006,6 +2044,10 @@ function cairn.prefab.windmill(world, fields) end
 ---@field group? integer from -2147483648 to 2147483647; two shapes of the same group other than 0: positive always collide, negative never
 ---@field contact_events? boolean "begin" and "end" events
 ---@field hit_events? boolean "hit" events
+---@field material? string a name of `cairn.physics.define_material`; what is not said beside it is as there
+---@field rolling_resistance? number at least 0; coefficient: a torque of this times the normal force times the radius resists rolling
+---@field surface_speed? number m/s; a conveyor belt: positive carries what lies on top to the right
+---@field material_kind? integer from 0 to 63; what `world:set_material_rule` knows the material by
 
 ---A platform that goes between floors. See `prefab:send` and `is_at`; floor 0 is the first one.
 ---@param world World
@@ -2030,6 +2072,10 @@ function cairn.prefab.elevator(world, fields) end
 ---@field group? integer from -2147483648 to 2147483647; two shapes of the same group other than 0: positive always collide, negative never
 ---@field contact_events? boolean "begin" and "end" events
 ---@field hit_events? boolean "hit" events
+---@field material? string a name of `cairn.physics.define_material`; what is not said beside it is as there
+---@field rolling_resistance? number at least 0; coefficient: a torque of this times the normal force times the radius resists rolling
+---@field surface_speed? number m/s; a conveyor belt: positive carries what lies on top to the right
+---@field material_kind? integer from 0 to 63; what `world:set_material_rule` knows the material by
 
 ---Wheels in a row that turn each other without slip.
 ---@param world World

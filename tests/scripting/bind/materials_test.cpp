@@ -59,6 +59,64 @@ TEST_CASE_METHOD(Materials, "chains and the surfaces of shapes that are there ta
     CHECK(value("of(box)") == "4 0.5 0.75 0.125 2 7");  // a surface has no density
 }
 
+TEST_CASE_METHOD(Materials, "prefabs take materials, and what stands beside one goes before") {
+    const auto of = [&](const std::string& prefab, const std::string& fields) {
+        return value("of(cairn.prefab." + prefab + "(world, {" + fields + "}):bodies()[1])");
+    };
+    for (const char* prefab : {"vehicle", "ragdoll", "brick_wall", "blob"}) {
+        INFO(prefab);
+        CHECK(of(prefab, "material = 'wood'") == "0.5 0.25 0.75 0.125 2 7");
+        CHECK(of(prefab,
+                 "material = 'wood', density = 3, friction = 0, restitution = 0.5, rolling_resistance = 1, "
+                 "surface_speed = 4, material_kind = 1") == "3 0 0.5 1 4 1");
+        CHECK(of(prefab, "material = 'wood', friction = 0.5") == "0.5 0.5 0.75 0.125 2 7");
+    }
+    for (const char* prefab : {"chain", "rope", "bridge", "pendulum", "windmill", "elevator", "gear_train",
+                               "vehicle", "ragdoll"}) {
+        INFO(prefab);
+        REQUIRE(run("n = 0 for _, body in ipairs(cairn.prefab." + std::string(prefab) +
+                    "(world, { material = 'wood' }):bodies()) do for _, shape in ipairs(body:shapes()) do "
+                    "if told(shape) == '0.5 0.25 0.75 0.125 2 7' then n = n + 1 end end end") == "");
+        CHECK(value("n > 0") == "true");
+    }
+    CHECK_THAT(run("cairn.prefab.rope(world, { material = 'wod' })"),
+               Contains("material = \"wod\": no such material; did you mean \"wood\"?"));
+    CHECK_THAT(run("cairn.prefab.pulley_lift(world, { material = 'wood' })"),
+               Contains("unknown field \"material\""));
+}
+
+TEST_CASE("prefabs of a level are of its materials") {
+    LuaBench bench(GameFiles{{"made.lua", R"({
+    materials = { wood = { density = 0.5, friction = 0.25, rolling_resistance = 0.125, material_kind = 7 } },
+    prefabs = {
+        { name = "wall", prefab = "brick_wall", material = "wood", restitution = 0.5 },
+        { name = "car", prefab = "vehicle", x = 20, material = "wood", density = 3 },
+    },
+})"},
+                             {"bad.lua", R"({
+    materials = { wood = {} },
+    prefabs = {
+        { prefab = "rope", material = "wod", frction = 1 },
+        { prefab = "pulley_lift", material = "wood" },
+    },
+})"}});
+    REQUIRE(bench.run("w = cairn.physics.new_world{} l = cairn.level.load('made.lua') l:build(w)\n"
+                      "function told(name)\n"
+                      "  local body = l:prefab(name):bodies()[1] local shape = body:shapes()[1]\n"
+                      "  local m = shape:material()\n"
+                      "  return ('%g %g %g %g %d %s'):format(shape:density(), m.friction, m.restitution, "
+                      "m.rolling_resistance, m.material_kind, body.data.material)\n"
+                      "end") == "");
+    CHECK(bench.value("told('wall')") == "0.5 0.25 0.5 0.125 7 wood");
+    CHECK(bench.value("told('car')") == "3 0.25 0 0.125 7 wood");
+    REQUIRE(bench.run("faults = cairn.level.check('bad.lua')") == "");
+    INFO(bench.value("table.concat(faults, '\\n')"));
+    CHECK(bench.value("#faults") == "3");
+    CHECK_THAT(bench.value("faults[1]"), Contains("prefabs[1].material = \"wod\": no such material"));
+    CHECK_THAT(bench.value("faults[2]"), Contains("prefabs[1].frction = 1: unknown field"));
+    CHECK_THAT(bench.value("faults[3]"), Contains("prefabs[2].material = \"wood\": unknown field"));
+}
+
 TEST_CASE_METHOD(Materials, "a name can be given anew, for what is made from then on") {
     REQUIRE(run("before = world:add_circle{ radius = 1, material = 'wood' }\n"
                 "cairn.physics.define_material('wood', { density = 2 })\n"
