@@ -337,7 +337,7 @@ class MapReader {
         const std::string type = node.text("type");
         if (type == "group")
             return add_layers(node, layer.name + '/', layer.offset, layer.opacity, layer.is_visible);
-        if (type == "imagelayer") return;  // pictures behind maps are drawn by games themselves
+        if (type == "imagelayer") return map_.image_layers.push_back(layer.name);
         if (type == "tilelayer") {
             read_tiles(node, layer);
         } else if (type == "objectgroup") {

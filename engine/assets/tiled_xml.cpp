@@ -110,6 +110,21 @@ Json tile_set(const pugi::xml_node& node) {
     return json;
 }
 
+/// The tiles of a layer or of a chunk: text in some encoding, or an element for each, without `gid` where the
+/// cell is empty.
+Json tiles(const pugi::xml_node& data) {
+    if (!data.child("tile")) return data.child_value();
+    Json list = Json::array();
+    for (const pugi::xml_node& tile : data.children("tile")) {
+        const std::string_view text = tile.attribute("gid").as_string("0");
+        std::uint32_t bits = 0;
+        const auto end = std::from_chars(text.data(), text.data() + text.size(), bits);
+        const bool is_number = end.ec == std::errc{} && end.ptr == text.data() + text.size();
+        list.push_back(is_number ? Json(bits) : Json(text));
+    }
+    return list;
+}
+
 Json layers(const pugi::xml_node& parent) {
     Json list = Json::array();
     for (const pugi::xml_node& node : parent.children()) {
@@ -123,10 +138,10 @@ Json layers(const pugi::xml_node& parent) {
             const pugi::xml_node data = node.child("data");
             for (const char* field : {"encoding", "compression"})
                 if (data.attribute(field)) json[field] = data.attribute(field).value();
-            json["data"] = data.child_value();
+            json["data"] = tiles(data);
             for (const pugi::xml_node& part : data.children("chunk")) {
                 Json chunk = attributes(part);
-                chunk["data"] = part.child_value();
+                chunk["data"] = tiles(part);
                 json["chunks"].push_back(std::move(chunk));
             }
         }

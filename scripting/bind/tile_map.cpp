@@ -389,7 +389,13 @@ int finalize_tile_map(lua_State* L) {
     return 0;
 }
 
-const Module kTileMapModule = {"cairn.tilemap", "Maps drawn with the editor Tiled.", kModuleFunctions};
+const Module kTileMapModule = {
+    "cairn.tilemap",
+    "Maps drawn with the editor Tiled. Image layers are not drawn, and `cairn check` tells where a map has "
+    "some: "
+    "a game draws such a picture itself.",
+    kModuleFunctions,
+};
 const Module kTileMapMethods = {"TileMap", "A map of tiles and objects.", kMethods, true};
 
 }  // namespace cairn::scripting

@@ -94,12 +94,35 @@ TEST_CASE_METHOD(Maps, "every way to write the tiles gives the same tiles") {
           "<data encoding=\"base64\" compression=\"zlib\">eJxjZIAAZiBmAmJWIOYAYgAAwAAU</data>",
           "<data encoding=\"base64\" "
           "compression=\"gzip\">H4sIAAAAAAACA2NkgABmIGYCYlYg5gBiAOGjQ2oYAAAA</data>",
-          "<data encoding=\"csv\">1,0,3,2,5,8</data>"}) {
+          "<data encoding=\"csv\">1,0,3,2,5,8</data>",
+          "<data><tile gid=\"1\"/><tile/><tile gid=\"3\"/>\n<tile gid=\"2\"/><tile gid=\"5\"/><tile "
+          "gid=\"8\"/></data>"}) {
         INFO(data);
         const auto map = load("b.tmx", tmx(data));
         if (!map) FAIL(map.error().message);
         CHECK(ids(map->layers[0]) == expected);
     }
+}
+
+TEST_CASE_METHOD(Maps, "elements for tiles keep their flags, and are counted and checked") {
+    const auto map =
+        load("e.tmx", tmx("<data><tile gid=\"2147483650\"/><tile/><tile/><tile/><tile/><tile/></data>"));
+    REQUIRE(map);
+    CHECK(map->layers[0].tiles[0] == Tile{.id = 2, .flip_x = true});
+    CHECK_THAT(load("e.tmx", tmx("<data><tile gid=\"1\"/></data>")).error().message,
+               Catch::Contains("data has 1 tiles, but there are 6 cells"));
+    CHECK_THAT(load("e.tmx", tmx("<data><tile gid=\"-1\"/></data>")).error().message,
+               Catch::Contains("must hold tile numbers"));
+}
+
+TEST_CASE_METHOD(Maps, "image layers are no layers of the map, and their names are told") {
+    const auto map = load(
+        "i.tmx",
+        tmx(kCsv,
+            "<group name=\"far\"><imagelayer name=\"sky\"><image source=\"sky.png\"/></imagelayer></group>"));
+    REQUIRE(map);
+    CHECK(map->layers.size() == 1);
+    CHECK(map->image_layers == std::vector<std::string>{"far/sky"});
 }
 
 TEST_CASE_METHOD(Maps, "JSON says the same as XML") {

@@ -108,6 +108,8 @@ struct TileMap {
     Stagger stagger;               ///< of a staggered grid
     std::vector<TileSet> sets;     ///< by first_id
     std::vector<MapLayer> layers;  ///< the lowest first; those in groups are named "group/layer"
+    /// Names of layers that are pictures: games draw these themselves.
+    std::vector<std::string> image_layers;
     TileProperties properties;
     std::optional<Color> background;
 
@@ -146,9 +148,9 @@ struct TileMap {
 };
 
 /// Orthogonal, isometric, staggered and hexagonal maps. An infinite one is as large as what was drawn in it:
-/// its first cell is at the upper left corner of that, and objects are counted from there. Layer data as CSV
-/// or base64, plain or compressed with zlib or gzip. Errors name the file, the place in it, the value and the
-/// rule.
+/// its first cell is at the upper left corner of that, and objects are counted from there. Layer data as CSV,
+/// as base64, plain or compressed with zlib or gzip, or as XML elements. Errors name the file, the place in
+/// it, the value and the rule.
 Result<TileMap> load_tile_map(const Files& files, std::string_view path);
 
 /// The same with all that is wrong, not only the first fault: each is one text.
