@@ -26,7 +26,9 @@ class Node {
         if (!json_.is_object()) fail("must be an object");
     }
 
-    [[noreturn]] void fail(const std::string& rule) const { throw Fault{place_ + ": " + rule}; }
+    [[noreturn]] void fail(const std::string& rule) const {
+        throw Fault{(place_.empty() ? "" : place_ + ": ") + rule};  // the file as a whole has no place
+    }
     [[noreturn]] void fail(const char* field, const std::string& rule) const {
         const auto found = json_.find(field);
         const std::string value = found == json_.end() ? "missing" : found->dump().substr(0, 40);

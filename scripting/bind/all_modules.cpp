@@ -78,7 +78,7 @@ void register_all(lua_State* L) {
     add_functions(L, kCoreModule);
     lua_pushliteral(L, CAIRN_VERSION);
     lua_setfield(L, -2, "version");
-    report_misspelt_modules(L);
+    guard_members(L);
     lua_setglobal(L, "cairn");
     install_require(L);
 }

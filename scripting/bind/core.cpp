@@ -206,12 +206,27 @@ int require_module(lua_State* L) {
     return 1;
 }
 
+/// __newindex of `cairn`: a callback that is none is told where it is given, because a call by the program
+/// has no place in a script.
+int set_member(lua_State* L) {
+    if (lua_type(L, 2) == LUA_TSTRING && !lua_isnil(L, 3) && !lua_isfunction(L, 3)) {
+        const std::string_view name = lua_tostring(L, 2);
+        const auto callbacks = callback_names();
+        if (std::find(callbacks.begin(), callbacks.end(), name) != callbacks.end())
+            raise(L, "cairn." + std::string(name) + " is " + describe_value(L, 3) + "; expected a function");
+    }
+    lua_rawset(L, 1);
+    return 0;
+}
+
 }  // namespace
 
-void report_misspelt_modules(lua_State* L) {
-    lua_createtable(L, 0, 2);
+void guard_members(lua_State* L) {
+    lua_createtable(L, 0, 3);
     lua_pushcfunction(L, find_slip);
     lua_setfield(L, -2, "__index");
+    lua_pushcfunction(L, set_member);
+    lua_setfield(L, -2, "__newindex");
     lua_pushboolean(L, 0);
     lua_setfield(L, -2, "__metatable");
     lua_setmetatable(L, -2);

@@ -39,18 +39,19 @@ using Probability = Ranged<kShare, double>;
 using Deviation = Ranged<kNotNegative, double>;
 
 /// `low` and `high` are the last two arguments.
-[[noreturn]] void interval_error(lua_State* L) {
+[[noreturn]] void interval_error(lua_State* L, const char* rule) {
     call_error(L, "low is " + describe_value(L, -2) + " and high is " + describe_value(L, -1) +
-                      "; expected low <= high, and no more than 1.8e308 between them");
+                      "; expected " + rule);
 }
 
 double number_from(lua_State* L, engine::Random& random, double low, double high) {
-    if (!(low <= high) || !std::isfinite(high - low)) interval_error(L);
+    if (!(low <= high) || !std::isfinite(high - low))
+        interval_error(L, "low <= high, and no more than 1.8e308 between them");
     return random.uniform(low, high);
 }
 
 std::int64_t integer_from(lua_State* L, engine::Random& random, std::int64_t low, std::int64_t high) {
-    if (low > high) interval_error(L);
+    if (low > high) interval_error(L, "low <= high");
     return random.range(low, high);
 }
 

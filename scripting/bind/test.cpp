@@ -58,7 +58,7 @@ engine::Key to_key(lua_State* L, std::string_view name) {
 }
 engine::MouseButton to_button(lua_State* L, std::optional<std::string_view> name) {
     const auto button = engine::mouse_button_from_name(name.value_or("left"));
-    if (!button) argument_error(L, 3, "\"left\", \"middle\" or \"right\"");
+    if (!button) argument_error(L, 3, "\"left\", \"middle\", \"right\", \"x1\" or \"x2\"");
     return *button;
 }
 

@@ -2,11 +2,13 @@
 #include "command_line.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <charconv>
 #include <cstdio>
 #include <limits>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 #include <cairn/engine/result.h>
 #include <cairn/scripting/reference.h>
@@ -125,6 +127,27 @@ std::string unknown_word_message(const CLI::App& app, const std::string& word) {
     return "unknown command \"" + word + "\"" + scripting::suggestion(word, command_names(app));
 }
 
+/// How many of the words are the program's own: those before the first -- of `cairn play`, and up to the
+/// script of `cairn run`. The others are the game's: CLI11 would look for options in them, and put them in
+/// another order.
+int own_words(int argc, char** argv) {
+    const std::string_view command = argc < 2 ? "" : argv[1];
+    const auto is_separator = [](std::string_view word) { return word == "--"; };
+    const auto is_script = [](std::string_view word) { return !word.starts_with('-'); };
+    if (command == "play") return static_cast<int>(std::find_if(argv + 2, argv + argc, is_separator) - argv);
+    if (command != "run") return argc;
+    const auto script = std::find_if(argv + 2, argv + argc, is_script);
+    return static_cast<int>(std::min(script + 1, argv + argc) - argv);
+}
+
+/// The game's words, without the first --, which says only where they begin.
+std::vector<std::string> words_behind(int own, int argc, char** argv) {
+    std::vector<std::string> words(argv + own, argv + argc);
+    const auto separator = std::find(words.begin(), words.end(), "--");
+    if (separator != words.end()) words.erase(separator);
+    return words;
+}
+
 }  // namespace
 
 ParsedLine parse_command_line(int argc, char** argv, bool can_launch) {
@@ -173,7 +196,6 @@ ParsedLine parse_command_line(int argc, char** argv, bool can_launch) {
     CLI::App* run_command = app.add_subcommand("run", "run a Lua file headlessly");
     run_command->add_option("FILE", line.target, "the .lua file")->required();
     run_command->add_option("ARGS", line.arguments, "the script's own arguments");
-    run_command->prefix_command();
 
     CLI::App* test_command = app.add_subcommand("test", "run the tests of a game: its tests/*.lua");
     test_command->add_option("GAME", line.target, "as for cairn play")->required();
@@ -204,8 +226,9 @@ ParsedLine parse_command_line(int argc, char** argv, bool can_launch) {
     help_command->add_flag("--levels", wants_levels, "print the format of levels in Markdown");
     help_command->add_flag("--types", wants_types, "print annotations for the Lua language server");
 
+    const int own = own_words(argc, argv);
     try {
-        app.parse(argc, argv);
+        app.parse(own, argv);
     } catch (const CLI::CallForHelp&) {
         const CLI::App* command = &app;
         for (const CLI::App* chosen : app.get_subcommands()) command = chosen;
@@ -231,14 +254,12 @@ ParsedLine parse_command_line(int argc, char** argv, bool can_launch) {
         parsed.status = 1;
         return parsed;
     }
-    play.arguments = line.arguments;
     if (argc == 1 && can_launch) line.command = Command::Launch;
     if (wants_version) line.command = Command::Version;
     if (play_command->parsed()) line.command = Command::Play;
-    if (run_command->parsed()) {
-        line.command = Command::Run;
-        for (const std::string& word : run_command->remaining()) line.arguments.push_back(word);
-    }
+    if (run_command->parsed()) line.command = Command::Run;
+    for (std::string& word : words_behind(own, argc, argv)) line.arguments.push_back(std::move(word));
+    play.arguments = line.arguments;
     if (test_command->parsed()) line.command = Command::Test;
     if (check_command->parsed()) line.command = Command::Check;
     if (new_command->parsed()) line.command = Command::New;

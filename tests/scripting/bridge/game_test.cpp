@@ -62,7 +62,8 @@ TEST_CASE("a window closed while the game loads ends it in its first update, wit
 
 TEST_CASE("a callback that is no function is an error that names it") {
     LuaBench bench;
-    REQUIRE(bench.run("cairn.update = 12") == "");
+    CHECK(bench.run("\ncairn.draw = 5") == "test.lua:2: cairn.draw is 5; expected a function");
+    REQUIRE(bench.run("cairn.draw = nil cairn.best = 5 function cairn.update() end cairn.update = 12") == "");
     const auto error = bench.game().update({});
     REQUIRE(error);
     CHECK(error->message == "cairn.update is 12; expected a function");

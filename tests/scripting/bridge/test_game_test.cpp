@@ -69,6 +69,16 @@ end))",
                     main) == 0);
 }
 
+TEST_CASE("a mouse button that there is not is answered with all that there are") {
+    CHECK(status_of(R"(
+cairn.test.test("buttons", function()
+    cairn.test.start{}
+    for _, name in ipairs{ "left", "middle", "right", "x1", "x2" } do cairn.test.mouse_press(1, 1, name) end
+    cairn.test.expect_error(function() cairn.test.mouse_press(1, 1, "lft") end,
+        'button is "lft"; expected "left", "middle", "right", "x1" or "x2"')
+end))") == 0);
+}
+
 TEST_CASE("a recording made by a test plays again to the same end") {
     CHECK(status_of(R"(
 local test = cairn.test

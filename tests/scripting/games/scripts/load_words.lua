@@ -1,0 +1,1 @@
+function cairn.load(words) print(table.concat(words, " ")) end
