@@ -9,7 +9,7 @@ namespace cairn::scripting {
 namespace fs = std::filesystem;
 
 namespace {
-/// Files that are new matter less than those that change.
+/// New files that nobody has looked for matter less than those that change.
 constexpr double kSearchPeriod_s = 1;
 }  // namespace
 
@@ -43,6 +43,12 @@ void FileWatch::find_files(bool are_new) {
         const State state = state_of(entry->path());
         files_[path] = {.seen = state, .told = are_new ? State{} : state};
     }
+}
+
+void FileWatch::expect(const std::string& path) {
+    if (is_full() || files_.contains(path)) return;
+    const State state = state_of(folder_ / path);
+    files_[path] = {.seen = state, .told = state};
 }
 
 std::vector<std::string> FileWatch::changes(double now_s) {

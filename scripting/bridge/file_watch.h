@@ -25,6 +25,12 @@ class FileWatch {
     /// call. Cheap to call in every frame. `now_s` never goes back.
     std::vector<std::string> changes(double now_s);
 
+    /// Looks at this file too, below the folder, although it may not be there yet: when it comes, that is
+    /// told as soon as a change is. Cheap for one that it looks at anyway.
+    void expect(const std::string& path);
+    /// Expects no more.
+    bool is_full() const { return files_.size() >= kMostFiles; }
+
   private:
     struct State {
         std::int64_t modified_ns = 0;

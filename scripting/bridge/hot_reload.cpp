@@ -23,18 +23,31 @@ std::string folder_of(const GameSource& source) {
     return (is_folder(source) ? path : path.parent_path()).string();
 }
 
+/// In small letters, as cameras and other systems do not write it.
+std::string ending_of(const std::string& path) {
+    std::string ending = fs::path(path).extension().string();
+    for (char& c : ending) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c;
+    return ending;
+}
 bool is_image(const std::string& path) {
-    return path.ends_with(".png") || path.ends_with(".jpg") || path.ends_with(".jpeg");
+    const std::string ending = ending_of(path);
+    return ending == ".png" || ending == ".jpg" || ending == ".jpeg";
 }
 bool is_sound(const std::string& path) {
-    return path.ends_with(".wav") || path.ends_with(".ogg") || path.ends_with(".mp3") ||
-           path.ends_with(".flac");
+    const std::string ending = ending_of(path);
+    return ending == ".wav" || ending == ".ogg" || ending == ".mp3" || ending == ".flac";
 }
-/// What scripts are made of, or read while they load.
-bool is_script(const std::string& path) {
-    const bool is_read = path.ends_with(".lua") || path.ends_with(".json") || path.ends_with(".tmx") ||
-                         path.ends_with(".tmj") || path.ends_with(".tsx") || path.ends_with(".tsj");
-    return is_read && path != "conf.lua" && path != "check.lua" && !path.starts_with("tests/");
+/// The player's saves, which the game writes itself; a game's own folder of this name is hidden behind them.
+bool is_save(const std::string& path) {
+    return path.starts_with("save/");
+}
+/// What scripts may be made of, or read: of any name, for levels and data have the endings that a game likes.
+/// Not what only the program and tests read, nor what editors leave beside a file in a folder that was
+/// listed.
+bool can_be_read(const std::string& path) {
+    const bool is_leftover = path.ends_with('~') || path.ends_with('#');
+    return !is_leftover && !is_save(path) && path != "conf.lua" && path != "check.lua" &&
+           !path.starts_with("tests/");
 }
 
 }  // namespace
@@ -42,12 +55,23 @@ bool is_script(const std::string& path) {
 HotReload::HotReload(const GameSource& source, Machine& machine, const std::vector<std::string>& arguments)
     : machine_(machine), arguments_(arguments), watch_(folder_of(source), is_folder(source)) {}
 
+void HotReload::expect_what_is_missing() {
+    const auto& asked_for = machine_.files->asked_for();
+    if (asked_for.size() == expected_ || watch_.is_full()) return;
+    expected_ = asked_for.size();
+    for (const std::string& path : asked_for) {
+        // Whatever leads out of the folder is none of the game's files.
+        if (!is_save(path) && engine::check_virtual_path(path)) watch_.expect(path);
+    }
+}
+
 bool HotReload::has_changes(double now_s) {
+    expect_what_is_missing();
     for (std::string& path : watch_.changes(now_s)) {
         if (path == "conf.lua")
             engine::log(engine::LogLevel::Info, "conf.lua counts when the game is started the next time");
-        const bool is_used_script = is_script(path) && machine_.files->was_asked_for(path);
-        if (!is_image(path) && !is_sound(path) && !is_used_script) continue;
+        const bool is_used = can_be_read(path) && machine_.files->was_asked_for(path);
+        if (!is_image(path) && !is_sound(path) && !is_used) continue;
         changed_.insert(std::move(path));
         has_news_ = true;
     }

@@ -3,6 +3,7 @@
 // game does not use changes nothing.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <set>
 #include <string>
@@ -37,6 +38,8 @@ class HotReload {
     }
 
   private:
+    /// Files that the game has asked for and not found are looked at as those that it has.
+    void expect_what_is_missing();
     /// Of those that changed; they are taken out.
     std::set<std::string> take(bool (*belongs)(const std::string& path));
     /// Of those among the files that the game runs.
@@ -46,6 +49,7 @@ class HotReload {
     Machine& machine_;
     std::vector<std::string> arguments_;
     FileWatch watch_;
+    std::size_t expected_ = 0;  ///< how many of those that the game has asked for
     std::set<std::string> changed_;
     bool has_news_ = false;
 };

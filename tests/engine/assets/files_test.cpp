@@ -62,6 +62,8 @@ TEST_CASE("a file counts as asked for when it was read, looked for or listed, be
         CHECK(files->was_asked_for(path));
     for (const char* path : {"new.lua", "other/two.json", "data/below/new.json", "rea"})
         CHECK_FALSE(files->was_asked_for(path));
+    CHECK(files->asked_for() ==
+          std::set<std::string, std::less<>>{"read.lua", "gone.lua", "maybe.lua", "data"});
 }
 
 TEST_CASE("files of a mounted folder are read, listed and told apart from folders") {

@@ -276,5 +276,71 @@ TEST_CASE("images show what their files hold now; one that is damaged leaves the
     }
 }
 
+TEST_CASE(
+    "a file that the game has looked for in vain is taken in as soon as a change is, once it is there") {
+    const char* const looks = "found = cairn.files.exists('a.txt') or cairn.files.exists('deep/b.lua')";
+    for (const char* name : {"a.txt", "deep/b.lua"}) {
+        Running run(GameFiles{{"main.lua", looks}});
+        // However long ago it looked for new files: each half second is the first or the second of its
+        // searches.
+        for (int round = 0; round < 3; ++round) {
+            run.save(name, std::to_string(round));
+            CHECK(run.look());
+            CHECK(run.reload->take_in(*run.game).wants_restart);
+            fs::remove(fs::path(run.folder.path()) / name);
+            CHECK_FALSE(run.look());
+        }
+        // What it has not looked for, and what lies outside, is nothing to it.
+        run.save("c.txt", "1");
+        CHECK_FALSE(run.look());
+    }
+}
+
+TEST_CASE("what scripts read starts the game anew, whatever its ending; saves do not") {
+    Running run({{"main.lua",
+                  "text = cairn.files.read 'words.txt' rows = cairn.files.read 'TABLE.CSV'\n"
+                  "data = cairn.files.read_data 'waves.dat' saved = cairn.files.exists 'save/best.txt'\n"
+                  "all = cairn.files.list 'quotes'"},
+                 {"words.txt", "one"},
+                 {"TABLE.CSV", "1,2"},
+                 {"waves.dat", "{}"},
+                 {"save/best.txt", "1"},
+                 {"other.txt", "1"},
+                 {"quotes/first.txt", "1"},
+                 {"quotes/second.txt~", "1"}});
+    for (const char* name : {"words.txt", "TABLE.CSV", "waves.dat", "quotes/first.txt"}) {
+        CAPTURE(name);
+        run.save(name, "{ 1 }");
+        CHECK(run.look());
+        CHECK(run.reload->take_in(*run.game).wants_restart);
+    }
+    for (const char* name : {"save/best.txt", "other.txt", "quotes/second.txt~"}) {
+        CAPTURE(name);
+        run.save(name, "22");
+        CHECK_FALSE(run.look());
+    }
+}
+
+TEST_CASE("levels of any name, and images and sounds with capital endings, change in place") {
+    Running run({{"levels/one.level", level_with("")},
+                 {"main.lua",
+                  "world = cairn.physics.new_world{} level = cairn.level.load 'levels/one.level' "
+                  "level:build(world)"}});
+    run.save("levels/one.level", level_with("{ shape = 'box', width = 1, height = 1 }"));
+    REQUIRE(run.look());
+    const auto outcome = run.reload->take_in(*run.game);
+    CHECK_FALSE(outcome.error);
+    CHECK_FALSE(outcome.wants_restart);
+    CHECK(run.value("world:body_count()") == "2");
+    for (const char* name : {"G.PNG", "g.Jpg", "G.WAV", "music.OGG"}) {
+        CAPTURE(name);
+        run.save(name, "1");
+        run.look();
+        run.save(name, "22");
+        CHECK(run.look());
+        CHECK_FALSE(run.reload->take_in(*run.game).wants_restart);
+    }
+}
+
 }  // namespace
 }  // namespace cairn::scripting::test

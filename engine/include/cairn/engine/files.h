@@ -63,6 +63,8 @@ class Files {
     /// Whether anybody has asked for the file, with or without success: read it, looked whether it is there,
     /// or listed its folder. What nobody asked for can be of no effect.
     bool was_asked_for(std::string_view path) const;
+    /// The files and folders themselves, those that are not there too.
+    const std::set<std::string, std::less<>>& asked_for() const { return asked_for_; }
 
     /// A number that changes whenever the file is saved: nanoseconds since some fixed time.
     Result<std::int64_t> modified_ns(std::string_view path) const;
