@@ -59,6 +59,8 @@ class Energies {
         const double lacking = energy - unbounced_;
         if (!(lacking > 0)) return 0;
         const double share = (std::sqrt(crossed_ * crossed_ + added_ * lacking) - crossed_) / added_;
+        // Beyond all measure: what became infinite is halted, and must not draw the others with it.
+        if (!std::isfinite(share)) return 1;
         return static_cast<float>(std::clamp(share, 0.0, kMostShare));
     }
 

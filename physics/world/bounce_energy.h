@@ -1,7 +1,7 @@
 // Bounces that win no energy. Each impact gives back a share of the speed at which its own surfaces closed
 // in, which is right for one impact. Where a body has several within a step, as a ball between a wall and
-// another ball, or a bar that comes down on both ends, the shares add up to more than the bodies had: a
-// hundred elastic discs at 70 m/s in a box had a thousand times their energy after two seconds.
+// another ball, or a bar that comes down on both ends, the shares may add up to more than the bodies had
+// (docs/adr/019-bounces-win-no-energy.md).
 #pragma once
 
 #include <array>

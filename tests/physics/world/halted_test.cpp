@@ -25,6 +25,7 @@ const std::vector<Hold>& holds() {
     static const std::vector<Hold> all{
         {"nothing but a filter"},
         {"a bounce", {.restitution = 0.5f}},
+        {"a smooth bounce", {.friction = 0, .restitution = 1}},
         {"rolling resistance", {.rolling_resistance = 0.1f}},
         {"a distance", {}, DistanceJointDef{.local_anchor_a_m = {20, 5}, .length_m = 3}},
         {"a spring", {}, DistanceJointDef{.local_anchor_a_m = {20, 5}, .length_m = 3, .enable_spring = true}},
