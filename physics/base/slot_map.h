@@ -31,7 +31,7 @@ class SlotMap {
         CAIRN_ASSERT(!full(), "a world holds too many objects of one kind");
         ++size_;
         if (free_head_ == kNone) {
-            slots_.push_back({std::move(value), 0, kNone, true});
+            slots_.push_back({0, kNone, true, std::move(value)});
             return static_cast<int>(slots_.size()) - 1;
         }
         const int index = free_head_;
@@ -77,12 +77,14 @@ class SlotMap {
 
   private:
     friend struct StateAccess;
+    template <class Map>
+    friend class Lookup;
 
     struct Slot {
-        T value;
         std::uint32_t generation;
         int next_free;
-        bool alive;
+        bool alive;  // ahead of the value: both are looked at together
+        T value;
     };
 
     std::vector<Slot> slots_;

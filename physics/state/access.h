@@ -15,13 +15,6 @@ struct StateAccess {
         return use(slots, free_head, free, size);
     }
 
-    /// use(value, generation, next free slot, alive).
-    template <class Slot, class Use>
-    static auto slot(Slot& slot, Use&& use) {
-        auto& [value, generation, next_free, alive] = slot;
-        return use(value, generation, next_free, alive);
-    }
-
     template <class List, class Use>
     static auto list(List& active_list, Use&& use) {
         auto& [list] = active_list;
@@ -101,8 +94,10 @@ struct StateAccess {
 template <class Map, class Visit>
 void for_each_alive(Map& map, Visit&& visit) {
     StateAccess::slots(map, [&](auto& slots, auto&, auto&, auto&) {
-        for (std::size_t i = 0; i < slots.size(); ++i) {
-            if (slots[i].alive) visit(static_cast<int>(i), slots[i].value);
+        int index = 0;
+        for (auto& slot : slots) {
+            if (slot.alive) visit(index, slot.value);
+            ++index;
         }
     });
 }

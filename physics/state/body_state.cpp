@@ -15,8 +15,21 @@ constexpr std::uint32_t kKeptFlags = place_flag::kFast | place_flag::kTurnsFar |
                                      place_flag::kRouses | place_flag::kHasWay;
 
 constexpr std::size_t kMakeBytes = packed_size<BodyRecord>() + packed_size<MassLedger::Entry>();
-constexpr std::size_t kOwnBytes = packed_size<Place>() + sizeof(BodyRecord::joint_inertia) +
-                                  sizeof(BodyRecord::next_sleeper) + sizeof(BodyRecord::user_data);
+
+// What a body has: a byte ahead of it tells.
+constexpr std::uint8_t kIsNew = 1;  // a make that is not that of the body before
+constexpr std::uint8_t kHasJointInertia = 2;
+constexpr std::uint8_t kSleeps = 4;  // and another after it
+constexpr std::uint8_t kHasUserData = 8;
+
+constexpr std::size_t size_of_body(std::uint8_t has) {
+    return packed_size<Place>() + ((has & kIsNew) != 0 ? kMakeBytes : 0) +
+           ((has & kHasJointInertia) != 0 ? sizeof(BodyRecord::joint_inertia) : 0) +
+           ((has & kSleeps) != 0 ? sizeof(BodyRecord::next_sleeper) : 0) +
+           ((has & kHasUserData) != 0 ? sizeof(BodyRecord::user_data) : 0);
+}
+constexpr std::uint8_t kHasAll = kIsNew | kHasJointInertia | kSleeps | kHasUserData;
+constexpr std::size_t kMostBytes = 1 + size_of_body(kHasAll);
 
 template <class T>
 bool all_zero(const std::vector<T>& values) {
@@ -87,20 +100,24 @@ void load_rows(Reader& in, BodyRows& rows) {
 
 // Every body gets its row, and no other.
 void take_rows(Reader& in, BodyStore& bodies, RowSet set) {
-    const std::vector<int>& body = bodies.rows(set).body;
-    for (std::size_t row = 0; row < body.size(); ++row) {
-        const int b = body[row];
-        if (!in.require(names(bodies.slots, b) && bodies.slots[b].row == kNone,
+    const Lookup records(bodies.slots);
+    int row = 0;
+    for (const int b : bodies.rows(set).body) {
+        BodyRecord* const found = records.find(b);
+        if (!in.require(found != nullptr && found->row == kNone,
                         "a row is of no body, or of one that has a row already"))
             return;
-        BodyRecord& record = bodies.slots[b];
+        BodyRecord& record = *found;
         if (!in.require((record.type == BodyType::Static) == (set == RowSet::Static),
                         "a static body is among those that move, or the other way round"))
             return;
+        if (!in.require((record.next_sleeper == kNone) == (set != RowSet::Asleep),
+                        "a body that does not sleep is among those that do, or the other way round"))
+            return;
         record.set = set;
-        record.row = static_cast<int>(row);
-        bodies.places[static_cast<std::size_t>(b)].row =
-            set == RowSet::Awake ? static_cast<int>(row) + 1 : kWorldRow;
+        record.row = row;
+        bodies.places[static_cast<std::size_t>(b)].row = set == RowSet::Awake ? row + 1 : kWorldRow;
+        ++row;
     }
 }
 
@@ -119,8 +136,10 @@ bool is_sound(const BodyRecord& body) {
 }
 
 bool is_sound(const Place& place) {
+    constexpr double kMost = std::numeric_limits<double>::max();
     const float turned = place.rotation.c * place.rotation.c + place.rotation.s * place.rotation.s;
-    return (place.flags & ~kKeptFlags) == 0 && std::fabs(turned - 1) < 1e-3f && is_finite(place.center);
+    return ((place.flags & ~kKeptFlags) == 0) & (std::fabs(turned - 1) < 1e-3f) &
+           (std::fabs(place.center.x) <= kMost) & (std::fabs(place.center.y) <= kMost);
 }
 
 void load_records(Reader& in, Stores& stores) {
@@ -141,12 +160,13 @@ void load_records(Reader& in, Stores& stores) {
     Reading reading;
     for_each_alive(bodies.slots, [&](int body, BodyRecord& record) {
         if (!in.ok()) return;
-        const bool is_new = left > 0 && *at != std::byte{0};
-        const std::size_t size = 1 + (is_new ? kMakeBytes : 0) + kOwnBytes;
+        const auto has = left > 0 ? std::to_integer<std::uint8_t>(*at) : std::uint8_t{0};
+        const std::size_t size = 1 + size_of_body(has);
         if (!in.require(size <= left, "it ends in the middle of the bodies")) return;
+        if (!in.require(has <= kHasAll, "a body has what no body has")) return;
         left -= size;
         ++at;
-        if (is_new) {
+        if ((has & kIsNew) != 0) {
             at = get(get(at, make, reading), mass, reading);
             is_made = true;
             if (!in.require(is_sound(make), "a body has a mass or an extent that no body has")) return;
@@ -157,9 +177,13 @@ void load_records(Reader& in, Stores& stores) {
         record = make;
         masses[slot] = mass;
         Place& place = bodies.places[slot];
-        at = get(get(at, place, reading), record.joint_inertia, reading);
-        at = get(get(at, record.next_sleeper, reading), record.user_data, reading);
-        in.require(is_sound(place) && record.joint_inertia >= 0 && is_finite(record.joint_inertia),
+        at = get_unchecked(get_unchecked(at, place.center), place.rotation);
+        at = get_unchecked(at, place.flags);
+        if ((has & kHasJointInertia) != 0) at = get(at, record.joint_inertia, reading);
+        if ((has & kSleeps) != 0) at = get(at, record.next_sleeper, reading);
+        if ((has & kHasUserData) != 0) at = get(at, record.user_data, reading);
+        in.require(is_sound(place) & (std::fabs(record.joint_inertia) <= std::numeric_limits<float>::max()) &
+                       (record.joint_inertia >= 0),
                    "a body is at no place in the world, or as heavy for joints as no body is");
     });
     if (!in.ok()) return;
@@ -179,13 +203,6 @@ void check_sleepers(Reader& in, const BodyStore& bodies, std::vector<std::uint8_
             return;
         followed[static_cast<std::size_t>(next)] = 1;
     }
-    for (const RowSet set : {RowSet::Static, RowSet::Awake}) {
-        for (const int body : bodies.rows(set).body) {
-            if (!in.require(bodies.slots[body].next_sleeper == kNone,
-                            "a body that does not sleep is among those that do"))
-                return;
-        }
-    }
 }
 
 }  // namespace
@@ -193,7 +210,7 @@ void check_sleepers(Reader& in, const BodyStore& bodies, std::vector<std::uint8_
 void save_bodies(const Stores& stores, Writer& out) {
     const BodyStore& bodies = stores.bodies;
     save_slots(bodies.slots, out);
-    std::byte* at = out.room(static_cast<std::size_t>(bodies.slots.size()) * (1 + kMakeBytes + kOwnBytes));
+    std::byte* at = out.room(static_cast<std::size_t>(bodies.slots.size()) * kMostBytes);
     const BodyRecord* last = nullptr;
     const MassLedger::Entry* last_mass = nullptr;
     for_each_alive(bodies.slots, [&](int body, const BodyRecord& record) {
@@ -201,13 +218,19 @@ void save_bodies(const Stores& stores, Writer& out) {
         const MassLedger::Entry& mass = stores.masses.entries[slot];
         const bool is_new =
             last == nullptr || (differing_bits(*last, record) | differing_bits(*last_mass, mass)) != 0;
-        at = put(at, is_new);
+        const auto has = static_cast<std::uint8_t>(
+            (is_new ? kIsNew : 0) | (record.joint_inertia != 0 ? kHasJointInertia : 0) |
+            (record.next_sleeper != kNone ? kSleeps : 0) | (record.user_data != 0 ? kHasUserData : 0));
+        at = put(at, has);
         if (is_new) at = put(put(at, record), mass);
         last = &record;
         last_mass = &mass;
         Place place = bodies.places[slot];
         place.flags &= kKeptFlags;
-        at = put(put(put(put(at, place), record.joint_inertia), record.next_sleeper), record.user_data);
+        at = put(at, place);
+        if ((has & kHasJointInertia) != 0) at = put(at, record.joint_inertia);
+        if ((has & kSleeps) != 0) at = put(at, record.next_sleeper);
+        if ((has & kHasUserData) != 0) at = put(at, record.user_data);
     });
     out.end(at);
     for (const RowSet set : {RowSet::Static, RowSet::Awake, RowSet::Asleep}) save_rows(bodies.rows(set), out);

@@ -67,7 +67,9 @@ bool enclose(const std::vector<BoxGroup>& nodes, const std::vector<BoxGroup>& ch
     return true;
 }
 
-void load_tree(Reader& in, Stores& stores, Layer layer, BoxTree& tree) {
+// Tells each item's state in which layer it is.
+template <class States>
+void load_tree(Reader& in, Stores& stores, Layer layer, BoxTree& tree, States& states) {
     StateAccess::tree(tree, [&](auto& levels, int& level_count, auto& items, auto& places, int& end,
                                 int& live, int& disorder) {
         in.value(end);
@@ -83,17 +85,20 @@ void load_tree(Reader& in, Stores& stores, Layer layer, BoxTree& tree) {
                         "a tree has not as many places as it says"))
             return;
         levels[0].resize(items.size() / kGroupSize);
+        const Lookup shapes(stores.shapes);
         for (std::size_t place = 0; place < items.size(); ++place) {
             const int item = items[place];
             if (item == kNone) continue;
-            const bool may_stand = names(stores.shapes, item) && stores.shapes[item].sensor == kNone &&
+            const ShapeRecord* const shape = shapes.find(item);
+            const bool may_stand = shape != nullptr && shape->sensor == kNone &&
                                    places[static_cast<std::size_t>(item)] == kNone &&
                                    static_cast<int>(place) < end &&
-                                   layer_of(stores.bodies.slots[stores.shapes[item].body].set) == layer;
+                                   layer_of(stores.bodies.slots[shape->body].set) == layer;
             if (!in.require(may_stand, "a tree has an item that is in another, or twice")) return;
             places[static_cast<std::size_t>(item)] = static_cast<int>(place);
             levels[0][place / kGroupSize].set_box(static_cast<int>(place % kGroupSize),
                                                   stores.fat_boxes[static_cast<std::size_t>(item)]);
+            states[static_cast<std::size_t>(item)].layer = layer;
             ++live;
         }
         if (!in.require(live > 0 || items.empty(), "a tree has places, but no items")) return;
@@ -159,20 +164,20 @@ void load_broad(Reader& in, Stores& stores) {
     StateAccess::broad(
         stores.broad, [&](auto& trees, auto& states, auto& box_before, auto& ways, auto& way_before,
                           int& with_ways, bool& had_ways, auto& moved_items) {
+            const auto slots = static_cast<std::size_t>(stores.shapes.end_index());
+            states.assign(slots, {});
             int live = 0;
             for (const Layer layer : kLayers) {
                 BoxTree& tree = trees[static_cast<std::size_t>(layer)];
-                load_tree(in, stores, layer, tree);
+                load_tree(in, stores, layer, tree, states);
                 if (!in.ok()) return;
                 live += tree.size();
             }
-            const auto slots = static_cast<std::size_t>(stores.shapes.end_index());
             const int boxed = stores.shapes.size() - static_cast<int>(stores.sensors.all.size());
             if (!in.require(live == boxed, "a shape is in no tree")) return;
             const std::byte* at = in.take(static_cast<std::size_t>(boxed));
             if (at == nullptr) return;
-            states.assign(slots, {});
-            box_before.assign(slots, {});
+            box_before.resize(slots);
             ways.resize(slots);
             way_before.resize(slots);
             with_ways = 0;
@@ -183,7 +188,6 @@ void load_broad(Reader& in, Stores& stores) {
                 std::uint8_t bits = 0;
                 at = get(at, bits, in.reading);
                 auto& state = states[static_cast<std::size_t>(item)];
-                state.layer = layer_of(stores.bodies.slots[shape.body].set);
                 state.moved = (bits & kMoved) != 0;
                 state.touched = (bits & kTouched) != 0;
                 state.unsettled = (bits & kUnsettled) != 0;
@@ -192,9 +196,10 @@ void load_broad(Reader& in, Stores& stores) {
                 with_ways += state.has_way ? 1 : 0;
                 waiting += state.moved ? 1 : 0;
                 had_ways = had_ways || state.has_way || state.had_way;
+                if (!state.has_way) return;
                 const std::uint32_t flags = stores.bodies.places[static_cast<std::size_t>(shape.body)].flags;
-                const bool may_have_way = state.layer == Layer::Awake && (flags & place_flag::kHasWay) != 0;
-                in.require(may_have_way || !state.has_way, "a box has a way, though its body is not fast");
+                in.require(state.layer == Layer::Awake && (flags & place_flag::kHasWay) != 0,
+                           "a box has a way, though its body is not fast");
             });
             moved_items.resize(in.count(sizeof(int)));
             for (int& item : moved_items) {

@@ -256,16 +256,20 @@ struct Reading {
     bool bad = false;
 };
 
-/// Whether one of the numbers is no number.
-inline bool has_nan(std::span<const float> numbers) {
-    std::uint32_t any = 0;
-    for (const float x : numbers) any |= static_cast<std::uint32_t>(!(x == x));
-    return any != 0;
-}
-inline bool has_nan(std::span<const double> numbers) {
-    std::uint64_t any = 0;
-    for (const double x : numbers) any |= static_cast<std::uint64_t>(!(x == x));
-    return any != 0;
+/// Whether one of the numbers is no number. A sum with one is none either, so most need not be looked at one
+/// by one; nor is the sum of two infinities, so then they are.
+template <class Scalar>
+bool has_nan(std::span<const Scalar> numbers) {
+    constexpr std::size_t kSums = 4;  // that do not wait for each other
+    std::array<Scalar, kSums> sums{};
+    std::size_t i = 0;
+    for (; i + kSums <= numbers.size(); i += kSums) {
+        for (std::size_t lane = 0; lane < kSums; ++lane) sums[lane] += numbers[i + lane];
+    }
+    for (; i < numbers.size(); ++i) sums[0] += numbers[i];
+    const Scalar sum = (sums[0] + sums[1]) + (sums[2] + sums[3]);
+    if (sum == sum) return false;
+    return std::any_of(numbers.begin(), numbers.end(), [](Scalar x) { return !(x == x); });
 }
 
 template <class T>
@@ -301,7 +305,11 @@ template <class T>
         if constexpr (std::is_floating_point_v<Scalar>) {
             std::array<Scalar, sizeof(T) / sizeof(Scalar)> numbers;
             std::memcpy(numbers.data(), at, sizeof numbers);
-            reading.bad |= has_nan(std::span<const Scalar>(numbers));
+            if constexpr (numbers.size() > 4) {
+                reading.bad |= has_nan(std::span<const Scalar>(numbers));
+            } else {
+                for (const Scalar x : numbers) reading.bad |= !(x == x);
+            }
         }
         return at + sizeof value;
     } else if constexpr (std::is_same_v<T, bool>) {
@@ -321,6 +329,14 @@ template <class T>
                        __attribute__((always_inline)) { ((at = get(at, field, reading)), ...); });
         return at;
     }
+}
+
+/// Without looking for NaN: for what the caller looks at itself.
+template <class T>
+const std::byte* get_unchecked(const std::byte* at, T& value) {
+    static_assert(kIsPlain<T>);
+    std::memcpy(&value, at, sizeof value);
+    return at + sizeof value;
 }
 
 /// Walks over bytes that may be damaged. After a fault nothing is read any more, and counts are 0.

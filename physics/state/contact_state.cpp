@@ -5,6 +5,7 @@
 // All else is made anew at the start of each step, before anybody looks at it. Blocks stand in the order of
 // their chains, which is the order of the passes; their numbers are not part of the state.
 #include <algorithm>
+#include <bit>
 
 #include <cairn/physics/tuning.h>
 
@@ -19,12 +20,29 @@ namespace {
 // A contact that was read, but not yet found in any list.
 constexpr int kUnplaced = -2;
 
+// What a contact has: a byte tells, and what it does not tell follows.
+constexpr std::uint8_t kHasPoints = 1;
+constexpr std::uint8_t kPutIn = 2;
+constexpr std::uint8_t kTouching = 4;
+constexpr std::uint8_t kReportsTouch = 8;
+constexpr std::uint8_t kReportsHit = 16;
+constexpr std::uint8_t kIsSpecial = 32;
+constexpr std::uint8_t kIsNewMix = 64;  // friction and restitution that the contact before does not have
+constexpr std::uint8_t kHasAll = 127;
+
+constexpr std::size_t record_size(std::uint8_t has) {
+    return ((has & kIsSpecial) != 0 ? sizeof(ContactRecord::special) : 0) +
+           ((has & kIsNewMix) != 0 ? sizeof(ContactRecord::friction) + sizeof(ContactRecord::restitution)
+                                   : 0);
+}
+
 using IntLanes = Lanes<std::int32_t>;
 using FloatLanes = Lanes<float>;
 constexpr std::size_t kLaneRow = sizeof(IntLanes);
 
 constexpr int kBoxRows = 8;
 static_assert(sizeof(BoxLanes) == kBoxRows * kLaneRow);
+using BoxNumbers = std::array<float, kBoxRows * kLanes>;
 constexpr int kBits = 3;  // bytes of bits by lane: reports, impacts, remembers
 
 // Contact, two shapes, boxes, reaches.
@@ -70,10 +88,9 @@ const std::byte* get_pairs(const std::byte* at, PairBlock& pairs, Reading& readi
     auto& [contact, body_a, body_b, shape_a, shape_b, boxes, features, reports, impacts, remembers, seen] =
         pairs;
     for (IntLanes* lanes : {&contact, &shape_a, &shape_b}) at = get(at, *lanes, reading);
-    auto& [half_ax, half_ay, half_bx, half_by, offset_ax, offset_ay, offset_bx, offset_by] = boxes;
-    for (FloatLanes* lanes :
-         {&half_ax, &half_ay, &half_bx, &half_by, &offset_ax, &offset_ay, &offset_bx, &offset_by})
-        at = get(at, *lanes, reading);
+    BoxNumbers numbers;
+    at = get(at, numbers, reading);
+    boxes = std::bit_cast<BoxLanes>(numbers);
     body_a.fill(kNone);
     body_b.fill(kNone);
     for (auto& lanes : features) lanes.fill(kNoFeature);
@@ -149,6 +166,65 @@ bool remembers(const ContactRecord& contact) {
            !(impulse[1] == 0) || !(friction_impulse == 0);
 }
 
+// Shapes stand in the lanes or lists of contacts, bodies follow from the links, the rest from the lists;
+// memory is written only where there is any.
+void save_records(const ContactStore& contacts, Writer& out) {
+    std::byte* at = out.room(static_cast<std::size_t>(contacts.slots.size()) * (1 + record_size(kHasAll)));
+    float last_friction = 0;
+    float last_restitution = 0;
+    for_each_alive(contacts.slots, [&](int, const ContactRecord& record) {
+        const auto& [shape_a, shape_b, body_a, body_b, edges, bucket, lane, uneven_index, memory, friction,
+                     restitution, has_points, put_in, touching, reports_touch, reports_hit, special] = record;
+        const bool is_new =
+            (differing_bits(friction, last_friction) | differing_bits(restitution, last_restitution)) != 0;
+        at = put(at, static_cast<std::uint8_t>(
+                         (has_points ? kHasPoints : 0) | (put_in ? kPutIn : 0) | (touching ? kTouching : 0) |
+                         (reports_touch ? kReportsTouch : 0) | (reports_hit ? kReportsHit : 0) |
+                         (special != 0 ? kIsSpecial : 0) | (is_new ? kIsNewMix : 0)));
+        if (special != 0) at = put(at, special);
+        if (is_new) at = put(put(at, friction), restitution);
+        last_friction = friction;
+        last_restitution = restitution;
+    });
+    out.end(at);
+}
+
+void load_records(Reader& in, ContactStore& contacts) {
+    // Copied whole: made field by field at its place, the processor would wait for the halves of its words.
+    ContactRecord made{.bucket = kUnplaced};
+    std::uint8_t last = 0;
+    const std::byte* at = in.rest().data();
+    std::size_t left = in.rest().size();
+    Reading reading;
+    contacts.put_in.clear();
+    for_each_alive(contacts.slots, [&](int contact, ContactRecord& record) {
+        if (!in.ok()) return;
+        const auto has = left > 0 ? std::to_integer<std::uint8_t>(*at) : std::uint8_t{0};
+        const std::size_t size = 1 + record_size(has);
+        if (!in.require(size <= left, "it ends in the middle of the contacts")) return;
+        if (!in.require(has <= kHasAll, "a contact has what no contact has")) return;
+        left -= size;
+        ++at;
+        if (has != last || size > 1) {
+            made.special = 0;
+            if ((has & kIsSpecial) != 0) at = get(at, made.special, reading);
+            if ((has & kIsNewMix) != 0) at = get(get(at, made.friction, reading), made.restitution, reading);
+            made.has_points = (has & kHasPoints) != 0;
+            made.put_in = (has & kPutIn) != 0;
+            made.touching = (has & kTouching) != 0;
+            made.reports_touch = (has & kReportsTouch) != 0;
+            made.reports_hit = (has & kReportsHit) != 0;
+            last = has;
+        }
+        record = made;
+        if (made.put_in) contacts.put_in.push_back(contact);
+    });
+    if (!in.ok()) return;
+    in.end(at);
+    in.reading.bad |= reading.bad;
+    in.settle();
+}
+
 void save_memories(const ContactStore& contacts, Writer& out) {
     const std::size_t start = out.size();
     std::uint32_t count = 0;
@@ -181,7 +257,8 @@ void load_memories(Reader& in, ContactStore& contacts) {
 // Puts the contacts that were read into the lists and lanes that the bytes name.
 class Placing {
   public:
-    Placing(Reader& in, Stores& stores) : in_(in), stores_(stores) {}
+    Placing(Reader& in, Stores& stores)
+        : in_(in), stores_(stores), contacts_(stores.contacts.slots), shapes_(stores.shapes) {}
 
     void load() {
         stores_.contacts.colors.assign(static_cast<std::size_t>(stores_.bodies.slots.end_index()), 0);
@@ -197,20 +274,20 @@ class Placing {
         "a contact is in two places, or of shapes that its bodies do not have";
 
     bool fits(int shape, int body) const {
-        return names(stores_.shapes, shape) && stores_.shapes[shape].body == body &&
-               stores_.shapes[shape].sensor == kNone;
+        const ShapeRecord* const record = shapes_.find(shape);
+        return record != nullptr && record->body == body && record->sensor == kNone;
     }
 
     ContactRecord* place(int contact, int shape_a, int shape_b, int bucket, int lane) {
-        if (!names(stores_.contacts.slots, contact)) return nullptr;
-        ContactRecord& record = stores_.contacts.slots[contact];
-        if (record.bucket != kUnplaced || !fits(shape_a, record.body_a) || !fits(shape_b, record.body_b))
+        ContactRecord* const record = contacts_.find(contact);
+        if (record == nullptr || record->bucket != kUnplaced || !fits(shape_a, record->body_a) ||
+            !fits(shape_b, record->body_b))
             return nullptr;
-        record.shape_a = shape_a;
-        record.shape_b = shape_b;
-        record.bucket = bucket;
-        record.lane = lane;
-        return &record;
+        record->shape_a = shape_a;
+        record->shape_b = shape_b;
+        record->bucket = bucket;
+        record->lane = lane;
+        return record;
     }
 
     bool place_lanes(PairBlock& pairs, int used, int bucket, int first_lane) {
@@ -373,35 +450,23 @@ class Placing {
 
     Reader& in_;
     Stores& stores_;
+    Lookup<decltype(ContactStore::slots)> contacts_;
+    Lookup<ShapeStore> shapes_;
 };
 
 }  // namespace
 
 void save_contacts(const ContactStore& contacts, Writer& out) {
     save_slots(contacts.slots, out);
-    std::byte* at = out.room(static_cast<std::size_t>(contacts.slots.size()) * packed_size<ContactRecord>());
-    for_each_alive(contacts.slots, [&](int, const ContactRecord& record) { at = put(at, record); });
-    out.end(at);
+    save_records(contacts, out);
     save_memories(contacts, out);
 }
 
 void load_contacts(Reader& in, ContactStore& contacts) {
-    // Copied whole: made field by field at its place, the processor would wait for the halves of its words.
-    static const ContactRecord kUnread{.bucket = kUnplaced};
     in.begin("contacts");
     load_slots(in, contacts.slots);
-    const std::byte* at =
-        in.take(static_cast<std::size_t>(contacts.slots.size()) * packed_size<ContactRecord>());
-    if (at == nullptr) return;
-    Reading reading;
-    contacts.put_in.clear();
-    for_each_alive(contacts.slots, [&](int contact, ContactRecord& record) {
-        record = kUnread;
-        at = get(at, record, reading);
-        if (record.put_in) contacts.put_in.push_back(contact);
-    });
-    in.reading.bad |= reading.bad;
-    if (in.settle()) load_memories(in, contacts);
+    if (in.ok()) load_records(in, contacts);
+    if (in.ok()) load_memories(in, contacts);
 }
 
 void save_contact_lists(const ContactStore& contacts, Writer& out) {

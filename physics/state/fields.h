@@ -96,7 +96,7 @@ template <Is<ShapeDef> R, class Visit>
 /// its chain and its place among the sensors from those.
 template <Is<ShapeRecord> R, class Visit>
 [[gnu::always_inline]] constexpr void fields(R& r, Visit&& visit) {
-    auto& [body, previous_of_body, next_of_body, chain, convex, def, margin_m, sensor] = r;
+    auto& [body, previous_of_body, next_of_body, chain, sensor, convex, def, margin_m] = r;
     visit(convex, def, margin_m);
 }
 
@@ -128,15 +128,6 @@ template <Is<MaterialRule> R, class Visit>
 [[gnu::always_inline]] constexpr void fields(R& r, Visit&& visit) {
     auto& [friction, restitution] = r;
     visit(friction, restitution);
-}
-
-/// Shapes stand in the lanes or lists of contacts, bodies follow from the links, the rest from the lists;
-/// memory is written only where there is any.
-template <Is<ContactRecord> R, class Visit>
-[[gnu::always_inline]] constexpr void fields(R& r, Visit&& visit) {
-    auto& [shape_a, shape_b, body_a, body_b, edges, bucket, lane, uneven_index, memory, friction, restitution,
-           has_points, put_in, touching, reports_touch, reports_hit, special] = r;
-    visit(friction, restitution, has_points, put_in, touching, reports_touch, reports_hit, special);
 }
 
 template <Is<ContactMemory> R, class Visit>

@@ -1,6 +1,7 @@
 // Shapes as bytes: those that are made as the shape before them take a byte and their box. Then what refers
 // to them: chains, sensors, bodies that break, and the rules for materials.
 #include <algorithm>
+#include <limits>
 
 #include "state/sections.h"
 #include "state/slots.h"
@@ -39,6 +40,15 @@ bool is_sound(const ShapeRecord& shape) {
            shape.margin_m <= kMostExtent_m && shape.margin_m >= 0;
 }
 
+// A sensor has no box, so its own may be any; others are met somewhere, but not by everything.
+bool is_sound(const Aabb& box, bool sensor) {
+    const float extents = (box.upper.x - box.lower.x) + (box.upper.y - box.lower.y);
+    const bool is_somewhere = (box.lower.x <= box.upper.x) & (box.lower.y <= box.upper.y);
+    if (is_somewhere & (extents <= std::numeric_limits<float>::max())) return true;
+    if (has_nan(std::span<const float>(&box.lower.x, 4))) return false;
+    return sensor || (is_somewhere && (is_finite(box.lower) || is_finite(box.upper)));
+}
+
 void save_records(const Stores& stores, Writer& out) {
     const std::size_t count = static_cast<std::size_t>(stores.shapes.size());
     std::byte* at = out.room(count * (1 + kMakeBytes + sizeof(Aabb)));
@@ -63,7 +73,10 @@ Expected load_records(Reader& in, Stores& stores) {
     Expected expected;
     stores.fat_boxes.resize(static_cast<std::size_t>(stores.shapes.end_index()));
     constexpr std::size_t kLeast = 1 + sizeof(Aabb);
-    const ShapeRecord* last = nullptr;
+    // Copied from here and not from the shape before: what was stored just now is slow to read in other
+    // pieces.
+    ShapeRecord make;
+    bool is_made = false;
     const std::byte* at = in.rest().data();
     std::size_t left = in.rest().size();
     Reading reading;
@@ -75,25 +88,20 @@ Expected load_records(Reader& in, Stores& stores) {
         left -= size;
         ++at;
         if (is_new) {
-            record = {};
-            at = get(at, record, reading);
-            if (!in.require(is_sound(record), "a shape has points, a radius or a material that none has"))
+            at = get(at, make, reading);
+            is_made = true;
+            if (!in.require(is_sound(make), "a shape has points, a radius or a material that none has"))
                 return;
-        } else {
-            if (!in.require(last != nullptr, "the first shape is as one before it")) return;
-            record = *last;
-            record.body = kNone;
-        }
-        Aabb& box = stores.fat_boxes[static_cast<std::size_t>(shape)];
-        at = get(at, box, reading);
-        const bool is_somewhere = box.lower.x <= box.upper.x && box.lower.y <= box.upper.y;
-        const bool is_everywhere = !is_finite(box.lower) && !is_finite(box.upper);
-        if (!in.require(record.def.sensor || (is_somewhere && !is_everywhere),
-                        "a shape has a box that is nowhere or everywhere"))
+        } else if (!in.require(is_made, "the first shape is as one before it")) {
             return;
-        expected.segments += record.convex.is_chained() ? 1 : 0;
-        expected.sensors += record.def.sensor ? 1 : 0;
-        last = &record;
+        }
+        record = make;
+        Aabb& box = stores.fat_boxes[static_cast<std::size_t>(shape)];
+        at = get_unchecked(at, box);
+        if (!in.require(is_sound(box, make.def.sensor), "a shape has a box that is nowhere or everywhere"))
+            return;
+        expected.segments += make.convex.is_chained() ? 1 : 0;
+        expected.sensors += make.def.sensor ? 1 : 0;
     });
     if (!in.ok()) return expected;
     in.end(at);

@@ -38,6 +38,7 @@ void load_slots(Reader& in, Map& map) {
         slots.resize(count);
         size = 0;
         constexpr int kUnlisted = -2;
+        const decltype(slots.front().value) gone{};
         const std::byte* at = in.take(count * sizeof(std::uint32_t));
         if (at == nullptr) return;
         for (auto& slot : slots) {
@@ -48,7 +49,7 @@ void load_slots(Reader& in, Map& map) {
             slot.next_free = kUnlisted;
             in.reading.bad |= slot.generation > Map::kMaxGeneration;
             size += slot.alive ? 1 : 0;
-            if (!slot.alive) slot.value = {};
+            if (!slot.alive) slot.value = gone;
         }
         in.require(!in.reading.bad, "a slot was used more often than slots are");
         free = in.count(sizeof(int));
@@ -67,6 +68,28 @@ void load_slots(Reader& in, Map& map) {
         }
     });
 }
+
+/// The objects of a map, to look many up by indices that may be nonsense. Valid until the map grows.
+template <class Map>
+class Lookup {
+  public:
+    explicit Lookup(Map& map) {
+        StateAccess::slots(map, [&](auto& slots, auto&, auto&, auto&) {
+            slots_ = slots.data();
+            count_ = slots.size();
+        });
+    }
+
+    /// Null when there is no such object.
+    [[nodiscard]] auto find(int index) const {
+        const auto at = static_cast<std::size_t>(index);  // negative ones are beyond all
+        return at < count_ && slots_[at].alive ? &slots_[at].value : nullptr;
+    }
+
+  private:
+    typename Map::Slot* slots_ = nullptr;
+    std::size_t count_ = 0;
+};
 
 /// Whether an index names an object.
 template <class Map>

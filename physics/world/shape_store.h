@@ -17,11 +17,11 @@ struct ShapeRecord {
     int body = kNone;
     int previous_of_body = kNone;
     int next_of_body = kNone;
-    int chain = kNone;  // whose segment it is
+    int chain = kNone;   // whose segment it is
+    int sensor = kNone;  // place among the sensors; they have no box
     Convex convex;
     ShapeDef def;
     float margin_m = 0;
-    int sensor = kNone;  // place among the sensors; they have no box
 };
 
 using ShapeStore = SlotMap<ShapeRecord, ShapeId>;

@@ -57,8 +57,8 @@ TEST_CASE("a delta is small where little moved") {
     world.step(kStep_s).value();
     Snapshot delta;
     make_delta(before, bytes_of(world), delta).value();
-    CHECK(before.size() > 20000);
     CHECK(delta.size() < 400);
+    CHECK(before.size() > 40 * delta.size());  // most of which tells of what did not move
 }
 
 TEST_CASE("a delta is refused when it is damaged, or of another snapshot") {
