@@ -11,6 +11,7 @@
 #include <cmath>
 
 #include "base/ample.h"
+#include "world/heaps.h"
 #include "world/special_contacts.h"
 
 namespace cairn::physics {
@@ -113,10 +114,31 @@ class Bouncing {
         note(c.b);
     }
 
+    void find_heaps(std::size_t impacts) {
+        const ContactLanes& lanes = stores_.contacts.lanes;
+        if (!pays_to_find_heaps(impacts, lanes)) return;
+        heaps_are_known_ = true;
+        const std::size_t rows = motions_.velocity.size();
+        work_.heaps.reset(static_cast<int>(rows));
+        for (const int block : lanes.blocks_in_memory()) {
+            const PairBlock& pairs = lanes.pairs(block);
+            const ContactBlock& contacts = lanes.block(block);
+            for (int lane = 0; lane < lanes.link(block).used; ++lane) {
+                if (push(pairs.contact[lane]) != Push::None) join(contacts.a[lane], contacts.b[lane]);
+            }
+        }
+        for (const ContactConstraint& c : contacts_) {
+            if (push(c.contact) != Push::None && stores_.contacts.slots[c.contact].has_points) join(c.a, c.b);
+        }
+        assign_amply(work_.bodies, rows, 0);
+        for (std::size_t row = 0; row < rows; ++row)
+            ++work_.bodies[static_cast<std::size_t>(work_.heaps.find(static_cast<int>(row)))];
+    }
+
     void limit() {
         const std::size_t bouncing = work_.before.size();
         for (std::size_t i = 0; i < bouncing; ++i) {
-            if (mark(work_.marked[i]).group != kNone) continue;
+            if (mark(work_.marked[i]).group != kNone || is_in_heap(work_.marked[i])) continue;
             ++group_;
             work_.group.clear();
             if (grow(work_.marked[i])) limit_energy();
@@ -151,6 +173,15 @@ class Bouncing {
     [[nodiscard]] const VelocityRow& unbounced(int row) {
         const int at = mark(row).before;
         return at == kNone ? velocity(row) : work_.before[static_cast<std::size_t>(at)];
+    }
+
+    void join(int a, int b) {
+        if (velocity(a).inverse_mass != 0 && velocity(b).inverse_mass != 0) work_.heaps.unite(a, b);
+    }
+
+    [[nodiscard]] bool is_in_heap(int row) {
+        return heaps_are_known_ &&
+               work_.bodies[static_cast<std::size_t>(work_.heaps.find(row))] > static_cast<int>(kMostBodies);
     }
 
     // Takes up all that pushes it; false when energy may come from elsewhere, or when there is too much.
@@ -225,6 +256,7 @@ class Bouncing {
     Motions& motions_;
     const std::vector<Drive>& drives_;
     BounceScratch& work_;
+    bool heaps_are_known_ = false;
     int group_ = kNone;
     // Of the present group:
     int ends_ = 0;            // of its contacts, both of each
@@ -265,6 +297,7 @@ void give_back_speed(Stores& stores, StepScratch& scratch, const ContactRules& r
     Bouncing bouncing(stores, scratch);
     for (const int i : scratch.impacts.met) bouncing.note(scratch.contacts[static_cast<std::size_t>(i)]);
     apply_restitution(scratch.contacts, scratch.motions, scratch.drives, rules);
+    bouncing.find_heaps(scratch.impacts.met.size());
     bouncing.limit();
     for (const int i : scratch.impacts.met) {
         ContactConstraint& c = scratch.contacts[static_cast<std::size_t>(i)];

@@ -10,6 +10,7 @@
 #include "base/ample.h"
 #include "resolve/contact_points.h"
 #include "world/bounce_energy.h"
+#include "world/heaps.h"
 #include "world/special_contacts.h"
 
 namespace cairn::physics {
@@ -18,10 +19,6 @@ namespace {
 // More are a heap, which rests on itself. The time that a group takes may grow with the square.
 constexpr std::size_t kMostContacts = 64;
 constexpr std::size_t kMostBodies = kMostContacts + 1;
-
-// To grow a group from one impact costs about as much as to look at this many contacts as they stand in
-// memory.
-constexpr std::size_t kContactsForOneGroup = 512;
 
 class Groups {
   public:
@@ -57,19 +54,15 @@ class Groups {
     Groups(const Groups&) = delete;
     Groups& operator=(const Groups&) = delete;
 
-    /// Where there are many impacts, most are in a heap, which would be walked in vain: no group grows so
-    /// large. Whether heaps are known changes no result.
     void find_heaps() {
         const ContactLanes& lanes = stores_.contacts.lanes;
-        const std::span<const int> blocks = lanes.blocks_in_memory();
-        if (kContactsForOneGroup * work_.met.size() < static_cast<std::size_t>(kLanes) * blocks.size())
-            return;
+        if (!pays_to_find_heaps(work_.met.size(), lanes)) return;
         heaps_are_known_ = true;
         list_plain_forms();
         const auto rows = static_cast<std::size_t>(scratch_.motions.size());
         work_.heaps.reset(static_cast<int>(rows));
         assign_amply(work_.touching, rows, 0);
-        for (const int block : blocks) {
+        for (const int block : lanes.blocks_in_memory()) {
             for (int lane = 0; lane < lanes.link(block).used; ++lane) {
                 if (mark(lanes.pairs(block).contact[lane]).plain != kNone) continue;
                 if (touches(lanes.block(block), lane))

@@ -222,6 +222,8 @@ struct BounceScratch {
     std::vector<Push> pushes;
     std::vector<int> marked;          // rows, those that bounce first
     std::vector<VelocityRow> before;  // bounces, beside them
+    UnionFind heaps;                  // of rows, by what pushes
+    std::vector<int> bodies;          // of a heap, at its root
     std::vector<int> group;           // rows of one
 };
 
