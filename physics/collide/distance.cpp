@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 
 namespace cairn::physics {
 namespace {
@@ -61,28 +60,26 @@ Vec2 reduce_segment(Simplex& s, int i, int j) {
     return (dot(a.w, normal) / whole) * normal;
 }
 
-// False when the origin lies in the triangle.
+// Of a segment and a vertex that lies nearer to the origin along it; false when the origin lies in the
+// triangle. The edges of the new vertex are all that can be nearest. The old one is not looked at again:
+// where the two are all but one line, rounding would take it for as near, and the search would go on from it
+// for ever.
 bool reduce_triangle(Simplex& s, Vec2& nearest) {
     const std::array<Vertex, 3> v = s.vertices;
     const float area = cross(v[1].w - v[0].w, v[2].w - v[0].w);
     bool inside = area != 0;
-    float best = std::numeric_limits<float>::infinity();
-    Simplex best_simplex;
     for (int i = 0; i < 3; ++i) {
         const int j = (i + 1) % 3;
-        const float side = cross(v[j].w - v[i].w, -v[i].w);
-        if (side * area < 0) inside = false;
-        Simplex candidate;
-        candidate.vertices = v;
-        const Vec2 point = reduce_segment(candidate, i, j);
-        if (length_squared(point) < best) {
-            best = length_squared(point);
-            best_simplex = candidate;
-            nearest = point;
-        }
+        if (cross(v[j].w - v[i].w, -v[i].w) * area < 0) inside = false;
     }
     if (inside) return false;
-    s = best_simplex;
+    Simplex other = s;
+    nearest = reduce_segment(s, 1, 2);
+    const Vec2 point = reduce_segment(other, 2, 0);
+    if (length_squared(point) < length_squared(nearest)) {
+        nearest = point;
+        s = other;
+    }
     return true;
 }
 

@@ -1,6 +1,7 @@
 // Distances by the module's search against all pairs of features.
 #include "collide/distance.h"
 
+#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -44,6 +45,23 @@ TEST_CASE("the distance of two shapes is the least of all pairs of features, wit
     }
     CHECK(apart > 3000);
     CHECK(overlapping > 500);
+}
+
+// Two corners of b lie 0.5 mm apart, so two edges of the difference are all but one line.
+TEST_CASE("the distance to a long edge is that of the nearest of several corners beside its end") {
+    const std::array<Vec2, 3> large{
+        {{-0.929060817f, 0.164705992f}, {1.92156863f, 1.92156863f}, {-0.51346612f, 1.92156863f}}};
+    const std::array<Vec2, 3> small{
+        {{1.92108035f, 1.92156863f}, {1.92156863f, 1.92156863f}, {1.92156863f, 1.92181277f}}};
+    const Convex a = make_convex(Polygon{large}).value();
+    const Convex b = make_convex(Polygon{small}).value();
+    const RelativePose pose{{3.84313726f, 3.84179449f}, Rotation::from_angle(3.1415926535897931)};
+    const RelativePose mirrored{-inverse_rotate(pose.q, pose.p), inverse(pose.q)};
+    const Separation expected = separation(rounded_hull(a), rounded_hull(b, pose));
+    CHECK(static_cast<double>(distance_between(a, b, pose).distance) ==
+          Approx(expected.distance).margin(3e-6).epsilon(0));
+    CHECK(static_cast<double>(distance_between(b, a, mirrored).distance) ==
+          Approx(expected.distance).margin(3e-6).epsilon(0));
 }
 
 }  // namespace cairn::physics
