@@ -25,6 +25,14 @@ inline Acting what_acts(const Stores& stores, const StepScratch& scratch) {
             !scratch.scalar_contacts.empty() || !stores.contacts.lanes.blocks().empty()};
 }
 
+/// What nothing acts on flies in one stride, so a step may have no substep to make.
+inline int substeps_of(const StepTime& time, Acting acting, const StepScratch& scratch,
+                       const DirectGroups& direct) {
+    const bool something_acts =
+        acting.joints || acting.contacts || !scratch.awaited.empty() || direct.count > 0;
+    return something_acts ? time.substeps : 0;
+}
+
 inline void prepare_kicks(StepScratch& scratch, float h_s, TaskPool& tasks) {
     Motions& motions = scratch.motions;
     const auto is_damped = [](const Drive& d) { return d.linear_damping != 0 || d.angular_damping != 0; };

@@ -63,8 +63,9 @@ void step_world(WorldState& world, float dt_s) {
 
     clock.enter(Stage::Solve);
     const Acting acting = what_acts(stores, scratch);
-    prepare_kicks(scratch, time.h_s, tasks);
-    for (int substep = 0; substep < time.substeps; ++substep) {
+    const int acting_substeps = substeps_of(time, acting, scratch, world.direct);
+    if (acting_substeps > 0) prepare_kicks(scratch, time.h_s, tasks);
+    for (int substep = 0; substep < acting_substeps; ++substep) {
         note_spring_speeds(stores.joints.lanes, scratch, tasks);
         integrate_velocities(scratch, acting, substep == 0, tasks);
         solve_direct(world.direct, scratch, rules, time.h_s, acting, tasks);
