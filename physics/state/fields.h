@@ -33,11 +33,11 @@ template <Is<MassData> R, class Visit>
 template <Is<BodyRecord> R, class Visit>
 [[gnu::always_inline]] constexpr void fields(R& r, Visit&& visit) {
     auto& [type, set, allow_sleep, locks, row, inverse_mass, inverse_inertia, extent_m, turn_arm_m,
-           inner_radius_m, linear_damping, angular_damping, gravity_scale, sleep_speed, first_shape,
-           first_contact, first_joint, mass, last_shape, first_sensor, breakable, joint_inertia, next_sleeper,
-           user_data] = r;
-    visit(type, allow_sleep, locks, inverse_mass, inverse_inertia, extent_m, turn_arm_m, inner_radius_m,
-          linear_damping, angular_damping, gravity_scale, sleep_speed, mass);
+           center_arm_m, inner_radius_m, linear_damping, angular_damping, gravity_scale, sleep_speed,
+           first_shape, first_contact, first_joint, mass, last_shape, first_sensor, breakable, joint_inertia,
+           next_sleeper, user_data] = r;
+    visit(type, allow_sleep, locks, inverse_mass, inverse_inertia, extent_m, turn_arm_m, center_arm_m,
+          inner_radius_m, linear_damping, angular_damping, gravity_scale, sleep_speed, mass);
 }
 
 /// The row follows from the rows.

@@ -56,12 +56,14 @@ void apply(Stores& stores, int body, const MassSum& sum) {
 
 void measure_extent(Stores& stores, int body) {
     BodyRecord& record = stores.bodies.slots[body];
-    record.extent_m = record.turn_arm_m = 0;
+    record.extent_m = record.turn_arm_m = record.center_arm_m = 0;
     record.inner_radius_m = std::numeric_limits<float>::infinity();
     for_each_shape(stores, body, [&](const ShapeRecord& shape) {
         const float farthest = farthest_distance(shape.convex, record.mass.center_m);
         record.extent_m = std::max(record.extent_m, farthest);
         record.turn_arm_m = std::max(record.turn_arm_m, farthest - shape.convex.radius());
+        record.center_arm_m =
+            std::max(record.center_arm_m, length(shape.convex.centroid - record.mass.center_m));
         // A line has no inside, but its contacts hold from the speculative distance on.
         const float solid =
             shape.convex.is_line() ? tuning::kSpeculativeDistance_m : inner_radius(shape.convex);

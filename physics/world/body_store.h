@@ -29,6 +29,7 @@ struct BodyRecord {
     float inverse_inertia = 0;
     float extent_m = 0;        // of the shapes, from the centre of mass
     float turn_arm_m = 0;      // of the farthest point that turning moves: the rims of discs do not count
+    float center_arm_m = 0;    // of the farthest centre of a shape
     float inner_radius_m = 0;  // of the thinnest shape: half of what is solid about it
     float linear_damping_1_s = 0;
     float angular_damping_1_s = 0;

@@ -121,13 +121,6 @@ bool is_guarded(const Stores& stores, int body) {
            stores.bodies.slots[body].type == BodyType::Dynamic;
 }
 
-float arm_of(const Stores& stores, const BodyRecord& record) {
-    float farthest = 0;
-    for (int s = record.first_shape; s != kNone; s = stores.shapes[s].next_of_body)
-        farthest = std::max(farthest, length(stores.shapes[s].convex.centroid - record.mass.center_m));
-    return farthest;
-}
-
 Displacement displacement_of(const Stores& stores, int row) {
     const BodyRows& awake = stores.bodies.rows(RowSet::Awake);
     const int body = awake.body[row];
@@ -139,7 +132,7 @@ Displacement displacement_of(const Stores& stores, int row) {
     d.chord = length(Vec2{now.c - before.c, now.s - before.s});
     d.extent_m = record.extent_m;
     if (!is_guarded(stores, body)) return d;
-    d.arm_m = arm_of(stores, record);
+    d.arm_m = record.center_arm_m;
     d.least_way_m = kFastShare * record.inner_radius_m;
     return d;
 }
