@@ -3629,7 +3629,7 @@ function cairn.test.gamepad_release(gamepad, button) end
 ---@param value number from -1 to 1
 function cairn.test.gamepad_move(gamepad, axis, value) end
 
----The finger alone, without the mouse.
+---Fingers are numbered from 1; as on a device the first is the left mouse button too.
 ---@param touch integer from 1 to 10
 ---@param x number [px]
 ---@param y number [px]
