@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "bind/callbacks.h"
 #include "bind/context.h"
 #include "bind/data_values.h"
 #include "bind/fields.h"
@@ -429,8 +430,7 @@ int reload_one(lua_State* L) {
     push_function(L, kLevelMethods, "reload");
     lua_pushvalue(L, 1);
     lua_call(L, 1, 0);
-    lua_getglobal(L, "cairn");
-    if (lua_istable(L, -1) && lua_getfield(L, -1, "level_reloaded") == LUA_TFUNCTION) {
+    if (push_callback(L, "level_reloaded")) {
         lua_pushvalue(L, 1);
         lua_call(L, 1, 0);
     }
