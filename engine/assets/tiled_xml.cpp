@@ -125,6 +125,15 @@ Json tiles(const pugi::xml_node& data) {
     return list;
 }
 
+/// What an image layer says about its picture.
+void read_image(const pugi::xml_node& layer, Json& json) {
+    const pugi::xml_node image = layer.child("image");
+    if (image.attribute("source")) json["image"] = image.attribute("source").value();
+    if (image.attribute("trans")) json["transparentcolor"] = image.attribute("trans").value();
+    for (const char* field : {"repeatx", "repeaty"})
+        if (json.contains(field)) json[field] = json[field] != 0;
+}
+
 Json layers(const pugi::xml_node& parent) {
     Json list = Json::array();
     for (const pugi::xml_node& node : parent.children()) {
@@ -134,6 +143,7 @@ Json layers(const pugi::xml_node& parent) {
         json["properties"] = properties(node);
         json["type"] = name == "layer" ? "tilelayer" : std::string(name);
         if (name == "group") json["layers"] = layers(node);
+        if (name == "imagelayer") read_image(node, json);
         if (name == "layer") {
             const pugi::xml_node data = node.child("data");
             for (const char* field : {"encoding", "compression"})
