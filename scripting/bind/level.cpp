@@ -10,6 +10,7 @@
 #include "bind/fields.h"
 #include "bind/graphics_objects.h"
 #include "bind/level_parts.h"
+#include "bind/level_trial.h"
 #include "bind/modules.h"
 #include "bind/physics_objects.h"
 #include "data/nearest.h"

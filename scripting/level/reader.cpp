@@ -344,11 +344,18 @@ class Reader {
         });
         if (takes_material) add_named(layers, kMaterial, "material", materials_);
         // What is missing may stand in a template that is not there; that is told.
-        if (has_all_layers) part.is_faulty |= tells([&] { check_.check_missing(layers, fields, "body_a"); });
+        if (has_all_layers)
+            part.lacks_fields = tells([&] { check_.check_missing(layers, fields, "body_a"); });
+        part.is_faulty |= part.lacks_fields;
         part.is_faulty |= tells([&] { check_outline(part.variant, layers); });
         for (const Layer& layer : layers)
             part.is_faulty |= check_.is_faulty(layer) && &layer != &layers.front();
         part.fields = merged(layers, fields);
+        for (const Field* field : fields) {
+            const Value* value = find_in(layers, field->name);
+            if (value != nullptr && (value->is_unreadable || check_.is_faulty(*value)))
+                part.faulty_fields.push_back(field);
+        }
         if (part.is_faulty && is_shape(kind, part.variant)) note_outline(part, part.variant, layers);
         if (kind == PartKind::Body) read_shapes(part, layers);
         note_names(part, layers);
@@ -561,8 +568,16 @@ class Reader {
             // A name that was refused is told where it is given.
             const bool is_wrong =
                 refused_names_.contains(name.name) || tells([&] { check_reference(waiting, name); });
-            level_.parts[waiting.part].is_faulty |= is_wrong;
+            if (is_wrong) refuse(waiting);
         }
+    }
+
+    void refuse(const Waiting& waiting) {
+        LevelPart& part = level_.parts[waiting.part];
+        part.is_faulty = true;
+        if (std::find(part.faulty_fields.begin(), part.faulty_fields.end(), waiting.field) ==
+            part.faulty_fields.end())
+            part.faulty_fields.push_back(waiting.field);
     }
 
     void check_reference(const Waiting& waiting, const PartName& name) {
@@ -590,7 +605,7 @@ class Reader {
 
     /// Of what is not among the names.
     void check_name(const Waiting& waiting, const char* what, std::span<const std::string> names) {
-        level_.parts[waiting.part].is_faulty = true;
+        refuse(waiting);
         if (!lacks_names_) check_.check_one_of(waiting.layer, waiting.name, waiting.field->name, what, names);
     }
 
