@@ -292,6 +292,10 @@ int fail(const std::string& message) {
 }  // namespace
 
 int test_game(const GameSource& source, const TestOptions& options) {
+    if (!options.junit.empty()) {
+        if (const auto fine = engine::check_native_file(options.junit); !fine)
+            return fail("the results: " + fine.error().message);
+    }
     auto machine = make_machine(source, MachineKind::Headless);
     if (!machine) return fail(machine.error().message);
     if (compares_pictures(*(*machine)->files)) {
