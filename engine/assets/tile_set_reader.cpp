@@ -1,6 +1,7 @@
 // Reads tile sets, and files of the editor in either of its formats.
 #include "assets/tile_set_reader.h"
 
+#include "assets/json_text.h"
 #include "assets/tiled_xml.h"
 
 namespace cairn::engine {
@@ -32,11 +33,9 @@ Json read_tiled_file(const Files& files, std::string_view path) {
         if (!json) throw Fault{json.error().message};
         return std::move(*json);
     }
-    try {
-        return Json::parse(*text);
-    } catch (const Json::parse_error& error) {
-        throw Fault{std::string("is not JSON: ") + error.what()};
-    }
+    Result<Json> json = json_from_text(*text);
+    if (!json) throw Fault{json.error().message};
+    return std::move(*json);
 }
 
 TileProperties read_tiled_properties(const Node& node) {

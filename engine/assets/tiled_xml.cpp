@@ -6,6 +6,8 @@
 #include <pugixml.hpp>
 #include <string>
 
+#include "assets/json_text.h"
+
 namespace cairn::engine {
 namespace {
 
@@ -165,6 +167,11 @@ Json layers(const pugi::xml_node& parent) {
     return list;
 }
 
+/// Walks without a stack of its own.
+struct NestingCheck : pugi::xml_tree_walker {
+    bool for_each(pugi::xml_node&) override { return depth() < kMaxNesting; }
+};
+
 }  // namespace
 
 Result<Json> tiled_json_from_xml(std::string_view xml) {
@@ -173,6 +180,9 @@ Result<Json> tiled_json_from_xml(std::string_view xml) {
     if (!parsed)
         return Error{std::string("the XML is broken at byte ") + std::to_string(parsed.offset) + ": " +
                      parsed.description()};
+    NestingCheck check;
+    if (!document.traverse(check))
+        return Error{"the XML is nested more than " + std::to_string(kMaxNesting) + " deep"};
     if (const pugi::xml_node set = document.child("tileset")) return tile_set(set);
     const pugi::xml_node map = document.child("map");
     if (!map) return Error{"it holds neither a <map> nor a <tileset>"};

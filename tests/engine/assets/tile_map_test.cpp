@@ -400,6 +400,37 @@ TEST_CASE_METHOD(Maps, "all that is wrong with a map is told at once, each fault
               parts + "4].objects is missing, but must be a list"});
 }
 
+TEST_CASE_METHOD(Maps, "bytes that are no text, numbers beyond all and endless nesting are faults of a map") {
+    const auto fault = [&](const std::string& name, const std::string& text) {
+        const auto map = load(name, text);
+        REQUIRE_FALSE(map);
+        return map.error().message;
+    };
+    CHECK_THAT(fault("u.tmx",
+                     "<map orientation=\"ortho\xf6\" width=\"1\" height=\"1\" tilewidth=\"8\" "
+                     "tileheight=\"8\"></map>"),
+               Catch::Contains("orientation is \"ortho\xef\xbf\xbd\", but must be orthogonal"));
+    CHECK_THAT(fault("u.tmj", "{\"orientation\": \"\xff\"}"),
+               Catch::Contains("is not JSON: parse error at line 1"));
+    CHECK_THAT(fault("o.tmj", "{\"width\": 1e999}"), Catch::Contains("is not JSON: number overflow"));
+    const auto repeated = [](const std::string& text, int times) {
+        std::string all;
+        for (int i = 0; i < times; ++i) all += text;
+        return all;
+    };
+    constexpr int kMany = 100'000;
+    const std::string head = "<map width=\"1\" height=\"1\" tilewidth=\"8\" tileheight=\"8\">";
+    CHECK_THAT(fault("n.tmx", head + repeated("<group>", kMany) + repeated("</group>", kMany) + "</map>"),
+               Catch::Contains("the XML is nested more than 200 deep"));
+    CHECK_THAT(fault("n.tmj", "{\"width\":" + repeated("[", kMany) + repeated("]", kMany) + "}"),
+               Catch::Contains("is nested more than 200 deep"));
+    // As deep as anybody goes is fine, and brackets in texts are no nesting.
+    CHECK(load("d.tmx", head + repeated("<group>", 50) + repeated("</group>", 50) + "</map>"));
+    CHECK(load("t.tmj",
+               R"({"width": 1, "height": 1, "tilewidth": 8, "tileheight": 8, "layers": [], "x": "\"[)" +
+                   repeated("[", kMany) + "\"}"));
+}
+
 TEST_CASE("a picture must have room for the tiles that a set says") {
     // 3 tiles in a row take 1 + 3 * 8 + 2 * 2 pixels, 2 rows 1 + 2 * 8 + 2.
     const TileSet set{.tile_count = 5,
