@@ -1,10 +1,11 @@
 // Reads atlases. Invariant: nothing of the file is believed before its type was looked at.
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 
 #include <cairn/engine/atlas.h>
+
+#include "assets/json_text.h"
 
 namespace cairn::engine {
 namespace {
@@ -59,12 +60,9 @@ Result<void> add_frame(const std::string& name, const Json& entry, std::string_v
 Result<Atlas> load_atlas(const Files& files, std::string_view path) {
     const Result<std::string> text = files.read_text(path);
     if (!text) return Error{"atlas '" + std::string(path) + "' cannot be loaded: " + text.error().message};
-    Json json;
-    try {
-        json = Json::parse(*text);
-    } catch (const Json::parse_error& error) {
-        return atlas_error(path, std::string("is not JSON: ") + error.what());
-    }
+    const Result<Json> parsed = json_from_text(*text);
+    if (!parsed) return atlas_error(path, parsed.error().message);
+    const Json& json = *parsed;
     if (!json.is_object() || !json.contains("frames") || !json.contains("meta"))
         return atlas_error(path, "must be an object with \"frames\" and \"meta\"");
     const Json& meta = json["meta"];
@@ -95,11 +93,11 @@ Result<Atlas> load_atlas(const Files& files, std::string_view path) {
 }
 
 bool is_atlas_text(std::string_view text) {
-    const Json json = Json::parse(text, nullptr, false);
-    if (json.is_discarded())
+    const Result<Json> json = json_from_text(text);
+    if (!json)
         return text.find("\"frames\"") != std::string_view::npos ||
                text.find("\"meta\"") != std::string_view::npos;
-    return json.is_object() && json.contains("frames") && json.contains("meta");
+    return json->is_object() && json->contains("frames") && json->contains("meta");
 }
 
 Result<void> check_atlas(const Atlas& atlas, Size image, std::string_view path) {

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include <cairn/engine/files.h>
+#include <cairn/engine/played_saves.h>
 
 namespace cairn::engine {
 namespace {
@@ -190,6 +191,11 @@ Result<void> Files::unmount(const std::string& native_path) {
     return {};
 }
 
+PlayedSaves* Files::played(std::string_view path) const {
+    return !played_.empty() && check_virtual_path(path) && PlayedSaves::covers(path) ? played_.back()
+                                                                                     : nullptr;
+}
+
 bool Files::exists(std::string_view path) const {
     return static_cast<bool>(kind(path));
 }
@@ -206,6 +212,11 @@ bool Files::was_asked_for(std::string_view path) const {
 
 Result<FileKind> Files::kind(std::string_view path) const {
     note(path);
+    if (const PlayedSaves* saves = played(path)) {
+        if (saves->is_folder(path)) return FileKind::Folder;
+        if (saves->exists(path)) return FileKind::File;
+        return path_error(path, "not found");
+    }
     if (is_unmade_save_folder(path)) return FileKind::Folder;
     const Result<PHYSFS_Stat> info = stat(path);
     if (!info) return info.error();
@@ -216,15 +227,26 @@ Result<FileKind> Files::kind(std::string_view path) const {
 
 Result<std::string> Files::read_text(std::string_view path) const {
     note(path);
+    if (const PlayedSaves* saves = played(path)) return saves->read(path);
     return read_whole<std::string>(path, max_file_bytes_);
 }
 
 Result<std::vector<std::byte>> Files::read_bytes(std::string_view path) const {
     note(path);
+    if (const PlayedSaves* saves = played(path)) {
+        const Result<std::string> text = saves->read(path);
+        if (!text) return text.error();
+        const auto bytes = std::as_bytes(std::span(*text));
+        return std::vector<std::byte>(bytes.begin(), bytes.end());
+    }
     return read_whole<std::vector<std::byte>>(path, max_file_bytes_);
 }
 
 Result<std::vector<std::string>> Files::list(std::string_view folder) const {
+    if (const PlayedSaves* saves = played(folder)) {
+        note(folder);
+        return saves->list(folder);
+    }
     const Result<FileKind> found = kind(folder);
     if (!found) return found.error();
     if (*found != FileKind::Folder) return path_error(folder, "is not a folder");
@@ -234,11 +256,17 @@ Result<std::vector<std::string>> Files::list(std::string_view folder) const {
     std::vector<std::string> sorted;
     for (char** name = names; *name; ++name) sorted.emplace_back(*name);
     PHYSFS_freeList(names);
+    if (folder.empty() && !played_.empty()) {  // the root has the folder that is played, not the one on disk
+        std::erase(sorted, kSaveMount);
+        const auto saves = played_.back()->list(kSaveMount);
+        if (saves && !saves->empty()) sorted.emplace_back(kSaveMount);
+    }
     std::sort(sorted.begin(), sorted.end());
     return sorted;
 }
 
 Result<std::int64_t> Files::modified_ns(std::string_view path) const {
+    if (played(path) != nullptr) return path_error(path, "is kept in memory");
     const Result<PHYSFS_Stat> info = stat(path);
     if (!info) return info.error();
     // PhysFS counts whole seconds; an editor can save twice in one. The folder's own file system knows
@@ -253,6 +281,7 @@ Result<std::int64_t> Files::modified_ns(std::string_view path) const {
 }
 
 Result<std::string> Files::native_path(std::string_view path) const {
+    if (played(path) != nullptr) return path_error(path, "is kept in memory");
     const Result<PHYSFS_Stat> info = stat(path);
     if (!info) return info.error();
     const Result<Origin> origin = find_origin(std::string(path));
@@ -263,6 +292,8 @@ Result<std::string> Files::native_path(std::string_view path) const {
 Result<void> Files::write(std::string_view path, std::span<const std::byte> contents) {
     const Result<std::string> relative = save_relative(path);
     if (!relative) return relative.error();
+    if (PlayedSaves* saves = played(path))
+        return saves->write(path, {reinterpret_cast<const char*>(contents.data()), contents.size()});
     if (save_folder_.empty()) return path_error(path, no_save_folder_);
     if (!save_mounted_)
         if (auto opened = open_save_folder(); !opened) return opened;
@@ -303,6 +334,7 @@ Result<void> Files::write(std::string_view path, std::string_view contents) {
 Result<void> Files::remove(std::string_view path) {
     const Result<std::string> relative = save_relative(path);
     if (!relative) return relative.error();
+    if (PlayedSaves* saves = played(path)) return saves->remove(path);
     if (!save_mounted_ || !PHYSFS_delete(relative->c_str()))
         return path_error(path, save_mounted_ ? physfs_reason() : "not found");
     return {};

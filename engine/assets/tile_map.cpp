@@ -110,6 +110,12 @@ const MapLayer* TileMap::layer(std::string_view name) const {
     return nullptr;
 }
 
+// Source: "Parallax Scrolling Factor" in Tiled's manual; at 1 a layer moves with the map, at 0 with the view.
+Vec2 TileMap::parallax_shift(const MapLayer& layer, Vec2 view_middle) const {
+    const Vec2 way = view_middle - parallax_origin;
+    return {(1 - layer.parallax.x) * way.x, (1 - layer.parallax.y) * way.y};
+}
+
 const TileProperties& TileMap::properties_of(std::uint32_t id) const {
     static const TileProperties kNone;
     const TileSet* set = set_of(id);

@@ -1,15 +1,14 @@
 // Reads maps. Invariant: nothing of a file is believed before it was checked; a fault ends the reading of its
 // part, with the place at which it was found, and the other parts are read all the same.
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <numbers>
 
 #include <cairn/engine/tile_map.h>
 
 #include "assets/tile_data.h"
+#include "assets/tile_set_reader.h"
 #include "assets/tiled_node.h"
-#include "assets/tiled_xml.h"
 
 namespace cairn::engine {
 namespace {
@@ -17,87 +16,8 @@ namespace {
 /// Sides of maps, in tiles; with 16 million cells in all, what fits into memory and into a picture.
 constexpr int kMaxSide = 10000;
 constexpr std::size_t kMaxCells = 16u << 20;
-
-/// The path of what a file names, which is relative to that file; "a/../b" is written as "b".
-std::string beside(std::string_view path, const std::string& name) {
-    std::vector<std::string> parts;
-    const std::size_t slash = path.rfind('/');
-    std::string all = (slash == std::string_view::npos ? "" : std::string(path.substr(0, slash + 1))) + name;
-    std::size_t begin = 0;
-    while (begin <= all.size()) {
-        const std::size_t end = std::min(all.find('/', begin), all.size());
-        const std::string part = all.substr(begin, end - begin);
-        if (part == ".." && !parts.empty() && parts.back() != "..")
-            parts.pop_back();
-        else if (part != "." && !part.empty())
-            parts.push_back(part);
-        begin = end + 1;
-    }
-    std::string result;
-    for (const std::string& part : parts) result += (result.empty() ? "" : "/") + part;
-    return result;
-}
-
-Json read_json(const Files& files, std::string_view path) {
-    const Result<std::string> text = files.read_text(path);
-    if (!text) throw Fault{text.error().message};
-    if (path.ends_with(".tmx") || path.ends_with(".tsx") || path.ends_with(".xml")) {
-        Result<Json> json = tiled_json_from_xml(*text);
-        if (!json) throw Fault{json.error().message};
-        return std::move(*json);
-    }
-    try {
-        return Json::parse(*text);
-    } catch (const Json::parse_error& error) {
-        throw Fault{std::string("is not JSON: ") + error.what()};
-    }
-}
-
-/// Reads parts one by one and keeps what is wrong with each.
-class FaultList {
-  public:
-    explicit FaultList(std::string prefix) : prefix_(std::move(prefix)) {}
-
-    /// Whether the part was without a fault.
-    template <class Part>
-    bool attempt(Part&& read) {
-        try {
-            read();
-            return true;
-        } catch (const Fault& fault) {
-            faults_.push_back(prefix_ + fault.message);
-            return false;
-        }
-    }
-    [[nodiscard]] std::size_t count() const { return faults_.size(); }
-    std::vector<std::string> take() { return std::move(faults_); }
-    /// Of a file that the file names.
-    void add(std::vector<std::string> faults) {
-        for (std::string& fault : faults) faults_.push_back(prefix_ + std::move(fault));
-    }
-
-  private:
-    std::string prefix_;
-    std::vector<std::string> faults_;
-};
-
-TileProperties read_properties(const Node& node) {
-    TileProperties properties;
-    for (const Node& property : node.list("properties")) {
-        const std::string name = property.text("name");
-        if (!property.has("value")) continue;
-        const Json& value = property.at("value");
-        if (value.is_boolean())
-            properties[name] = value.get<bool>();
-        else if (value.is_number())
-            properties[name] = value.get<double>();
-        else if (value.is_string())
-            properties[name] = value.get<std::string>();
-        else
-            property.fail("value", "must be a text, a number, true or false");
-    }
-    return properties;
-}
+/// Of infinite maps, which begin anywhere.
+constexpr int kFarthestCell = 1 << 24;
 
 /// "#rrggbb" or "#aarrggbb".
 std::optional<Color> read_color(const Node& node, const char* field) {
@@ -113,50 +33,6 @@ std::optional<Color> read_color(const Node& node, const char* field) {
     return Color{part(2), part(4), part(6), part(0)};
 }
 
-// ---- Tile sets
-
-void read_kind_of_tile(const Node& tile, TileSet& set) {
-    const std::uint32_t id =
-        set.first_id + static_cast<std::uint32_t>(tile.whole("id", 0, set.tile_count - 1));
-    TileProperties properties = read_properties(tile);
-    const std::string kind = tile.text("class", tile.text("type"));
-    if (!kind.empty()) properties.emplace("class", kind);
-    if (!properties.empty()) set.properties[id] = std::move(properties);
-    for (const Node& frame : tile.list("animation"))
-        set.animations[id].push_back(
-            {set.first_id + static_cast<std::uint32_t>(frame.whole("tileid", 0, set.tile_count - 1)),
-             frame.whole("duration", 1, 3'600'000) / 1000.0});
-}
-
-TileSet read_set(const Node& node, std::uint32_t first_id, std::string_view path, FaultList& faults) {
-    TileSet set;
-    set.first_id = first_id;
-    set.place = node.place();
-    faults.attempt([&] { set.name = node.text("name"); });
-    faults.attempt([&] {
-        if (!node.has("image"))
-            node.fail("image",
-                      "must name the picture of all its tiles; sets of single pictures are not known");
-        set.image_path = beside(path, node.text("image"));
-    });
-    const auto whole = [&](int& to, const char* field, int low, int high) {
-        faults.attempt([&] { to = node.whole(field, low, high); });
-    };
-    whole(set.tile_size.width, "tilewidth", 1, 4096);
-    whole(set.tile_size.height, "tileheight", 1, 4096);
-    whole(set.columns, "columns", 1, 8192);
-    whole(set.tile_count, "tilecount", 1, 1 << 24);
-    faults.attempt([&] { set.margin = node.whole("margin", 0, 4096, 0); });
-    faults.attempt([&] { set.spacing = node.whole("spacing", 0, 4096, 0); });
-    if (set.tile_count < 1) return set;  // then no tile can be of it
-    faults.attempt([&] {
-        for (const Node& tile : node.list("tiles")) faults.attempt([&] { read_kind_of_tile(tile, set); });
-    });
-    return set;
-}
-
-// ---- Layers
-
 Tile read_tile(std::uint32_t bits) {
     return {.id = bits & 0x0fffffffu,
             .flip_x = (bits & 0x80000000u) != 0,
@@ -171,7 +47,7 @@ class MapReader {
 
     TileMapReading read() {
         faults_.attempt([&] {
-            const Json json = read_json(files_, path_);
+            const Json json = read_tiled_file(files_, path_);
             read_map(Node(json, ""));
         });
         return {std::move(map_), faults_.take()};
@@ -180,8 +56,12 @@ class MapReader {
   private:
     void read_map(const Node& node) {
         const bool has_cells = read_cells(node);
-        faults_.attempt([&] { map_.properties = read_properties(node); });
+        faults_.attempt([&] { map_.properties = read_tiled_properties(node); });
         faults_.attempt([&] { map_.background = read_color(node, "backgroundcolor"); });
+        faults_.attempt([&] {
+            if (has_cells) editor_origin_ = editor_origin(node);
+            map_.parallax_origin = editor_origin_ + read_place(node, "parallaxorigin", 0);
+        });
         const std::size_t faults_before = faults_.count();
         faults_.attempt([&] {
             for (const Node& set : node.list("tilesets")) faults_.attempt([&] { add_set(set); });
@@ -190,7 +70,7 @@ class MapReader {
         faults_.attempt([&] {
             if (!node.has("layers")) node.fail("layers", "must be a list");
             // How many tiles a layer must have is not known otherwise.
-            if (has_cells) add_layers(node, "", {}, 1, true);
+            if (has_cells) add_layers(node, "", {});
         });
     }
 
@@ -225,9 +105,9 @@ class MapReader {
         int column, row, columns, rows;
     };
     static Chunk read_chunk(const Node& node) {
-        constexpr int kFarthest = 1 << 24;
-        return {node.whole("x", -kFarthest, kFarthest), node.whole("y", -kFarthest, kFarthest),
-                node.whole("width", 1, kMaxSide), node.whole("height", 1, kMaxSide)};
+        return {node.whole("x", -kFarthestCell, kFarthestCell),
+                node.whole("y", -kFarthestCell, kFarthestCell), node.whole("width", 1, kMaxSide),
+                node.whole("height", 1, kMaxSide)};
     }
 
     /// An infinite map is as large as what was drawn in it.
@@ -304,12 +184,12 @@ class MapReader {
         if (!map_.sets.empty() &&
             first_id < map_.sets.back().first_id + static_cast<std::uint32_t>(map_.sets.back().tile_count))
             node.fail("firstgid", "must lie behind the tiles of the set before");
-        if (!node.has("source")) return map_.sets.push_back(read_set(node, first_id, path_, faults_));
-        const std::string path = beside(path_, node.text("source"));
+        if (!node.has("source")) return map_.sets.push_back(read_tile_set(node, first_id, path_, faults_));
+        const std::string path = tiled_path_beside(path_, node.text("source"));
         FaultList faults("the tile set '" + path + "': ");
         faults.attempt([&] {
-            const Json json = read_json(files_, path);
-            map_.sets.push_back(read_set(Node(json, ""), first_id, path, faults));
+            const Json json = read_tiled_file(files_, path);
+            map_.sets.push_back(read_tile_set(Node(json, ""), first_id, path, faults));
             map_.sets.back().place = "the tile set '" + path + "'";
         });
         faults_.add(faults.take());
@@ -320,24 +200,46 @@ class MapReader {
             node.fail("it has a tile " + std::to_string(tile.id) + " that no tile set has");
     }
 
-    void add_layers(const Node& parent, const std::string& prefix, Vec2 offset, float opacity,
-                    bool is_visible) {
-        for (const Node& node : parent.list("layers"))
-            faults_.attempt([&] { add_layer(node, prefix, offset, opacity, is_visible); });
+    /// "FIELDx" and "FIELDy".
+    static Vec2 read_place(const Node& node, const std::string& field, double otherwise) {
+        return {static_cast<float>(node.number((field + 'x').c_str(), otherwise)),
+                static_cast<float>(node.number((field + 'y').c_str(), otherwise))};
     }
 
-    void add_layer(const Node& node, const std::string& prefix, Vec2 offset, float opacity, bool is_visible) {
+    /// Where the editor's own (0, 0), from which it counts pictures, lies in the picture of the map. In an
+    /// infinite map the first cell is not at it.
+    [[nodiscard]] Vec2 editor_origin(const Node& map) const {
+        if (!is_infinite_) return {};
+        if (map_.grid != MapGrid::Isometric) return -1 * first_place();
+        // The editor moves a picture to the right by the rows that the file says, not by those that were
+        // drawn.
+        const int across = first_column_ - first_row_ + map.whole("height", 0, kFarthestCell, 0) - map_.rows;
+        return {-0.5f * static_cast<float>(across * map_.tile_size.width),
+                -0.5f * static_cast<float>((first_column_ + first_row_) * map_.tile_size.height)};
+    }
+
+    /// `group` is what it inherits.
+    void add_layers(const Node& parent, const std::string& prefix, const MapLayer& group) {
+        for (const Node& node : parent.list("layers"))
+            faults_.attempt([&] { add_layer(node, prefix, group); });
+    }
+
+    void add_layer(const Node& node, const std::string& prefix, const MapLayer& group) {
         MapLayer layer;
         layer.name = prefix + node.text("name");
-        layer.is_visible = is_visible && node.flag("visible", true);
-        layer.opacity = opacity * static_cast<float>(node.number("opacity", 1));
-        layer.offset = offset + Vec2{static_cast<float>(node.number("offsetx", 0)),
-                                     static_cast<float>(node.number("offsety", 0))};
-        layer.properties = read_properties(node);
+        layer.place = node.place();
+        layer.is_visible = group.is_visible && node.flag("visible", true);
+        const Color tint = read_color(node, "tintcolor").value_or(Color{});
+        const auto opacity = static_cast<float>(node.number("opacity", 1));
+        if (opacity < 0 || opacity > 1) node.fail("opacity", "must be from 0 to 1");
+        layer.color = {group.color.r * tint.r, group.color.g * tint.g, group.color.b * tint.b,
+                       group.color.a * tint.a * opacity};
+        layer.offset = group.offset + read_place(node, "offset", 0);
+        const Vec2 parallax = read_place(node, "parallax", 1);
+        layer.parallax = {group.parallax.x * parallax.x, group.parallax.y * parallax.y};
+        layer.properties = read_tiled_properties(node);
         const std::string type = node.text("type");
-        if (type == "group")
-            return add_layers(node, layer.name + '/', layer.offset, layer.opacity, layer.is_visible);
-        if (type == "imagelayer") return map_.image_layers.push_back(layer.name);
+        if (type == "group") return add_layers(node, layer.name + '/', layer);
         if (type == "tilelayer") {
             read_tiles(node, layer);
         } else if (type == "objectgroup") {
@@ -345,10 +247,24 @@ class MapReader {
             if (!node.has("objects")) node.fail("objects", "must be a list");
             for (const Node& object : node.list("objects"))
                 faults_.attempt([&] { layer.objects.push_back(read_object(object)); });
+        } else if (type == "imagelayer") {
+            read_image(node, layer);
         } else {
             node.fail("type", "must be a tilelayer, an objectgroup, a group or an imagelayer");
         }
         map_.layers.push_back(std::move(layer));
+    }
+
+    void read_image(const Node& node, MapLayer& layer) {
+        layer.kind = MapLayer::Kind::Image;
+        layer.image_corner = editor_origin_;
+        faults_.attempt([&] { layer.repeats_x = node.flag("repeatx", false); });
+        faults_.attempt([&] { layer.repeats_y = node.flag("repeaty", false); });
+        if (!node.text("transparentcolor").empty())
+            node.fail("transparentcolor",
+                      "must not be there: save the picture with a transparent background");
+        if (node.text("image").empty()) node.fail("image", "must name the picture of the layer");
+        layer.image_path = tiled_path_beside(path_, node.text("image"));
     }
 
     /// The numbers of `cells` tiles out of `node`; how they are written stands in the layer.
@@ -425,7 +341,7 @@ class MapReader {
         object.rotation_rad =
             static_cast<float>(node.number("rotation", 0)) * std::numbers::pi_v<float> / 180;
         object.is_visible = node.flag("visible", true);
-        object.properties = read_properties(node);
+        object.properties = read_tiled_properties(node);
         if (node.flag("ellipse", false)) object.shape = MapShape::Ellipse;
         if (node.flag("point", false)) object.shape = MapShape::Point;
         for (const auto& [field, shape] :
@@ -456,6 +372,7 @@ class MapReader {
     bool is_infinite_ = false;
     int first_column_ = 0;  ///< as the file counts, where the map's first cell is
     int first_row_ = 0;
+    Vec2 editor_origin_;
 };
 
 }  // namespace

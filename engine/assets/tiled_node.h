@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "assets/json_text.h"
+
 namespace cairn::engine {
 
 using Json = nlohmann::ordered_json;
@@ -31,7 +33,7 @@ class Node {
     }
     [[noreturn]] void fail(const char* field, const std::string& rule) const {
         const auto found = json_.find(field);
-        const std::string value = found == json_.end() ? "missing" : found->dump().substr(0, 40);
+        const std::string value = found == json_.end() ? "missing" : excerpt(*found);
         throw Fault{(place_.empty() ? "" : place_ + '.') + field + " is " + value + ", but " + rule};
     }
 

@@ -6,6 +6,8 @@
 #include <pugixml.hpp>
 #include <string>
 
+#include "assets/json_text.h"
+
 namespace cairn::engine {
 namespace {
 
@@ -125,6 +127,15 @@ Json tiles(const pugi::xml_node& data) {
     return list;
 }
 
+/// What an image layer says about its picture.
+void read_image(const pugi::xml_node& layer, Json& json) {
+    const pugi::xml_node image = layer.child("image");
+    if (image.attribute("source")) json["image"] = image.attribute("source").value();
+    if (image.attribute("trans")) json["transparentcolor"] = image.attribute("trans").value();
+    for (const char* field : {"repeatx", "repeaty"})
+        if (json.contains(field)) json[field] = json[field] != 0;
+}
+
 Json layers(const pugi::xml_node& parent) {
     Json list = Json::array();
     for (const pugi::xml_node& node : parent.children()) {
@@ -134,6 +145,7 @@ Json layers(const pugi::xml_node& parent) {
         json["properties"] = properties(node);
         json["type"] = name == "layer" ? "tilelayer" : std::string(name);
         if (name == "group") json["layers"] = layers(node);
+        if (name == "imagelayer") read_image(node, json);
         if (name == "layer") {
             const pugi::xml_node data = node.child("data");
             for (const char* field : {"encoding", "compression"})
@@ -155,6 +167,11 @@ Json layers(const pugi::xml_node& parent) {
     return list;
 }
 
+/// Walks without a stack of its own.
+struct NestingCheck : pugi::xml_tree_walker {
+    bool for_each(pugi::xml_node&) override { return depth() < kMaxNesting; }
+};
+
 }  // namespace
 
 Result<Json> tiled_json_from_xml(std::string_view xml) {
@@ -163,6 +180,9 @@ Result<Json> tiled_json_from_xml(std::string_view xml) {
     if (!parsed)
         return Error{std::string("the XML is broken at byte ") + std::to_string(parsed.offset) + ": " +
                      parsed.description()};
+    NestingCheck check;
+    if (!document.traverse(check))
+        return Error{"the XML is nested more than " + std::to_string(kMaxNesting) + " deep"};
     if (const pugi::xml_node set = document.child("tileset")) return tile_set(set);
     const pugi::xml_node map = document.child("map");
     if (!map) return Error{"it holds neither a <map> nor a <tileset>"};

@@ -34,7 +34,29 @@ std::error_code write_whole(const fs::path& path, std::string_view contents) {
     return reason;
 }
 
+/// What a path leads to, which need not be there yet.
+fs::path target_of(const std::string& path) {
+    std::error_code ignored;
+    const fs::path target = fs::canonical(path, ignored);  // empty when there is nothing yet
+    return target.empty() ? fs::path(path) : target;
+}
+fs::path unfinished_of(fs::path target) {
+    return target += ".unfinished";
+}
+
 }  // namespace
+
+Result<void> check_native_file(const std::string& path) {
+    std::error_code ignored;
+    const fs::file_status status = fs::status(path, ignored);
+    if (fs::is_directory(status)) return write_error(path, std::make_error_code(std::errc::is_a_directory));
+    if (is_special(status)) return {};
+    const fs::path unfinished = unfinished_of(target_of(path));
+    const std::error_code reason = write_whole(unfinished, {});
+    fs::remove(unfinished, ignored);
+    if (reason) return write_error(path, reason);
+    return {};
+}
 
 Result<void> write_native_file(const std::string& path, std::string_view contents) {
     std::error_code ignored;
@@ -42,10 +64,8 @@ Result<void> write_native_file(const std::string& path, std::string_view content
         if (const std::error_code reason = write_whole(path, contents)) return write_error(path, reason);
         return {};
     }
-    fs::path target = fs::canonical(path, ignored);  // empty when there is nothing yet
-    if (target.empty()) target = path;
-    fs::path unfinished = target;
-    unfinished += ".unfinished";
+    const fs::path target = target_of(path);
+    const fs::path unfinished = unfinished_of(target);
     std::error_code reason = write_whole(unfinished, contents);
     if (!reason) fs::rename(unfinished, target, reason);
     if (reason) {

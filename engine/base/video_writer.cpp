@@ -1,7 +1,9 @@
-// Raw frames go through a pipe into ffmpeg, whose messages go to standard error as they come.
+// Raw frames go through a pipe into ffmpeg. Its messages go into a file without a name: it ends with status 0
+// although the disk was full for the end of the video, and only says so.
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
@@ -85,6 +87,8 @@ Result<std::unique_ptr<VideoWriter>> VideoWriter::create(const std::string& path
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_adddup2(&actions, ends[0], STDIN_FILENO);
+    std::FILE* messages = std::tmpfile();
+    if (messages != nullptr) posix_spawn_file_actions_adddup2(&actions, fileno(messages), STDERR_FILENO);
     pid_t process = -1;
     const int problem = posix_spawnp(&process, kProgram, &actions, nullptr,
                                      const_cast<char* const*>(arguments.data()), environ);
@@ -92,21 +96,34 @@ Result<std::unique_ptr<VideoWriter>> VideoWriter::create(const std::string& path
     close(ends[0]);
     if (problem != 0) {
         close(ends[1]);
+        if (messages != nullptr) std::fclose(messages);
         return Error{"the video \"" + path + "\": ffmpeg cannot be started: " + std::strerror(problem)};
     }
-    return std::unique_ptr<VideoWriter>(new VideoWriter(path, size, ends[1], process));
+    return std::unique_ptr<VideoWriter>(new VideoWriter(path, size, ends[1], process, messages));
 }
 
-VideoWriter::VideoWriter(std::string path, Size size, int pipe, int process)
-    : path_(std::move(path)), size_(size), pipe_(pipe), process_(process) {}
+VideoWriter::VideoWriter(std::string path, Size size, int pipe, int process, std::FILE* messages)
+    : path_(std::move(path)), size_(size), pipe_(pipe), process_(process), messages_(messages) {}
 
 VideoWriter::~VideoWriter() {
     static_cast<void>(finish());
+    if (messages_ != nullptr) std::fclose(messages_);
+}
+
+std::string VideoWriter::messages() const {
+    if (messages_ == nullptr) return {};
+    constexpr std::size_t kMost = 1000;  // of a fault in each frame, the first ones
+    std::string text(kMost, '\0');
+    std::rewind(messages_);
+    text.resize(std::fread(text.data(), 1, text.size(), messages_));
+    while (!text.empty() && text.back() == '\n') text.pop_back();
+    return text;
 }
 
 Error VideoWriter::failure() const {
-    return {"the video \"" + path_ +
-            "\" could not be written: ffmpeg ended with an error; it says why above"};
+    const std::string said = messages();
+    return {"the video \"" + path_ + "\" could not be written: ffmpeg " +
+            (said.empty() ? "ended with an error and said nothing" : "says: " + said)};
 }
 
 Result<void> VideoWriter::write(const Image& frame) {
@@ -120,7 +137,11 @@ Result<void> VideoWriter::write(const Image& frame) {
     while (left > 0) {
         const ssize_t written = ::write(pipe_, next, left);
         if (written < 0 && errno == EINTR) continue;
-        if (written < 0) return failure();
+        if (written < 0) {
+            // Once it has ended, it has said why.
+            if (const auto finished = finish(); !finished) return finished.error();
+            return failure();
+        }
         next += written;
         left -= static_cast<std::size_t>(written);
     }
@@ -135,7 +156,7 @@ Result<void> VideoWriter::finish() {
     while (waitpid(process_, &status, 0) < 0 && errno == EINTR) {
     }
     process_ = -1;
-    if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) return failure();
+    if (!WIFEXITED(status) || WEXITSTATUS(status) != 0 || !messages().empty()) return failure();
     return {};
 }
 

@@ -64,6 +64,29 @@ std::span<const std::string_view> callback_names() {
     return kCallbacks;
 }
 
+namespace {
+const char callbacks_key = 0;  // its address is the key in the registry
+}
+
+void clear_callbacks(lua_State* L) {
+    lua_newtable(L);
+    lua_rawsetp(L, LUA_REGISTRYINDEX, &callbacks_key);
+}
+
+void push_callbacks(lua_State* L) {
+    lua_rawgetp(L, LUA_REGISTRYINDEX, &callbacks_key);
+}
+
+bool push_callback(lua_State* L, std::string_view name) {
+    push_callbacks(L);
+    lua_pushlstring(L, name.data(), name.size());
+    lua_rawget(L, -2);
+    lua_remove(L, -2);
+    if (lua_isfunction(L, -1)) return true;
+    lua_pop(L, 1);
+    return false;
+}
+
 std::string_view meant_callback(std::string_view name) {
     constexpr std::size_t kLongest = 40;  // no slip of a name that has 20
     if (name.size() > kLongest || std::find(kCallbacks.begin(), kCallbacks.end(), name) != kCallbacks.end())

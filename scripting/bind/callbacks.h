@@ -1,5 +1,7 @@
 // The functions of a game that Cairn calls by their names, and the search for those that it never will
 // because their names are slips: a misspelt callback is no error in Lua, it is just never called.
+// Invariant: callbacks stand in a table of their own behind `cairn`, so that each assignment passes
+// set_member of `guard_members`, and what is no function is told with the place of the assignment.
 #pragma once
 
 #include <lua.hpp>
@@ -11,6 +13,13 @@ namespace cairn::scripting {
 
 /// Every name that is called in `cairn`; scenes have them too.
 std::span<const std::string_view> callback_names();
+
+/// Makes the table of callbacks, or empties it.
+void clear_callbacks(lua_State* L);
+/// Pushes the table of callbacks, by name.
+void push_callbacks(lua_State* L);
+/// Pushes a callback of `cairn`; false when the game has none, with nothing pushed.
+bool push_callback(lua_State* L, std::string_view name);
 
 /// The callback that was meant by a name that is none; empty when the name is not near any.
 std::string_view meant_callback(std::string_view name);

@@ -15,11 +15,11 @@
 #include <cairn/engine/files.h>
 #include <cairn/engine/input.h>
 #include <cairn/engine/platform.h>
+#include <cairn/engine/played_saves.h>
 #include <cairn/engine/random.h>
 #include <cairn/engine/renderer.h>
 
 #include "bind/matter.h"
-#include "bind/played_saves.h"
 #include "bind/timers.h"
 #include "bind/tweens.h"
 
@@ -86,8 +86,8 @@ struct Context {
     std::set<std::string> hints_told{};  ///< each once
 
     /// With a value, the save folder is only played: files written are kept here and the real folder is
-    /// neither read nor written, so that a replay does not depend on what the player saved.
-    std::optional<PlayedSaves> played_saves{};
+    /// neither read nor written by anything, so that a replay does not depend on what the player saved.
+    std::optional<engine::PlayedSaves> played_saves{};
 
     /// In `cairn test`: what the running test does to its game; else null.
     TestDriver* test = nullptr;

@@ -128,12 +128,16 @@ constexpr Function kFunctions[] = {
 
 // ---- Slips
 
-/// __index of `cairn`: reached only for names that are not there.
-int find_slip(lua_State* L) {
+bool is_callback(std::string_view name) {
+    const auto callbacks = callback_names();
+    return std::find(callbacks.begin(), callbacks.end(), name) != callbacks.end();
+}
+
+/// __index of `cairn`: reached for callbacks, and for names that are not there.
+int get_member(lua_State* L) {
     if (lua_type(L, 2) != LUA_TSTRING) return 0;
     const std::string_view name = lua_tostring(L, 2);
-    const auto callbacks = callback_names();
-    if (std::find(callbacks.begin(), callbacks.end(), name) != callbacks.end()) return 0;
+    if (is_callback(name)) return push_callback(L, name) ? 1 : 0;
     if (!meant_callback(name).empty()) return 0;
     std::vector<std::string> names;
     for (const Module* module : all_modules()) {
@@ -206,27 +210,58 @@ int require_module(lua_State* L) {
     return 1;
 }
 
-/// __newindex of `cairn`: a callback that is none is told where it is given, because a call by the program
-/// has no place in a script.
+/// __newindex of `cairn`, which each assignment of a callback reaches: one that is none is told where it is
+/// given, because a call by the program has no place in a script.
 int set_member(lua_State* L) {
-    if (lua_type(L, 2) == LUA_TSTRING && !lua_isnil(L, 3) && !lua_isfunction(L, 3)) {
-        const std::string_view name = lua_tostring(L, 2);
-        const auto callbacks = callback_names();
-        if (std::find(callbacks.begin(), callbacks.end(), name) != callbacks.end())
-            raise(L, "cairn." + std::string(name) + " is " + describe_value(L, 3) + "; expected a function");
+    if (lua_type(L, 2) == LUA_TSTRING && is_callback(lua_tostring(L, 2))) {
+        if (!lua_isnil(L, 3) && !lua_isfunction(L, 3))
+            raise(L, std::string("cairn.") + lua_tostring(L, 2) + " is " + describe_value(L, 3) +
+                         "; expected a function");
+        push_callbacks(L);
+        lua_replace(L, 1);
     }
     lua_rawset(L, 1);
     return 0;
 }
 
+void copy_fields(lua_State* L, int from, int to) {
+    for (lua_pushnil(L); lua_next(L, from) != 0; lua_pop(L, 1)) {
+        lua_pushvalue(L, -2);
+        lua_pushvalue(L, -2);
+        lua_rawset(L, to);
+    }
+}
+
+int next_member(lua_State* L) {
+    luaL_checktype(L, 1, LUA_TTABLE);
+    lua_settop(L, 2);
+    return lua_next(L, 1) != 0 ? 2 : 0;
+}
+
+/// __pairs of `cairn`: as if callbacks stood in it. Over a copy, so that a loop may replace them.
+int list_members(lua_State* L) {
+    lua_settop(L, 1);
+    push_callbacks(L);
+    lua_newtable(L);
+    copy_fields(L, 1, 3);
+    copy_fields(L, 2, 3);
+    lua_pushcfunction(L, next_member);
+    lua_insert(L, 3);
+    lua_pushnil(L);
+    return 3;
+}
+
 }  // namespace
 
 void guard_members(lua_State* L) {
-    lua_createtable(L, 0, 3);
-    lua_pushcfunction(L, find_slip);
+    clear_callbacks(L);
+    lua_createtable(L, 0, 4);
+    lua_pushcfunction(L, get_member);
     lua_setfield(L, -2, "__index");
     lua_pushcfunction(L, set_member);
     lua_setfield(L, -2, "__newindex");
+    lua_pushcfunction(L, list_members);
+    lua_setfield(L, -2, "__pairs");
     lua_pushboolean(L, 0);
     lua_setfield(L, -2, "__metatable");
     lua_setmetatable(L, -2);

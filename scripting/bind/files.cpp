@@ -12,55 +12,39 @@
 namespace cairn::scripting {
 namespace {
 
-/// The save folder in memory when that is what a path lies in, else null.
-template <class SomeContext>
-auto* played(SomeContext& context, std::string_view path) {
-    return context.played_saves && PlayedSaves::covers(path) ? &*context.played_saves : nullptr;
+engine::Files& files(lua_State* L) {
+    return context_of(L).services.files;
 }
 
 engine::Result<std::string> read(lua_State* L, std::string_view path) {
-    const Context& context = context_of(L);
     check_or_raise(L, engine::check_virtual_path(path));
-    if (const auto* saves = played(context, path)) return saves->read(path);
-    return context.services.files.read_text(path);
+    return files(L).read_text(path);
 }
 
 engine::Result<void> write(lua_State* L, std::string_view path, std::string_view text) {
-    Context& context = context_of(L);
     check_or_raise(L, engine::check_virtual_path(path));
-    if (auto* saves = played(context, path)) return saves->write(path, text);
     // Refuses what is not below save/.
-    return context.services.files.write(path, text);
+    return files(L).write(path, text);
 }
 
 bool exists(lua_State* L, std::string_view path) {
-    const Context& context = context_of(L);
-    if (!engine::check_virtual_path(path)) return false;
-    if (const auto* saves = played(context, path)) return saves->exists(path);
-    return context.services.files.exists(path);
+    return files(L).exists(path);
 }
 
 engine::Result<void> remove(lua_State* L, std::string_view path) {
-    Context& context = context_of(L);
     check_or_raise(L, engine::check_virtual_path(path));
-    if (auto* saves = played(context, path)) return saves->remove(path);
     // Refuses what is not below save/.
-    return context.services.files.remove(path);
+    return files(L).remove(path);
 }
 
 bool is_folder(lua_State* L, std::string_view path) {
-    const Context& context = context_of(L);
-    if (!engine::check_virtual_path(path)) return false;
-    if (const auto* saves = played(context, path)) return saves->is_folder(path);
-    const auto kind = context.services.files.kind(path);
+    const auto kind = files(L).kind(path);
     return kind && *kind == engine::FileKind::Folder;
 }
 
 Pushed list(lua_State* L, std::string_view folder) {
-    const Context& context = context_of(L);
     check_or_raise(L, engine::check_virtual_path(folder));
-    const auto* saves = played(context, folder);
-    const auto names = value_or_raise(L, saves ? saves->list(folder) : context.services.files.list(folder));
+    const auto names = value_or_raise(L, files(L).list(folder));
     lua_createtable(L, static_cast<int>(names.size()), 0);
     for (std::size_t i = 0; i < names.size(); ++i) {
         lua_pushlstring(L, names[i].data(), names[i].size());

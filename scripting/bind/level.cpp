@@ -4,11 +4,13 @@
 
 #include <algorithm>
 
+#include "bind/callbacks.h"
 #include "bind/context.h"
 #include "bind/data_values.h"
 #include "bind/fields.h"
 #include "bind/graphics_objects.h"
 #include "bind/level_parts.h"
+#include "bind/level_trial.h"
 #include "bind/modules.h"
 #include "bind/physics_objects.h"
 #include "data/nearest.h"
@@ -429,8 +431,7 @@ int reload_one(lua_State* L) {
     push_function(L, kLevelMethods, "reload");
     lua_pushvalue(L, 1);
     lua_call(L, 1, 0);
-    lua_getglobal(L, "cairn");
-    if (lua_istable(L, -1) && lua_getfield(L, -1, "level_reloaded") == LUA_TFUNCTION) {
+    if (push_callback(L, "level_reloaded")) {
         lua_pushvalue(L, 1);
         lua_call(L, 1, 0);
     }

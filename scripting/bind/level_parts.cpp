@@ -1,7 +1,5 @@
 #include "bind/level_parts.h"
 
-#include <algorithm>
-
 #include "bind/data_values.h"
 #include "bind/fields.h"
 #include "bind/modules.h"
@@ -116,41 +114,6 @@ const Module& methods_of(PartKind kind) {
     return kJointMethods;
 }
 
-/// Whether one of the parts that a part names could not be made.
-bool refers_to_unmade(const Level& level, std::size_t part, const std::vector<bool>& is_made) {
-    const auto& references = level.parts[part].references;
-    return std::any_of(references.begin(), references.end(), [&](const PartReference& reference) {
-        const auto named = level.find(split_part_name(reference.name).name);
-        return named && !is_made[*named];
-    });
-}
-
-/// What is wrong with the forms of a part's faulty shapes, each tried out on a body of its own.
-std::vector<std::string> faults_of_outlines(lua_State* L, const LevelPart& part, int world) {
-    Level level;
-    for (const ShapePart& outline : part.outlines) {
-        LevelPart body;
-        body.fields.content = Entries{};
-        body.shapes = {outline};
-        level.parts.push_back(std::move(body));
-    }
-    lua_newtable(L);
-    std::vector<std::string> faults;
-    for (std::size_t body = 0; body < level.parts.size(); ++body) {
-        const std::vector<std::string> found = make_part(L, level, body, world, lua_gettop(L));
-        faults.insert(faults.end(), found.begin(), found.end());
-    }
-    lua_pop(L, 1);
-    return faults;
-}
-
-/// Makes a world for trying out; pushed.
-void push_scratch_world(lua_State* L) {
-    push_function(L, kPhysicsModule, "new_world");
-    lua_newtable(L);
-    lua_call(L, 1, 1);
-}
-
 // What lives of it.
 void unmake_part(lua_State* L, const Level& level, std::size_t part, int objects) {
     objects = lua_absindex(L, objects);
@@ -201,28 +164,6 @@ std::vector<std::string> make_part(lua_State* L, const Level& level, std::size_t
 // Joints first: what they hold would wake and move meanwhile, were this done between steps.
 void unmake_parts(lua_State* L, const Level& level, int objects) {
     for (std::size_t part = level.parts.size(); part-- > 0;) unmake_part(L, level, part, objects);
-}
-
-std::vector<std::string> faults_of_building(lua_State* L, const Level& level) {
-    const int top = lua_gettop(L);
-    push_scratch_world(L);
-    lua_newtable(L);
-    std::vector<std::string> faults;
-    std::vector<bool> is_made(level.parts.size());
-    for (std::size_t part = 0; part < level.parts.size(); ++part) {
-        const std::vector<std::string> wrong = faults_of_outlines(L, level.parts[part], top + 1);
-        faults.insert(faults.end(), wrong.begin(), wrong.end());
-        // The cause is told.
-        if (level.parts[part].is_faulty || refers_to_unmade(level, part, is_made)) continue;
-        const std::vector<std::string> found = make_part(L, level, part, top + 1, top + 2);
-        is_made[part] = found.empty() && !level.parts[part].has_faulty_shape;
-        faults.insert(faults.end(), found.begin(), found.end());
-    }
-    push_function(L, kWorldMethods, "destroy");
-    lua_pushvalue(L, top + 1);
-    lua_call(L, 1, 0);
-    lua_settop(L, top);
-    return faults;
 }
 
 }  // namespace cairn::scripting

@@ -21,8 +21,4 @@ std::vector<std::string> make_part(lua_State* L, const Level& level, std::size_t
 /// Destroys what lives of all parts, and empties the list. The world must live.
 void unmake_parts(lua_State* L, const Level& level, int objects);
 
-/// What shows only when a level is built, found in a world for trying out; of the parts that are not known to
-/// be faulty already.
-std::vector<std::string> faults_of_building(lua_State* L, const Level& level);
-
 }  // namespace cairn::scripting

@@ -78,7 +78,7 @@ void install_random(lua_State* L);
 
 /// From now on asking the table on top of the stack, `cairn`, for a name that is nearly one of its modules or
 /// functions raises an error that names it. Other names that it lacks are nil: callbacks that the game has
-/// not, and what the game may put there itself. A new callback that is no function is an error too.
+/// not, and what the game may put there itself. A callback that is no function is an error too.
 void guard_members(lua_State* L);
 
 /// Makes the global `require`, which runs only the game's own files.

@@ -80,7 +80,7 @@ void type_text(lua_State* L, std::string_view text) {
     }
 }
 void mouse_move(lua_State* L, float x, float y) {
-    const engine::Vec2 from = context_of(L).input.mouse_position();
+    const engine::Vec2 from = driver(L).sent_input().mouse_position();
     driver(L).send(L,
                    {.kind = InputKind::MouseMoved, .position = {x, y}, .delta = engine::Vec2{x, y} - from});
 }
@@ -91,9 +91,9 @@ void mouse_release(lua_State* L, float x, float y, std::optional<std::string_vie
     driver(L).send(L, {.kind = InputKind::MouseReleased, .button = to_button(L, button), .position = {x, y}});
 }
 void wheel(lua_State* L, float dx, float dy) {
-    driver(L).send(
-        L,
-        {.kind = InputKind::WheelMoved, .position = context_of(L).input.mouse_position(), .delta = {dx, dy}});
+    driver(L).send(L, {.kind = InputKind::WheelMoved,
+                       .position = driver(L).sent_input().mouse_position(),
+                       .delta = {dx, dy}});
 }
 
 engine::GamepadButton to_gamepad_button(lua_State* L, std::string_view name) {
@@ -139,7 +139,7 @@ void touch_press(lua_State* L, TouchNumber touch, float x, float y) {
 }
 void touch_move(lua_State* L, TouchNumber touch, float x, float y) {
     const int number = static_cast<int>(touch.value);
-    const engine::Vec2 from = context_of(L).input.touch(number).value_or(engine::Vec2{x, y});
+    const engine::Vec2 from = driver(L).sent_input().touch(number).value_or(engine::Vec2{x, y});
     driver(L).send(L, {.kind = InputKind::TouchMoved,
                        .position = {x, y},
                        .delta = engine::Vec2{x, y} - from,
@@ -258,8 +258,9 @@ constexpr Function kFunctions[] = {
     function<&gamepad_press>("gamepad_press", "gamepad, button", "", ""),
     function<&gamepad_release>("gamepad_release", "gamepad, button", "", ""),
     function<&gamepad_move>("gamepad_move", "gamepad, axis, value", "", ""),
-    function<&touch_press>("touch_press", "touch, x [px], y [px]", "",
-                           "The finger alone, without the mouse."),
+    function<&touch_press>(
+        "touch_press", "touch, x [px], y [px]", "",
+        "Fingers are numbered from 1; as on a device the first is the left mouse button too."),
     function<&touch_move>("touch_move", "touch, x [px], y [px]", "", ""),
     function<&touch_release>("touch_release", "touch, x [px], y [px]", "", ""),
     function<&expect>("expect", "condition, message = nil", "", "Fails unless the condition is true."),

@@ -24,6 +24,8 @@ class TestDriver {
     virtual void start(lua_State* L, std::uint64_t seed) = 0;
     /// Input of the next frame.
     virtual void send(lua_State* L, engine::InputEvent event) = 0;
+    /// What is held and where mouse and fingers are after all that was sent.
+    [[nodiscard]] virtual const engine::InputState& sent_input() const = 0;
     /// One update with the input sent before.
     virtual void run_frame(lua_State* L) = 0;
     virtual std::string state_hash(lua_State* L) = 0;

@@ -38,17 +38,26 @@ Pushed load(lua_State* L, std::string_view path, std::optional<TableArgument> fi
     const std::string_view filter = reader.text(kFilter);
     if (filter != "linear" && filter != "nearest") reader.fail(kFilter, "must be \"linear\" or \"nearest\"");
     const bool is_nearest = filter == "nearest";
+    const auto start = [&] { return "map '" + std::string(path) + "': "; };
+    const auto texture = [&](const std::string& image, const std::string& place) {
+        const auto loaded = services.renderer.load_texture(
+            image, is_nearest ? engine::TextureFilter::Nearest : engine::TextureFilter::Linear);
+        if (!loaded)
+            call_error(L, start() + place + ".image is \"" + image + "\", but " + loaded.error().message);
+        return *loaded;
+    };
     std::vector<engine::TextureId> textures;
     for (const engine::TileSet& set : map.sets) {
-        textures.push_back(value_or_raise(
-            L, services.renderer.load_texture(set.image_path, is_nearest ? engine::TextureFilter::Nearest
-                                                                         : engine::TextureFilter::Linear)));
+        textures.push_back(texture(set.image_path, set.place));
         const engine::Size size = services.renderer.texture_size(textures.back());
-        if (const auto fits = set.check_image(size); !fits)
-            call_error(L, "map '" + std::string(path) + "': " + fits.error().message);
+        if (const auto fits = set.check_image(size); !fits) call_error(L, start() + fits.error().message);
     }
-    new_object<TileMapObject>(L, 0, std::move(map), std::move(textures), reader.real(kScale),
-                              reader.boolean(kYUp), is_nearest);
+    std::vector<engine::TextureId> images;
+    for (const MapLayer& layer : map.layers)
+        images.push_back(layer.image_path.empty() ? engine::TextureId{}
+                                                  : texture(layer.image_path, layer.place));
+    new_object<TileMapObject>(L, 0, std::move(map), std::move(textures), std::move(images),
+                              reader.real(kScale), reader.boolean(kYUp), is_nearest);
     return {1};
 }
 
@@ -327,7 +336,10 @@ void draw(lua_State* L, TileMapObject* self, std::optional<std::string_view> nam
     for (const MapLayer& layer : self->map.layers) {
         if (name ? layer.name == *name : layer.is_visible) draw_layer(context, *self, layer);
     }
-    if (name && self->map.layer(*name) == nullptr) find_layer(L, self, *name, MapLayer::Kind::Tiles);
+    if (!name || self->map.layer(*name) != nullptr) return;
+    std::vector<std::string> names;
+    for (const MapLayer& layer : self->map.layers) names.push_back(layer.name);
+    call_error(L, "layer is \"" + std::string(*name) + "\": no such layer" + suggestion(*name, names));
 }
 
 constexpr std::array<std::string_view, 1> kReturnsMap = {"TileMap"};
@@ -349,7 +361,10 @@ constexpr Function kMethods[] = {
     function<&draw>(
         "draw", "layer = nil", "",
         "Draws a layer, or all that are visible; only what the picture shows, with the color that is set. "
-        "Of object layers it draws the tiles. Under a camera load it with `y_up = true` and a scale."),
+        "Of object layers it draws the tiles, of image layers the picture, repeated as the map says. Layers "
+        "with "
+        "parallax move as in the editor when the middle of the picture does. Under a camera load it with "
+        "`y_up = true` and a scale."),
     function<&size>("size", "", "width, height", "In the map's units; it begins at (0, 0)."),
     function<&cells>("cells", "", "columns, rows", ""),
     function<&cell_size>("cell_size", "", "width, height", "In the map's units."),
@@ -391,9 +406,9 @@ int finalize_tile_map(lua_State* L) {
 
 const Module kTileMapModule = {
     "cairn.tilemap",
-    "Maps drawn with the editor Tiled. Image layers are not drawn, and `cairn check` tells where a map has "
-    "some: "
-    "a game draws such a picture itself.",
+    "Maps drawn with the editor Tiled: layers of tiles, of objects and with images, in groups, with their "
+    "opacity, "
+    "tint, offset and parallax.",
     kModuleFunctions,
 };
 const Module kTileMapMethods = {"TileMap", "A map of tiles and objects.", kMethods, true};

@@ -1,5 +1,5 @@
-// The drawing of tile maps. Invariant: tiles of one set are one mesh, without smooth edges, so that
-// neighbours meet without a seam.
+// The drawing of tile maps. Invariant: tiles of one set, and copies of one picture, are one mesh without
+// smooth edges, so that neighbours meet without a seam.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -84,22 +84,33 @@ class TileMesh {
     std::vector<std::uint32_t> indices_;
 };
 
+/// The part of the map that the picture shows, in pixels of the map.
+struct View {
+    Vec2 low, middle, high;
+};
+View view_of(const engine::Renderer& renderer, const TileMapObject& map) {
+    const engine::Size target = renderer.target_size();
+    const engine::Affine2 back = renderer.transform().inverse();
+    const auto place = [&](Vec2 share) {
+        return map.to_pixels(back.apply(
+            {share.x * static_cast<float>(target.width), share.y * static_cast<float>(target.height)}));
+    };
+    View view{{1e30f, 1e30f}, place({0.5f, 0.5f}), {-1e30f, -1e30f}};
+    for (const Vec2 corner : {Vec2{0, 0}, Vec2{1, 0}, Vec2{0, 1}, Vec2{1, 1}}) {
+        const Vec2 p = place(corner);
+        view.low = {std::min(view.low.x, p.x), std::min(view.low.y, p.y)};
+        view.high = {std::max(view.high.x, p.x), std::max(view.high.y, p.y)};
+    }
+    return view;
+}
+
 /// The cells that the picture may show, with room for tiles that are larger than cells.
 struct CellRange {
     int first_column, last_column, first_row, last_row;
 };
-CellRange visible_cells(const engine::Renderer& renderer, const TileMapObject& map, Vec2 offset) {
-    const engine::Size target = renderer.target_size();
-    const engine::Affine2 back = renderer.transform().inverse();
-    Vec2 low = {1e30f, 1e30f};
-    Vec2 high = {-1e30f, -1e30f};
-    for (const Vec2 corner : {Vec2{0, 0}, Vec2{1, 0}, Vec2{0, 1}, Vec2{1, 1}}) {
-        Vec2 p = back.apply(
-            {corner.x * static_cast<float>(target.width), corner.y * static_cast<float>(target.height)});
-        p = map.to_pixels(p) - offset;
-        low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-        high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-    }
+CellRange visible_cells(const View& view, const TileMapObject& map, Vec2 offset) {
+    Vec2 low = view.low - offset;
+    Vec2 high = view.high - offset;
     engine::Size largest = map.map.tile_size;
     for (const engine::TileSet& set : map.map.sets)
         largest = {std::max(largest.width, set.tile_size.width),
@@ -136,27 +147,71 @@ Vec2 tile_object_corner(const engine::TileMap& map, const MapObject& object) {
     return place - Vec2{0.5f * object.size.x, 0};
 }
 
+/// Which copies of a picture the view shows along one axis; a picture that is not repeated is copy 0.
+struct CopyRange {
+    int first, last;
+};
+CopyRange visible_copies(float low, float high, float corner, float side, bool repeats) {
+    const float first = std::floor((low - corner) / side), last = std::ceil((high - corner) / side) - 1;
+    if (!repeats) return first <= 0 && last >= 0 ? CopyRange{0, 0} : CopyRange{0, -1};
+    // A picture of few pixels seen from far away would be drawn millions of times; more than these nobody
+    // tells apart. The middle of the view has them.
+    constexpr float kMostCopies = 256;
+    const float beyond = std::max(0.0f, 0.5f * (last - first + 1 - kMostCopies));
+    constexpr float kFarthest = 1e9f;
+    return {static_cast<int>(std::clamp(std::ceil(first + beyond), -kFarthest, kFarthest)),
+            static_cast<int>(std::clamp(std::floor(last - beyond), -kFarthest, kFarthest))};
+}
+
+void draw_image(engine::Renderer& renderer, const TileMapObject& map, const MapLayer& layer, const View& view,
+                Vec2 offset, engine::Color color) {
+    const engine::TextureId texture = map.images[static_cast<std::size_t>(&layer - map.map.layers.data())];
+    const engine::Size pixels = renderer.texture_size(texture);
+    const Vec2 size = {static_cast<float>(std::max(pixels.width, 1)),
+                       static_cast<float>(std::max(pixels.height, 1))};
+    const Vec2 corner = layer.image_corner + offset;
+    const CopyRange across = visible_copies(view.low.x, view.high.x, corner.x, size.x, layer.repeats_x);
+    const CopyRange down = visible_copies(view.low.y, view.high.y, corner.y, size.y, layer.repeats_y);
+    std::vector<engine::MeshVertex> vertices;
+    std::vector<std::uint32_t> indices;
+    for (int row = down.first; row <= down.last; ++row) {
+        for (int column = across.first; column <= across.last; ++column) {
+            const auto first = static_cast<std::uint32_t>(vertices.size());
+            for (const Vec2 uv : {Vec2{0, 0}, Vec2{1, 0}, Vec2{1, 1}, Vec2{0, 1}}) {
+                const Vec2 place = {corner.x + (static_cast<float>(column) + uv.x) * size.x,
+                                    corner.y + (static_cast<float>(row) + uv.y) * size.y};
+                vertices.push_back({map.to_units(place), color, uv});
+            }
+            indices.insert(indices.end(), {first, first + 1, first + 2, first, first + 2, first + 3});
+        }
+    }
+    if (!indices.empty()) renderer.draw_mesh(vertices, indices, texture);
+}
+
 }  // namespace
 
 void draw_layer(const Context& context, const TileMapObject& map, const MapLayer& layer) {
     engine::Renderer& renderer = context.services.renderer;
-    engine::Color color = context.draw.color;
-    color.a *= layer.opacity;
+    const engine::Color color = {context.draw.color.r * layer.color.r, context.draw.color.g * layer.color.g,
+                                 context.draw.color.b * layer.color.b, context.draw.color.a * layer.color.a};
+    const View view = view_of(renderer, map);
+    const Vec2 offset = layer.offset + map.map.parallax_shift(layer, view.middle);
+    if (layer.kind == MapLayer::Kind::Image) return draw_image(renderer, map, layer, view, offset, color);
     TileMesh mesh(renderer, map, color, context.time_s());
     if (layer.kind == MapLayer::Kind::Objects) {
         for (const MapObject& object : layer.objects)
             if (object.shape == engine::MapShape::Tile && object.is_visible)
-                mesh.add(object.tile, tile_object_corner(map.map, object) + layer.offset);
+                mesh.add(object.tile, tile_object_corner(map.map, object) + offset);
         return;
     }
-    const CellRange range = visible_cells(renderer, map, layer.offset);
+    const CellRange range = visible_cells(view, map, offset);
     const auto add_row = [&](int row, int first_column, int step) {
         for (int column = first_column; column <= range.last_column; column += step) {
             const Tile& tile =
                 layer.tiles[static_cast<std::size_t>(row) * static_cast<std::size_t>(map.map.columns) +
                             column];
             if (tile.id == 0) continue;
-            mesh.add(tile, map.map.tile_corner(column, row) + layer.offset);
+            mesh.add(tile, map.map.tile_corner(column, row) + offset);
         }
     };
     const bool moves_columns = map.map.grid == engine::MapGrid::Staggered && map.map.stagger.moves_columns;

@@ -16,6 +16,7 @@ struct TileMapObject : ObjectHeader {
     static constexpr ObjectTag kTag = ObjectTag::TileMap;
     engine::TileMap map;
     std::vector<engine::TextureId> textures;  ///< of the map's sets
+    std::vector<engine::TextureId> images;    ///< of its layers; null where one has no picture of its own
     float scale;                              ///< units per pixel of the map
     bool is_y_up;
     bool is_nearest;
@@ -44,7 +45,7 @@ struct Argument<TileMapObject*> {
     }
 };
 
-/// Draws the tiles of a layer, or the tile objects of one, as far as the picture shows them.
+/// Draws a layer: its tiles, its objects that are tiles, or its picture, as far as the screen shows them.
 void draw_layer(const Context& context, const TileMapObject& map, const engine::MapLayer& layer);
 
 }  // namespace cairn::scripting

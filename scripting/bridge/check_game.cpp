@@ -141,9 +141,12 @@ class Inspector {
             ++files_;
             for (const std::string& fault : reading.faults) tell(path, fault);
         }
-        for (const std::string& layer : reading.map.image_layers)
-            tell(path, "map '" + path + "': the layer \"" + layer +
-                           "\" is an image layer, which is not drawn; let the game draw the picture itself");
+        for (const engine::MapLayer& layer : reading.map.layers) {
+            if (layer.image_path.empty()) continue;
+            if (const auto texture = machine_.renderer->load_texture(layer.image_path); !texture)
+                tell(path, "map '" + path + "': " + layer.place + ".image is \"" + layer.image_path +
+                               "\", but " + texture.error().message);
+        }
         for (const engine::TileSet& set : reading.map.sets) {
             if (set.image_path.empty()) continue;  // a fault, told above
             const auto texture = machine_.renderer->load_texture(set.image_path);

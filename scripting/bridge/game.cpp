@@ -57,7 +57,7 @@ Game::Game(const Services& services, const GameOptions& options)
                .random = engine::Random(options.seed),
                .visual_random = engine::Random(options.visual_seed, 1)} {
     context_.test = options.test;
-    if (options.plays_saves) context_.played_saves.emplace();
+    if (options.plays_saves) context_.played_saves.emplace(services.files);
     state_.set_context(&context_);
     register_all(state_.get());
     lua_getglobal(state_.get(), "cairn");
@@ -96,7 +96,6 @@ void Game::hint_at_slips() {
 
 struct Game::CallbackCall {
     const char* name;
-    int cairn;                                             ///< reference to the table of the callbacks
     const std::function<int(lua_State*)>& push_arguments;  ///< gives their number
     bool reaches_scenes = true;                            ///< not load, which is before all scenes
     bool is_for_visible_scenes = false;                    ///< not only for the top one
@@ -106,16 +105,9 @@ struct Game::CallbackCall {
 
 int Game::run_callback(lua_State* L) {
     auto& callback = *static_cast<CallbackCall*>(lua_touserdata(L, 1));
-    lua_rawgeti(L, LUA_REGISTRYINDEX, callback.cairn);
-    lua_pushstring(L, callback.name);
-    lua_rawget(L, -2);  // callbacks that the game has not are no slips
-    if (lua_isfunction(L, -1)) {
+    if (push_callback(L, callback.name)) {
         lua_call(L, callback.push_arguments(L), 1);
         callback.result = lua_toboolean(L, -1) != 0;
-    } else if (!lua_isnil(L, -1)) {
-        callback.problem =
-            std::string("cairn.") + callback.name + " is " + describe_value(L, -1) + "; expected a function";
-        return 0;
     }
     lua_settop(L, 1);
     if (callback.reaches_scenes) run_scene_callbacks(L, callback);
@@ -156,7 +148,7 @@ std::optional<ScriptError> Game::call(const char* name, bool* result, const Argu
         (push(L, arguments), ...);
         return static_cast<int>(sizeof...(Arguments));
     };
-    CallbackCall callback{.name = name, .cairn = cairn_, .push_arguments = push_arguments};
+    CallbackCall callback{.name = name, .push_arguments = push_arguments};
     callback.reaches_scenes = std::string_view(name) != "load";
     callback.is_for_visible_scenes = std::string_view(name) == "draw";
     lua_State* L = state_.get();

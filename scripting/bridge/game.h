@@ -80,7 +80,7 @@ class Game {
 
     Context context_;  // outlives the state, which uses it when it closes
     State state_;
-    int cairn_ = 0;  ///< reference to the table of the callbacks
+    int cairn_ = 0;  ///< reference to the table of that name, whatever scripts do to the global
 };
 
 }  // namespace cairn::scripting

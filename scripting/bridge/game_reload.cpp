@@ -1,21 +1,17 @@
 // Running a game's scripts again in the state that they have made. What the game wants to keep goes from
 // cairn.before_reload to cairn.after_reload; its callbacks, modules, timers, tweens and scenes are those of
 // the new scripts alone.
+#include "bind/callbacks.h"
 #include "bind/core.h"
 #include "bridge/game.h"
 
 namespace cairn::scripting {
 namespace {
 
-/// Of the table of callbacks at an index: true when there is a function of that name, which is pushed then.
-bool push_callback(lua_State* L, int table, const char* name) {
-    if (lua_getfield(L, table, name) == LUA_TFUNCTION) return true;
-    lua_pop(L, 1);
-    return false;
-}
-
-/// The functions that scripts put into `cairn`; the API's own are in C.
-void forget_callbacks(lua_State* L, int table) {
+/// The callbacks, and what functions else scripts have put into `cairn`, a table at an index; the API's own
+/// are in C.
+void forget_functions(lua_State* L, int table) {
+    clear_callbacks(L);
     lua_pushnil(L);
     while (lua_next(L, table) != 0) {
         if (lua_isfunction(L, -1) && lua_iscfunction(L, -1) == 0) {
@@ -44,33 +40,29 @@ void unref_all(lua_State* L, Context& context) {
 
 bool Game::can_reload() const {
     lua_State* L = state_.get();
-    lua_rawgeti(L, LUA_REGISTRYINDEX, cairn_);
-    const bool can = push_callback(L, lua_gettop(L), "before_reload");
-    lua_pop(L, can ? 2 : 1);
+    const bool can = push_callback(L, "before_reload");
+    if (can) lua_pop(L, 1);
     return can;
 }
 
 std::optional<ScriptError> Game::reload(const std::string& main_path,
                                         const std::vector<std::string>& arguments) {
     lua_State* L = state_.get();
-    lua_rawgeti(L, LUA_REGISTRYINDEX, cairn_);
-    const int table = lua_gettop(L);
-    if (!push_callback(L, table, "before_reload")) {
-        lua_settop(L, table - 1);
-        return load(main_path, arguments);
-    }
+    const int top = lua_gettop(L);
+    if (!push_callback(L, "before_reload")) return load(main_path, arguments);
     if (auto error = protected_call(L, 0, 1)) {
-        lua_settop(L, table - 1);
+        lua_settop(L, top);
         return error;
     }
     const int kept = luaL_ref(L, LUA_REGISTRYINDEX);  // of nil too
-    forget_callbacks(L, table);
+    lua_rawgeti(L, LUA_REGISTRYINDEX, cairn_);
+    forget_functions(L, lua_gettop(L));
     forget_modules(L);
     unref_all(L, context_);
     auto error = run_file(main_path);
     if (!error) {
         hint_at_slips();
-        if (push_callback(L, table, "after_reload")) {
+        if (push_callback(L, "after_reload")) {
             lua_rawgeti(L, LUA_REGISTRYINDEX, kept);
             error = protected_call(L, 1, 0);
         } else {
@@ -78,7 +70,7 @@ std::optional<ScriptError> Game::reload(const std::string& main_path,
         }
     }
     luaL_unref(L, LUA_REGISTRYINDEX, kept);
-    lua_settop(L, table - 1);
+    lua_settop(L, top);
     return error;
 }
 

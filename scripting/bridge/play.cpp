@@ -84,9 +84,12 @@ class Session {
         if (options_.headless) {
             if (!error && !options_.video.empty()) error = start_video();
             if (!error) error = run_headless();
-            if (error) return report(*error);
+            if (error) {
+                report(*error);
+                return finish_with_error();
+            }
         } else if (!run_in_window(std::move(error))) {
-            return 1;
+            return finish_with_error();
         }
         return finish();
     }
@@ -347,6 +350,12 @@ class Session {
 
     static int report(const ScriptError& error) { return fail(error.to_text()); }
 
+    /// A recording of what led to an error is worth most; its state is that of no whole update.
+    int finish_with_error() {
+        if (!options_.record.empty()) static_cast<void>(write_recording(std::nullopt));
+        return 1;
+    }
+
     int finish() {
         if (const auto& result = game_->result(); result && options_.result != nullptr) {
             *options_.result = {result->outcome, result->level};
@@ -390,7 +399,7 @@ class Session {
                     slowest[FramePart::Draw], slowest[FramePart::Present]);
     }
 
-    int write_recording(std::uint64_t hash) {
+    int write_recording(std::optional<std::uint64_t> hash) {
         const Replay recording{.game = options_.source.name,
                                .seed = seed_,
                                .size = machine_.conf.size,
@@ -444,6 +453,13 @@ int play(const PlayOptions& given) {
         auto read = read_replay(options.replay);
         if (!read) return fail(read.error().message);
         replay = *std::move(read);
+    }
+    // Before somebody plays for it.
+    for (const auto& [path, start] :
+         {std::pair(options.record, "the recording: "), std::pair(options.screenshot, "")}) {
+        if (path.empty()) continue;
+        if (const auto fine = engine::check_native_file(path); !fine)
+            return fail(start + fine.error().message);
     }
     MachineKind kind = MachineKind::Window;
     if (options.headless)

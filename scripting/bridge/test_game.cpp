@@ -44,8 +44,11 @@ class Driver : public TestDriver {
 
     void send(lua_State* L, engine::InputEvent event) override {
         require_started(L);
-        waiting_.push_back(std::move(event));
+        const std::size_t first = waiting_.size();
+        finger_mouse_.append(std::move(event), waiting_);
+        for (std::size_t i = first; i < waiting_.size(); ++i) sent_input_.apply(waiting_[i]);
     }
+    [[nodiscard]] const engine::InputState& sent_input() const override { return sent_input_; }
 
     void run_frame(lua_State* L) override {
         require_main_thread(L);
@@ -183,6 +186,8 @@ class Driver : public TestDriver {
     bool is_started_ = false;
     std::uint64_t seed_ = 1;
     std::vector<engine::InputEvent> waiting_;
+    engine::FingerMouse finger_mouse_;
+    engine::InputState sent_input_;
     std::vector<ReplayEvent> recorded_;
 };
 
@@ -287,6 +292,10 @@ int fail(const std::string& message) {
 }  // namespace
 
 int test_game(const GameSource& source, const TestOptions& options) {
+    if (!options.junit.empty()) {
+        if (const auto fine = engine::check_native_file(options.junit); !fine)
+            return fail("the results: " + fine.error().message);
+    }
     auto machine = make_machine(source, MachineKind::Headless);
     if (!machine) return fail(machine.error().message);
     if (compares_pictures(*(*machine)->files)) {

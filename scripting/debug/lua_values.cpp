@@ -6,6 +6,7 @@
 #include <map>
 #include <string_view>
 
+#include "bind/callbacks.h"
 #include "bind/fields.h"
 #include "lua/errors.h"
 
@@ -81,12 +82,15 @@ void read_locals(lua_State* L, Values& values, int depth) {
 int read_all(lua_State* L) {
     auto& values = *static_cast<Values*>(lua_touserdata(L, 1));
     read_globals(L, values);
-    lua_getglobal(L, "cairn");
-    if (!lua_istable(L, -1)) return 0;
-    for (lua_pushnil(L); lua_next(L, -2) != 0; lua_pop(L, 1)) {
+    const auto read_functions = [&] {  // of the table on top of the stack
         constexpr int kCallsDeep = 2;
-        if (lua_isfunction(L, -1) && !lua_iscfunction(L, -1)) read_locals(L, values, kCallsDeep);
-    }
+        for (lua_pushnil(L); lua_next(L, -2) != 0; lua_pop(L, 1))
+            if (lua_isfunction(L, -1) && !lua_iscfunction(L, -1)) read_locals(L, values, kCallsDeep);
+    };
+    push_callbacks(L);
+    read_functions();
+    lua_getglobal(L, "cairn");
+    if (lua_istable(L, -1)) read_functions();
     return 0;
 }
 

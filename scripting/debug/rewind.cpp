@@ -4,25 +4,13 @@
 #include <algorithm>
 #include <utility>
 
+#include "bind/callbacks.h"
 #include "bind/data_values.h"
 #include "bind/physics_objects.h"
 #include "bind/snapshot.h"
 
 namespace cairn::scripting {
 namespace {
-
-/// A callback of `cairn`, on top of the stack; false when the game has none, with nothing pushed.
-bool push_callback(lua_State* L, const char* name) {
-    lua_getglobal(L, "cairn");
-    if (lua_istable(L, -1)) {
-        lua_pushstring(L, name);
-        lua_rawget(L, -2);
-        lua_remove(L, -2);
-        if (lua_isfunction(L, -1)) return true;
-    }
-    lua_pop(L, 1);
-    return false;
-}
 
 int run_load(lua_State* L) {
     const auto& saved = *static_cast<const Value*>(lua_touserdata(L, 1));

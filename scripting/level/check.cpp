@@ -49,6 +49,10 @@ std::string expected(FieldType type) {
 
 }  // namespace
 
+std::string item_path(const std::string& list, std::size_t index) {
+    return list + '[' + std::to_string(index + 1) + ']';
+}
+
 const Value* find_in(std::span<const Layer> layers, std::string_view field, const Layer** found_in) {
     for (const Layer& layer : layers) {
         const Value* value = layer.table->find(field);

@@ -69,6 +69,9 @@ class LevelChecker {
     std::size_t told_ = 0;
 };
 
+/// "bodies[3]" for the third one, whose index is 2.
+std::string item_path(const std::string& list, std::size_t index);
+
 /// Whether it is { x, y }.
 bool is_point(const Value& value);
 

@@ -1,5 +1,5 @@
-// Three passes: includes with their materials and templates; the parts, each merged from its layers (the
-// entry itself, its template, its material); and then, when all names are known, what refers to them.
+// Two passes over what the files hold: the parts, each merged from its layers (the entry itself, its
+// template, its material); and then, when all names are known, what refers to them.
 #include "level/reader.h"
 
 #include <algorithm>
@@ -10,9 +10,8 @@
 
 #include "bind/convex_parts.h"
 #include "data/nearest.h"
-#include "data/table_parser.h"
 #include "level/check.h"
-#include "level/tiled_level.h"
+#include "level/definitions.h"
 
 namespace cairn::scripting {
 namespace {
@@ -27,10 +26,6 @@ bool is_part_name(std::string_view name) {
         return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
                c == '-';
     });
-}
-
-std::string item_path(const std::string& list, std::size_t index) {
-    return list + '[' + std::to_string(index + 1) + ']';
 }
 
 std::string member_path(const std::string& list, const Key& key) {
@@ -48,17 +43,13 @@ std::string place_of_entry(const Layer& entry) {
 
 class Reader {
   public:
-    Reader(const engine::Files& files, const TiledImport& import) : files_(files), import_(import) {}
+    Reader(const engine::Files& files, const TiledImport& import)
+        : files_(files), definitions_(files, import, check_) {}
 
     LevelReading read(const std::string& path) {
         level_.path = path;
-        check_.begin(path);
-        if (read_table(path, level_.table)) {
+        if (definitions_.read(path, level_.table, level_.files)) {
             root_ = {&level_.table, "", path};
-            const std::vector<const Field*> fields = all_fields(kLevelFields);
-            check_.check_fields(root_, fields);
-            read_definitions(root_);
-            read_includes();
             read_own();
             for (int kind = 0; kind < kPartKinds; ++kind) read_parts(static_cast<PartKind>(kind));
             read_spawns();
@@ -69,26 +60,6 @@ class Reader {
     }
 
   private:
-    bool read_table(const std::string& path, Value& out) {
-        level_.files.push_back(path);
-        if (is_tiled_file(path)) {
-            std::vector<std::string> faults;
-            auto level = tiled_level(files_, path, import_.scale, faults);
-            for (const std::string& fault : faults) check_.fault_of_file(path, fault);
-            if (!level) return false;
-            out = *std::move(level);
-            return true;
-        }
-        const auto text = files_.read_text(path);
-        if (!text) return check_.fault_of_file(path, text.error().message), false;
-        std::vector<std::string> faults;
-        auto parsed = parse_faulty_table_text(*text, path, faults);
-        for (const std::string& fault : faults) check_.fault_of_file(path, fault);
-        if (!parsed) return check_.fault_of_file(path, parsed.error().message), false;
-        out = *std::move(parsed);
-        return true;
-    }
-
     /// The members of a section that is a list of tables. What is not is a fault, and left out.
     std::vector<Layer> list_of(const char* section) {
         std::vector<Layer> items;
@@ -110,109 +81,6 @@ class Reader {
             }
         }
         return items;
-    }
-
-    /// The materials and templates of a file.
-    void read_definitions(const Layer& root) {
-        const std::vector<const Field*> matter = all_fields(kLevelMaterialFields);
-        for_each_named(root, "materials", [&](const std::string& name, const Layer& layer) {
-            check_.check_fields(layer, matter);
-            materials_.try_emplace(name, layer);
-        });
-        for_each_named(root, "templates", [&](const std::string& name, const Layer& layer) {
-            templates_.try_emplace(name, layer);
-            new_templates_.push_back(layer);
-        });
-        // A template may use materials of a file that is included later.
-    }
-
-    template <class Function>
-    void for_each_named(const Layer& root, const char* section, Function&& function) {
-        const Value* table = root.table->find(section);
-        if (table != nullptr && table->is_unreadable) lacks_definitions_ = true;
-        if (table == nullptr || table->kind() != Value::Kind::Table) return;
-        for (const Entry& entry : table->entries()) {
-            if (entry.value.is_unreadable) lacks_definitions_ = true;
-            const auto* name = std::get_if<std::string>(&entry.key);
-            if (name == nullptr) {
-                check_.fault({&entry.value, section, root.file},
-                             "has an entry without a name; expected name = { ... }");
-            } else if (entry.value.kind() != Value::Kind::Table) {
-                check_.fault(root, entry.value, std::string(section) + '.' + *name, "must be a table");
-            } else {
-                function(*name, Layer{&entry.value, std::string(section) + '.' + *name, root.file});
-            }
-        }
-    }
-
-    void read_includes() {
-        const Value* list = level_.table.find("includes");
-        if (list != nullptr && list->is_unreadable) lacks_definitions_ = true;
-        if (list != nullptr && list->kind() == Value::Kind::Table) {
-            if (!list->is_list()) check_.fault({list, "includes", level_.path}, "must be a list of files");
-            // Values must not move while layers point at them.
-            included_.reserve(list->entries().size());
-            for (std::size_t i = 0; list->is_list() && i < list->entries().size(); ++i) {
-                const Value& file = list->entries()[i].value;
-                if (!read_include(file, item_path("includes", i))) lacks_definitions_ = true;
-            }
-        }
-        for (const Layer& layer : new_templates_) check_template(layer);
-    }
-
-    /// Whether its materials and templates are known now.
-    bool read_include(const Value& file, const std::string& path) {
-        const auto refuse = [&](const char* rule) { check_.fault(root_, file, path, rule); };
-        if (file.kind() != Value::Kind::String) return refuse("must be the path of a file, in quotes"), false;
-        if (file.text() == level_.path) return refuse("is this file itself"), true;
-        const bool is_known =
-            std::find(level_.files.begin(), level_.files.end(), file.text()) != level_.files.end();
-        if (is_known) return refuse("is included already"), true;
-        if (!files_.exists(file.text())) return refuse("there is no such file"), false;
-        Value table;
-        if (!read_table(file.text(), table)) return false;
-        included_.push_back(std::move(table));
-        const Layer layer{&included_.back(), "", file.text()};
-        const std::vector<const Field*> fields = all_fields(kLevelFields);
-        check_.check_fields(layer, fields);
-        for (const Field* field : fields) {
-            const std::string_view name = field->name;
-            if (name == "materials" || name == "templates") continue;
-            if (const Value* value = layer.table->find(name)) {
-                check_.fault(
-                    layer, *value, field->name,
-                    "has no effect here: of a file that is included, materials and templates are taken");
-            }
-        }
-        read_definitions(layer);
-        return true;
-    }
-
-    void check_template(const Layer& layer) {
-        std::vector<const Field*> fields;
-        const Value* shape = layer.table->find("shape");
-        if (shape != nullptr && shape->kind() == Value::Kind::String) {
-            check_.check_one_of(layer, *shape, "shape", "shape", variants_of(PartKind::Body));
-            fields = part_fields(PartKind::Body, shape->text());
-        } else {
-            fields = fields_of_any_body();
-        }
-        if (const Value* other = layer.table->find(kTemplate))
-            check_.fault(layer, *other, kTemplate, "a template cannot have a template of its own");
-        check_.check_fields(layer, fields);
-        check_material(layer);
-    }
-
-    void check_material(const Layer& layer) {
-        const Value* material = layer.table->find(kMaterial);
-        if (material != nullptr && !lacks_definitions_)
-            check_.check_one_of(layer, *material, kMaterial, "material", names_of(materials_));
-    }
-
-    static std::vector<std::string> names_of(const std::map<std::string, Layer>& map) {
-        std::vector<std::string> names;
-        for (const auto& [name, layer] : map) names.push_back(name);
-        return names;
     }
 
     void read_own() {
@@ -324,7 +192,7 @@ class Reader {
         if (const Value* name = entry.table->find(kName)) part.name = take_name(entry, *name);
         std::vector<Layer> layers = {entry};
         const bool has_all_layers =
-            kind != PartKind::Body || add_named(layers, kTemplate, "template", templates_);
+            kind != PartKind::Body || add_named(layers, kTemplate, "template", definitions_.templates());
         part.is_faulty = !has_all_layers;
         if (!read_variant(part, layers)) {
             part.is_faulty = true;
@@ -342,13 +210,20 @@ class Reader {
         const bool takes_material = std::any_of(fields.begin(), fields.end(), [](const Field* field) {
             return std::string_view(field->name) == kMaterial;
         });
-        if (takes_material) add_named(layers, kMaterial, "material", materials_);
+        if (takes_material) add_named(layers, kMaterial, "material", definitions_.materials());
         // What is missing may stand in a template that is not there; that is told.
-        if (has_all_layers) part.is_faulty |= tells([&] { check_.check_missing(layers, fields, "body_a"); });
+        if (has_all_layers)
+            part.lacks_fields = tells([&] { check_.check_missing(layers, fields, "body_a"); });
+        part.is_faulty |= part.lacks_fields;
         part.is_faulty |= tells([&] { check_outline(part.variant, layers); });
         for (const Layer& layer : layers)
             part.is_faulty |= check_.is_faulty(layer) && &layer != &layers.front();
         part.fields = merged(layers, fields);
+        for (const Field* field : fields) {
+            const Value* value = find_in(layers, field->name);
+            if (value != nullptr && (value->is_unreadable || check_.is_faulty(*value)))
+                part.faulty_fields.push_back(field);
+        }
         if (part.is_faulty && is_shape(kind, part.variant)) note_outline(part, part.variant, layers);
         if (kind == PartKind::Body) read_shapes(part, layers);
         note_names(part, layers);
@@ -402,8 +277,8 @@ class Reader {
         const auto found = known.find(name->text());
         if (found != known.end()) {
             layers.push_back(found->second);
-        } else if (!lacks_definitions_) {
-            check_.check_one_of(*layer, *name, field, what, names_of(known));
+        } else if (!definitions_.are_incomplete()) {
+            check_.check_one_of(*layer, *name, field, what, LevelDefinitions::names_of(known));
         }
         return found != known.end();
     }
@@ -506,10 +381,10 @@ class Reader {
         const std::vector<const Field*> fields = shape_fields(variant->text());
         bool is_faulty = tells([&] { check_.check_fields(entry, fields); });
         std::vector<Layer> layers = {entry};
-        add_named(layers, kMaterial, "material", materials_);
+        add_named(layers, kMaterial, "material", definitions_.materials());
         if (layers.size() == 1) {  // without a material of its own it has that of the body
             std::vector<Layer> all = body;
-            add_named(all, kMaterial, "material", materials_);
+            add_named(all, kMaterial, "material", definitions_.materials());
             if (all.size() > body.size()) layers.push_back(all.back());
         }
         is_faulty |= tells([&] { check_.check_missing(layers, fields); });
@@ -561,8 +436,16 @@ class Reader {
             // A name that was refused is told where it is given.
             const bool is_wrong =
                 refused_names_.contains(name.name) || tells([&] { check_reference(waiting, name); });
-            level_.parts[waiting.part].is_faulty |= is_wrong;
+            if (is_wrong) refuse(waiting);
         }
+    }
+
+    void refuse(const Waiting& waiting) {
+        LevelPart& part = level_.parts[waiting.part];
+        part.is_faulty = true;
+        if (std::find(part.faulty_fields.begin(), part.faulty_fields.end(), waiting.field) ==
+            part.faulty_fields.end())
+            part.faulty_fields.push_back(waiting.field);
     }
 
     void check_reference(const Waiting& waiting, const PartName& name) {
@@ -590,24 +473,18 @@ class Reader {
 
     /// Of what is not among the names.
     void check_name(const Waiting& waiting, const char* what, std::span<const std::string> names) {
-        level_.parts[waiting.part].is_faulty = true;
+        refuse(waiting);
         if (!lacks_names_) check_.check_one_of(waiting.layer, waiting.name, waiting.field->name, what, names);
     }
 
     const engine::Files& files_;
-    TiledImport import_;
     Level level_;
     LevelChecker check_;
+    LevelDefinitions definitions_;
     Layer root_;
-    std::vector<Value> included_;
-    std::map<std::string, Layer> materials_;
-    std::map<std::string, Layer> templates_;
-    std::vector<Layer> new_templates_;
     std::map<std::string, std::string> names_;  ///< name -> path of what has it
     std::set<std::string> refused_names_;
-    bool lacks_definitions_ =
-        false;                  ///< a file with materials and templates could not be read, which is told
-    bool lacks_names_ = false;  ///< the name of a part could not be read, which is told
+    bool lacks_names_ = false;                     ///< the name of a part could not be read, which is told
     std::map<std::string, std::string> pictures_;  ///< path -> its fault, or empty
     std::vector<Waiting> waiting_;
 };

@@ -38,8 +38,11 @@ struct LevelPart {
     /// The forms alone of shapes that have faults elsewhere: what of these can still be tried out.
     std::vector<ShapePart> outlines;
     std::vector<PartReference> references;
-    std::string place;              ///< "levels/one.lua:12:5: bodies[3]": for messages
-    bool is_faulty = false;         ///< it cannot be tried out
+    std::string place;       ///< "levels/one.lua:12:5: bodies[3]": for messages
+    bool is_faulty = false;  ///< it cannot be tried out as it is
+    /// Those whose values are faulty: what does not depend on them can still be tried out.
+    std::vector<const Field*> faulty_fields;
+    bool lacks_fields = false;      ///< that it must have
     bool has_faulty_shape = false;  ///< of `shapes`, which then lacks it
 };
 

@@ -2733,7 +2733,7 @@ function cairn.tilemap.load(path, fields) end
 ---@class TileMap
 local TileMap = {}
 
----Draws a layer, or all that are visible; only what the picture shows, with the color that is set. Of object layers it draws the tiles. Under a camera load it with `y_up = true` and a scale.
+---Draws a layer, or all that are visible; only what the picture shows, with the color that is set. Of object layers it draws the tiles, of image layers the picture, repeated as the map says. Layers with parallax move as in the editor when the middle of the picture does. Under a camera load it with `y_up = true` and a scale.
 ---@param layer string?
 function TileMap:draw(layer) end
 
@@ -3629,7 +3629,7 @@ function cairn.test.gamepad_release(gamepad, button) end
 ---@param value number from -1 to 1
 function cairn.test.gamepad_move(gamepad, axis, value) end
 
----The finger alone, without the mouse.
+---Fingers are numbered from 1; as on a device the first is the left mouse button too.
 ---@param touch integer from 1 to 10
 ---@param x number [px]
 ---@param y number [px]

@@ -72,7 +72,7 @@ class SdlPlatform final : public Platform {
             std::optional<InputEvent> event = touches_.translate(sdl, *window_);
             if (!event) event = translate(sdl, *window_);
             if (!event) continue;
-            events.push_back(std::move(*event));
+            finger_mouse_.append(std::move(*event), events);
             expect_size_of(events.back());
         }
         window_->expect_logical_size(std::nullopt);
@@ -109,6 +109,7 @@ class SdlPlatform final : public Platform {
     std::unique_ptr<SdlWindow> window_;
     SdlGamepads gamepads_;
     SdlTouches touches_;
+    FingerMouse finger_mouse_;
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
@@ -116,7 +117,8 @@ class SdlPlatform final : public Platform {
 
 Result<std::unique_ptr<Platform>> make_sdl_platform(const PlatformDef& def) {
     SDL_SetMainReady();  // the program's main is its own, not SDL's
-    SDL_SetHint(SDL_HINT_TOUCH_MOUSE_EVENTS, "1");
+    // FingerMouse does it, for tests and for devices alike; whoever sets SDL's variable would get it twice.
+    SDL_SetHintWithPriority(SDL_HINT_TOUCH_MOUSE_EVENTS, "0", SDL_HINT_OVERRIDE);
     SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");  // EndSignals tells them from the close button
     VideoSubsystem video;
     constexpr const char* kWayOut = "; set DISPLAY, or play without a display: --headless";

@@ -53,6 +53,20 @@ TEST_CASE_METHOD(Folder, "both forms of the format give the same atlas, in the o
                Catch::Contains("'jump'") && Catch::Contains("11 x 8"));
 }
 
+TEST_CASE_METHOD(
+    Folder, "an atlas with numbers beyond all or endless nesting is damaged, not the end of the program") {
+    std::string deep = "{\"meta\": {\"image\": \"a.png\"}, \"frames\": " + std::string(100'000, '[');
+    deep += std::string(100'000, ']') + "}";
+    for (const auto& [text, reason] :
+         {std::pair<std::string, const char*>{deep, "is nested more than 200 deep"},
+          {"{\"frames\": {\"a\": {\"frame\": {\"x\": 1e999}}}, \"meta\": {}}",
+           "is not JSON: number overflow"}}) {
+        CHECK(is_atlas_text(text));
+
+        CHECK_THAT(load(text).error().message, Catch::Contains(reason));
+    }
+}
+
 TEST_CASE_METHOD(Folder, "a wrong atlas is an error that names the file, the frame and the rule") {
     const auto message = [&](const std::string& text) { return load(text).error().message; };
     CHECK_THAT(load_atlas(*files, "none.json").error().message, Catch::Contains("'none.json'"));

@@ -66,7 +66,7 @@ TEST_CASE_METHOD(Maps, "a map has its size, its sets, its layers and its propert
     CHECK(map->sets[0].source(6) == Rect{19, 19, 16, 16});
     const MapLayer* ground = map->layer("ground");
     REQUIRE(ground);
-    CHECK(ground->opacity == 0.5f);
+    CHECK(ground->color == Color{1, 1, 1, 0.5f});
     CHECK(ids(*ground) == std::vector<std::uint32_t>{1, 0, 3, 2, 5, 8});
     CHECK(ground->tiles[3] == Tile{.id = 2, .flip_x = true});
     CHECK(ground->tiles[4] == Tile{.id = 5, .flip_y = true, .flip_diagonal = true});
@@ -115,14 +115,81 @@ TEST_CASE_METHOD(Maps, "elements for tiles keep their flags, and are counted and
                Catch::Contains("must hold tile numbers"));
 }
 
-TEST_CASE_METHOD(Maps, "image layers are no layers of the map, and their names are told") {
-    const auto map = load(
-        "i.tmx",
-        tmx(kCsv,
-            "<group name=\"far\"><imagelayer name=\"sky\"><image source=\"sky.png\"/></imagelayer></group>"));
-    REQUIRE(map);
-    CHECK(map->layers.size() == 1);
-    CHECK(map->image_layers == std::vector<std::string>{"far/sky"});
+TEST_CASE_METHOD(Maps, "image layers have their picture and what is done to it, in XML and in JSON") {
+    const auto xml = load(
+        "i.tmx", tmx(kCsv, R"(<group name="far" offsetx="5" offsety="-2" opacity="0.5" tintcolor="#ff8000"
+        parallaxx="0.5" visible="0"><imagelayer name="sky" offsetx="1" opacity="0.5" tintcolor="#80ffffff" parallaxx="0.5"
+        parallaxy="0.25" repeatx="1"><image source="../art/sky.png" width="64" height="32"/></imagelayer></group>
+        <imagelayer name="near" repeatx="0" repeaty="1"><image source="near.png"/></imagelayer>)"));
+    if (!xml) FAIL(xml.error().message);
+    const auto json = load(
+        "i.tmj", R"({"orientation": "orthogonal", "width": 3, "height": 2, "tilewidth": 16, "tileheight": 16,
+        "tilesets": [], "layers": [{"type": "group", "name": "far", "offsetx": 5, "offsety": -2, "opacity": 0.5,
+        "tintcolor": "#ff8000", "parallaxx": 0.5, "visible": false, "layers": [{"type": "imagelayer", "name": "sky", "offsetx": 1,
+        "opacity": 0.5, "tintcolor": "#80ffffff", "parallaxx": 0.5, "parallaxy": 0.25, "repeatx": true,
+        "image": "../art/sky.png"}]}, {"type": "imagelayer", "name": "near", "repeaty": true, "image": "near.png"}]})");
+    if (!json) FAIL(json.error().message);
+    for (const TileMap& map : {*xml, *json}) {
+        const MapLayer* sky = map.layer("far/sky");
+        REQUIRE(sky);
+        CHECK(sky->kind == MapLayer::Kind::Image);
+        CHECK(sky->image_path == "art/sky.png");
+        CHECK_FALSE(sky->is_visible);
+        CHECK(sky->offset == Vec2{6, -2});
+        CHECK(sky->color == Color{1, 128 / 255.0f, 0, 0.25f * (128 / 255.0f)});
+        CHECK(sky->parallax == Vec2{0.25f, 0.25f});
+        CHECK(sky->image_corner == Vec2{});
+        CHECK(sky->repeats_x);
+        CHECK_FALSE(sky->repeats_y);
+        const MapLayer* near = map.layer("near");
+        REQUIRE(near);
+        CHECK(near->image_path == "maps/near.png");
+        CHECK(near->color == Color{});
+        CHECK(near->parallax == Vec2{1, 1});
+        CHECK_FALSE(near->repeats_x);
+        CHECK(near->repeats_y);
+    }
+}
+
+TEST_CASE_METHOD(Maps, "what is wrong with an image layer is told with its place") {
+    folder.put("maps/w.tmj", R"({"width": 2, "height": 1, "tilewidth": 8, "tileheight": 8, "layers": [
+        {"type": "imagelayer", "name": "a"}, {"type": "imagelayer", "name": "b", "image": 5},
+        {"type": "group", "name": "g", "layers": [{"type": "imagelayer", "name": "c", "image": "c.png", "repeatx": 2,
+         "repeaty": "yes"}]},
+        {"type": "imagelayer", "name": "d", "image": "d.png", "transparentcolor": "#ff00ff"},
+        {"type": "imagelayer", "name": "e", "image": "e.png", "opacity": 1.5},
+        {"type": "imagelayer", "name": "f", "image": "f.png", "parallaxx": "far"},
+        {"type": "imagelayer", "name": "g", "image": "g.png", "tintcolor": "red"}], "parallaxoriginx": true})");
+    const std::string start = "map 'maps/w.tmj': ";
+    CHECK(read_tile_map(*files, "maps/w.tmj").faults ==
+          std::vector<std::string>{
+              start + "parallaxoriginx is true, but must be a number",
+              start + "layers[1].image is missing, but must name the picture of the layer",
+              start + "layers[2].image is 5, but must be a text",
+              start + "layers[3].layers[1].repeatx is 2, but must be true or false",
+              start + "layers[3].layers[1].repeaty is \"yes\", but must be true or false",
+              start +
+                  "layers[4].transparentcolor is \"#ff00ff\", but must not be there: save the picture with a "
+                  "transparent background",
+              start + "layers[5].opacity is 1.5, but must be from 0 to 1",
+              start + "layers[6].parallaxx is \"far\", but must be a number",
+              start + "layers[7].tintcolor is \"red\", but must be a color like \"#rrggbb\""});
+}
+
+// "The parallax scrolling factor is applied based on the distance of the center of the view from the parallax
+// origin": at 1 a layer moves with the map, at 0 with the view, at 0.5 half as much.
+TEST_CASE_METHOD(Maps, "parallax moves layers by their factors with the middle of the view") {
+    const auto map =
+        load("p.tmj", R"({"width": 2, "height": 1, "tilewidth": 8, "tileheight": 8, "parallaxoriginx": 10,
+        "parallaxoriginy": -4, "layers": [
+        {"type": "imagelayer", "name": "near", "image": "a.png"},
+        {"type": "imagelayer", "name": "far", "image": "a.png", "parallaxx": 0.5, "parallaxy": 2},
+        {"type": "imagelayer", "name": "fixed", "image": "a.png", "parallaxx": 0, "parallaxy": 0}]})");
+    if (!map) FAIL(map.error().message);
+    for (const MapLayer& layer : map->layers) CHECK(map->parallax_shift(layer, {10, -4}) == Vec2{0, 0});
+    CHECK(map->parallax_shift(map->layers[0], {50, 16}) == Vec2{0, 0});
+    CHECK(map->parallax_shift(map->layers[1], {50, 16}) == Vec2{20, -20});
+    CHECK(map->parallax_shift(map->layers[2], {50, 16}) == Vec2{40, 20});
 }
 
 TEST_CASE_METHOD(Maps, "JSON says the same as XML") {
@@ -140,7 +207,7 @@ TEST_CASE_METHOD(Maps, "JSON says the same as XML") {
     const auto xml = load("a.tmx", tmx(kCsv));
     REQUIRE(xml);
     CHECK(json->layers[0].tiles == xml->layers[0].tiles);
-    CHECK(json->layers[0].opacity == xml->layers[0].opacity);
+    CHECK(json->layers[0].color == xml->layers[0].color);
     CHECK(json->sets[0].image_path == xml->sets[0].image_path);
     CHECK(json->properties_of(3) == xml->properties_of(3));
     CHECK(json->background == xml->background);
@@ -159,7 +226,8 @@ TEST_CASE_METHOD(Maps, "an infinite map is as large as what was drawn in it, and
         <layer id="2" name="empty" width="30" height="20"><data encoding="csv"></data></layer>
         <group name="g"><layer id="3" name="base" width="30" height="20"><data encoding="base64">
         <chunk x="-2" y="-3" width="3" height="2">AQAAAAAAAAADAAAAAgAAAAUAAAAIAAAA</chunk></data></layer></group>
-        <objectgroup name="things"><object id="1" x="5" y="7"><point/></object></objectgroup>)";
+        <objectgroup name="things"><object id="1" x="5" y="7"><point/></object></objectgroup>
+        <imagelayer name="sky"><image source="sky.png"/></imagelayer>)";
     const auto map = load("i.tmx", infinite("orientation=\"orthogonal\"", layers));
     if (!map) FAIL(map.error().message);
     CHECK(map->columns == 4);
@@ -169,10 +237,15 @@ TEST_CASE_METHOD(Maps, "an infinite map is as large as what was drawn in it, and
     CHECK(ids(map->layers[2]) == std::vector<std::uint32_t>{1, 0, 3, 0, 2, 5, 8, 0, 0, 0, 0, 0, 0, 0, 0, 0});
     // The tile of the editor's (0, 0) is the third of the fourth row, and the object lies in it.
     CHECK(map->layers[3].objects[0].position == Vec2{5 + 2 * 16, 7 + 3 * 8});
+    CHECK(map->layers[4].image_corner == Vec2{2 * 16, 3 * 8});
+    CHECK(map->parallax_origin == Vec2{2 * 16, 3 * 8});
 
     const auto diamonds = load("d.tmx", infinite("orientation=\"isometric\"", layers));
     REQUIRE(diamonds);
     CHECK(diamonds->layers[3].objects[0].position == Vec2{5 + 2 * 8, 7 + 3 * 8});
+    // The editor puts the top of its cell (0, 0) half a cell to the right of 20 rows: (160, 0) from the
+    // picture.
+    CHECK(diamonds->layers[4].image_corner + Vec2{160, 0} == diamonds->from_cells({2, 3}));
 
     // A staggered one begins at an even row and column, so that the same rows stay half a cell behind.
     const auto staggered =
@@ -229,7 +302,7 @@ TEST_CASE_METHOD(Maps, "objects of every shape, in groups too") {
     CHECK(layer->kind == MapLayer::Kind::Objects);
     CHECK_FALSE(layer->is_visible);
     CHECK(layer->offset == Vec2{3, 0});
-    CHECK(layer->opacity == 0.5f);
+    CHECK(layer->color.a == 0.5f);
     REQUIRE(layer->objects.size() == 7);
     const MapObject& door = layer->objects[0];
     CHECK(door.name == "door");
@@ -325,6 +398,37 @@ TEST_CASE_METHOD(Maps, "all that is wrong with a map is told at once, each fault
               parts + "3].objects[1].y is missing, but must be a number",
               parts + "3].objects[3]: it has a tile 9 that no tile set has",
               parts + "4].objects is missing, but must be a list"});
+}
+
+TEST_CASE_METHOD(Maps, "bytes that are no text, numbers beyond all and endless nesting are faults of a map") {
+    const auto fault = [&](const std::string& name, const std::string& text) {
+        const auto map = load(name, text);
+        REQUIRE_FALSE(map);
+        return map.error().message;
+    };
+    CHECK_THAT(fault("u.tmx",
+                     "<map orientation=\"ortho\xf6\" width=\"1\" height=\"1\" tilewidth=\"8\" "
+                     "tileheight=\"8\"></map>"),
+               Catch::Contains("orientation is \"ortho\xef\xbf\xbd\", but must be orthogonal"));
+    CHECK_THAT(fault("u.tmj", "{\"orientation\": \"\xff\"}"),
+               Catch::Contains("is not JSON: parse error at line 1"));
+    CHECK_THAT(fault("o.tmj", "{\"width\": 1e999}"), Catch::Contains("is not JSON: number overflow"));
+    const auto repeated = [](const std::string& text, int times) {
+        std::string all;
+        for (int i = 0; i < times; ++i) all += text;
+        return all;
+    };
+    constexpr int kMany = 100'000;
+    const std::string head = "<map width=\"1\" height=\"1\" tilewidth=\"8\" tileheight=\"8\">";
+    CHECK_THAT(fault("n.tmx", head + repeated("<group>", kMany) + repeated("</group>", kMany) + "</map>"),
+               Catch::Contains("the XML is nested more than 200 deep"));
+    CHECK_THAT(fault("n.tmj", "{\"width\":" + repeated("[", kMany) + repeated("]", kMany) + "}"),
+               Catch::Contains("is nested more than 200 deep"));
+    // As deep as anybody goes is fine, and brackets in texts are no nesting.
+    CHECK(load("d.tmx", head + repeated("<group>", 50) + repeated("</group>", 50) + "</map>"));
+    CHECK(load("t.tmj",
+               R"({"width": 1, "height": 1, "tilewidth": 8, "tileheight": 8, "layers": [], "x": "\"[)" +
+                   repeated("[", kMany) + "\"}"));
 }
 
 TEST_CASE("a picture must have room for the tiles that a set says") {

@@ -53,6 +53,20 @@ TEST_CASE("a full disk keeps the old file, leaves no new one, and is the reason 
     CHECK(files_in(folder.path()) == 1);
 }
 
+TEST_CASE("whether a file could be written is told without touching what is there") {
+    TemporaryFolder folder;
+    folder.put("old", "precious");
+    const auto in = [&](const std::string& name) { return (folder.path() / name).string(); };
+    CHECK(check_native_file(in("old")));
+    CHECK(check_native_file(in("fresh")));
+    CHECK(check_native_file("/dev/null"));
+    CHECK(text_of(in("old")) == "precious");
+    CHECK(files_in(folder.path()) == 1);
+    CHECK_THAT(check_native_file(in("no/such")).error().message,
+               Catch::Contains("cannot write \"" + in("no/such") + "\": No such file"));
+    CHECK_THAT(check_native_file(folder.path().string()).error().message, Catch::Contains("Is a directory"));
+}
+
 TEST_CASE("a link stays a link, and its target gets the contents") {
     TemporaryFolder folder;
     folder.put("target", "old");

@@ -68,13 +68,26 @@ TEST_CASE("a missing ffmpeg is named, with the way out") {
 
 TEST_CASE("a program that ends in the middle is an error, not the end of this one") {
     const TemporaryFolder folder;
-    const PathVariable path = stand_in(folder, "head -c 100 >/dev/null; exit 1");
+    const PathVariable path = stand_in(folder, "head -c 100 >/dev/null; echo broken >&2; exit 1");
     auto video = VideoWriter::create((folder.path() / "a.mp4").string(), {256, 256}, 60);
     REQUIRE(video);
-    bool failed = false;
-    for (int i = 0; i < 50 && !failed; ++i) failed = !(*video)->write(plain({256, 256}, 7));
-    CHECK(failed);
-    CHECK_FALSE((*video)->finish());
+    std::string error;
+    for (int i = 0; i < 50 && error.empty(); ++i) {
+        const auto written = (*video)->write(plain({256, 256}, 7));
+        if (!written) error = written.error().message;
+    }
+    CHECK_THAT(error, Catch::EndsWith("ffmpeg says: broken"));
+}
+
+TEST_CASE("what the program says is an error, though it ends as if all were well") {
+    const TemporaryFolder folder;
+    const PathVariable path = stand_in(folder, "cat >/dev/null; echo 'No space left' >&2; exit 0");
+    auto video = VideoWriter::create((folder.path() / "a.mp4").string(), {64, 48}, 60);
+    REQUIRE(video);
+    REQUIRE((*video)->write(plain({64, 48}, 1)));
+    const auto finished = (*video)->finish();
+    REQUIRE_FALSE(finished);
+    CHECK_THAT(finished.error().message, Catch::EndsWith("could not be written: ffmpeg says: No space left"));
 }
 
 TEST_CASE("frames of another size and folders that are not there are errors") {

@@ -127,6 +127,31 @@ TEST_CASE("fingers are followed while they touch") {
     CHECK_FALSE(state.touch(1));
 }
 
+TEST_CASE("the first finger is the mouse too, and no other one") {
+    FingerMouse fingers;
+    std::vector<InputEvent> events;
+    const auto texts = [&] {
+        std::vector<std::string> lines;
+        for (const InputEvent& event : events) lines.push_back(to_text(event));
+        events.clear();
+        return lines;
+    };
+    using Lines = std::vector<std::string>;
+    fingers.append({.kind = InputKind::MouseMoved, .position = {10, 10}, .delta = {10, 10}}, events);
+    CHECK(texts() == Lines{"mouse_moved 10 10 10 10"});
+    fingers.append({.kind = InputKind::TouchPressed, .position = {30, 15}, .number = 1}, events);
+    CHECK(texts() == Lines{"mouse_moved 30 15 20 5", "mouse_pressed left 30 15", "touch_pressed 1 30 15"});
+    fingers.append({.kind = InputKind::TouchPressed, .position = {90, 90}, .number = 2}, events);
+    CHECK(texts() == Lines{"touch_pressed 2 90 90"});
+    fingers.append({.kind = InputKind::TouchMoved, .position = {33, 15}, .delta = {3, 0}, .number = 1},
+                   events);
+    CHECK(texts() == Lines{"mouse_moved 33 15 3 0", "touch_moved 1 33 15 3 0"});
+    fingers.append({.kind = InputKind::TouchReleased, .position = {33, 15}, .number = 1}, events);
+    CHECK(texts() == Lines{"mouse_released left 33 15", "touch_released 1 33 15"});
+    fingers.append({.kind = InputKind::TouchReleased, .position = {80, 90}, .number = 2}, events);
+    CHECK(texts() == Lines{"touch_released 2 80 90"});
+}
+
 TEST_CASE("parts of gamepads have names of their own that lead back to them") {
     std::set<std::string_view> names;
     for (int i = 0; i < kGamepadButtonCount; ++i) {

@@ -1,5 +1,7 @@
 #include <catch2/catch.hpp>
+#include <cstdio>
 #include <filesystem>
+#include <fstream>
 
 #include "scripting/support/lua_bench.h"
 
@@ -35,6 +37,45 @@ TEST_CASE("a run that plays its save folder keeps writes in memory") {
     CHECK(bench.run("cairn.files.read('save/none')").find("not found") != std::string::npos);
     CHECK(bench.machine().files->save_folder() != "");
     CHECK_FALSE(std::filesystem::exists(bench.machine().files->save_folder() + "/b.txt"));
+}
+
+TEST_CASE(
+    "what a run that plays its save folder has written is there for all that reads files, and the disk is "
+    "not") {
+    LuaBench bench({}, MachineKind::Headless, {.plays_saves = true});
+    // What a player has saved.
+    const std::filesystem::path saved = bench.machine().files->save_folder();
+    std::filesystem::create_directories(saved);
+    std::ofstream(saved / "old.lua") << "return 7";
+    std::string bytes;
+    for (const char c : std::string("\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\0\5\0\0\0\4\x8\2\0\0\0", 29)) {
+        char text[8];
+        std::snprintf(text, sizeof text, "\\x%02x", static_cast<unsigned char>(c));
+        bytes += text;
+    }
+    REQUIRE(bench.run("cairn.files.write('save/mine.lua', 'return { bodies = { { shape = \"circle\", radius "
+                      "= 1 } } }') "
+                      "cairn.files.write('save/tool.lua', 'return 42') "
+                      "cairn.files.write('save/image.png', '" +
+                      bytes + "' .. ('\\0'):rep(40))") == "");
+    CHECK(bench.value("#cairn.level.check('save/mine.lua')") == "0");
+    CHECK(bench.value("require('save.tool')") == "42");
+    CHECK(bench.value("table.concat({ cairn.graphics.new_image('save/image.png'):size() }, ' ')") == "5 4");
+    CHECK(bench.value("table.concat(cairn.files.list(''), ' ')").find("save") != std::string::npos);
+    CHECK_THAT(bench.run("require('save.old')"), Catch::Contains("not found"));
+    CHECK(bench.value("cairn.files.exists('save/old.lua')") == "false");
+    CHECK_THAT(bench.run("cairn.level.load('save/old.lua')"), Catch::Contains("there is no such file"));
+}
+
+TEST_CASE("a run that plays its save folder leaves those before it and after it alone") {
+    LuaBench bench({}, MachineKind::Headless, {.plays_saves = true});
+    REQUIRE(bench.run("cairn.files.write('save/a', 'outer')") == "");
+    {
+        Game inner(bench.machine().services(), {.plays_saves = true});
+        CHECK_FALSE(bench.machine().files->exists("save/a"));
+        REQUIRE(bench.machine().files->write("save/a", std::string_view("inner")));
+    }
+    CHECK(bench.value("cairn.files.read('save/a')") == "outer");
 }
 
 TEST_CASE("a real run writes to the save folder") {

@@ -65,6 +65,46 @@ TEST_CASE("every number of a prefab that is out of its range is told") {
          "restitution = 2: must be from 0 to 1"});
 }
 
+TEST_CASE("rules over several fields are judged where these fields are sound, whatever else is wrong") {
+    const std::string density = "prefabs[1].density = -1: must be at least 0";
+    expect_faults("{ prefabs = { { prefab = 'rope', x = 1, to_x = 1, to_y = 0, density = -1 } } }",
+                  {density, "prefabs[1]: to - from is 0, but must be longer than 0.01 m"});
+    expect_faults("{ prefabs = { { prefab = 'rope', to_x = 5, length = 1, density = -1, links = -4 } } }",
+                  {density, "prefabs[1].links = -4",
+                   "prefabs[1]: length is 1, but must be from the distance of the ends to 100 times that"});
+    expect_faults("{ prefabs = { { prefab = 'pulley_lift', distance = 1, width = 2, ratio = 0 } } }",
+                  {"ratio = 0: must be above 0",
+                   "prefabs[1]: distance is 1, but must be finite and greater than width"});
+    expect_faults(
+        "{ prefabs = { { prefab = 'rope', to_x = 0, densty = 1, start_body = 'gone', friction = 'x', "
+        "radius = 0, damping = -1, restitution = 2 } } }",
+        {"densty = 1: unknown field", "start_body = \"gone\"", "friction = \"x\"", "radius = 0",
+         "damping = -1", "restitution = 2", "to - from is 0"});
+    expect_faults(
+        "{ bodies = { { name = 'a', shape = 'circle', radius = 1, type = 'dynamic' } }, joints = { "
+        "{ joint = 'revolute', body_b = 'a', x = 0, y = 0, lower = 1, upper = -1, break_force = -1 } } }",
+        {"break_force = -1", "joints[1]: lower is 1, but must be"});
+}
+
+TEST_CASE("rules over a faulty field and others are not judged: another value may keep them") {
+    expect_faults("{ prefabs = { { prefab = 'pulley_lift', rope = 1, travel = -1 } } }", {"travel = -1"});
+    expect_faults("{ prefabs = { { prefab = 'pulley_lift', rope = -1, travel = 4 } } }", {"rope = -1"});
+    expect_faults("{ prefabs = { { prefab = 'pulley_lift', width = 9, distance = 0 } } }", {"distance = 0"});
+    expect_faults("{ prefabs = { { prefab = 'pulley_lift', width = 'wide', distance = 0.1 } } }",
+                  {"width = \"wide\""});
+    expect_faults("{ prefabs = { { prefab = 'rope', to_x = 5, length = -1, links = 2000 } } }",
+                  {"length = -1"});
+    expect_faults("{ prefabs = { { prefab = 'rope', x = 5, to_x = 'far', to_y = 0 } } }", {"to_x = \"far\""});
+    expect_faults(
+        "{ prefabs = { { prefab = 'bridge', to_x = 1, planks = -1, slack = 2, density = -1, friction = -1 } "
+        "} }",
+        {"planks = -1", "slack = 2", "density = -1", "friction = -1"});
+    expect_faults(
+        "{ prefabs = { { name = 'r', prefab = 'rope', links = -4 } }, joints = { "
+        "{ joint = 'pin', body_b = 'r.3' } } }",
+        {"links = -4", "joint = \"pin\""});
+}
+
 TEST_CASE("a number that a float cannot hold is told beside others") {
     expect_faults(
         "{ bodies = { { shape = 'circle', radius = 1, friction = 1e300, surface_speed = 1e300 } } }",

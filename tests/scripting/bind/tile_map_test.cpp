@@ -99,6 +99,103 @@ TEST_CASE_METHOD(Maps, "the map is drawn upright in each frame") {
     CHECK(machine().renderer->stats().draw_calls == 1);
 }
 
+TEST_CASE("image layers are drawn with offset, tint, opacity, repetition and parallax") {
+    // The picture is 16 pixels wide and 8 high: red, and green above blue.
+    LuaBench bench({{"conf.lua", "{ width = 200, height = 100 }"},
+                    {"tiles.png", tiles_png()},
+                    {"map.tmj", R"({"width": 4, "height": 3, "tilewidth": 8, "tileheight": 8, "tilesets": [],
+        "layers": [{"type": "imagelayer", "name": "flag", "image": "tiles.png", "offsetx": 3, "offsety": 4},
+            {"type": "imagelayer", "name": "row", "image": "tiles.png", "offsetx": 3, "offsety": 4, "repeatx": true},
+            {"type": "imagelayer", "name": "wall", "image": "tiles.png", "offsetx": 3, "repeatx": true, "repeaty": true},
+            {"type": "imagelayer", "name": "tinted", "image": "tiles.png", "tintcolor": "#00ff80", "opacity": 0.5},
+            {"type": "imagelayer", "name": "far", "image": "tiles.png", "parallaxx": 0.5},
+            {"type": "imagelayer", "name": "fixed", "image": "tiles.png", "parallaxx": 0, "parallaxy": 0},
+            {"type": "imagelayer", "name": "hidden", "image": "tiles.png", "visible": false}]})"}},
+                   MachineKind::HeadlessDrawing);
+    REQUIRE(bench.run(
+                "map = cairn.tilemap.load('map.tmj') world = cairn.tilemap.load('map.tmj', { scale = 1 / 8, "
+                "y_up = true, filter = 'nearest' }) g = cairn.graphics") == "");
+    CHECK(bench.value("table.concat(map:layers(), ' ')") == "flag row wall tinted far fixed hidden");
+    const auto stats = [&] { return bench.machine().renderer->stats(); };
+
+    const engine::Image flag = picture_of(bench, "map:draw('flag')");
+    is_color(flag, 5, 6, 255, 0, 0);
+    is_color(flag, 13, 6, 0, 255, 0);
+    is_color(flag, 13, 10, 0, 0, 255);
+    is_color(flag, 21, 6, 0, 0, 0);
+    is_color(flag, 5, 2, 0, 0, 0);
+
+    const engine::Image row = picture_of(bench, "map:draw('row')");
+    for (const int x : {0, 16, 32, 176}) {
+        is_color(row, x + 5, 6, 255, 0, 0);
+        is_color(row, x + 13, 6, 0, 255, 0);
+        is_color(row, x + 5, 14, 0, 0, 0);
+        is_color(row, x + 5, 2, 0, 0, 0);
+    }
+    is_color(row, 1, 10, 0, 0, 255);
+    // Each copy that the picture shows, and no others: from the one that ends at 3 to the one that begins at
+    // 195.
+    CHECK(stats().vertices == 14 * 4);
+    CHECK(stats().draw_calls == 1);
+
+    const engine::Image wall = picture_of(bench, "g.translate(-1000, -1000) map:draw('wall')");
+    for (int y = 0; y < 100; ++y)
+        for (int x = 0; x < 200; ++x) {
+            const int u = (x + 1000 - 3) % 16, v = (y + 1000) % 8;
+            const std::uint8_t* p = wall.pixel(x, y);
+            if (p[u < 8 ? 0 : v < 4 ? 1 : 2] != 255) FAIL("pixel " << x << ' ' << y);
+        }
+
+    const engine::Image tinted = picture_of(bench, "g.set_color(1, 1, 0.5) map:draw('tinted')");
+    is_color(tinted, 4, 4, 0, 0, 0);
+    is_color(tinted, 12, 2, 0, 128, 0);
+    is_color(tinted, 12, 6, 0, 0, 32);
+
+    // The middle of the picture is (100, 50); parallax of 0.5 moves by half of it, and by half of the way.
+    const auto left_of = [&](const std::string& code) {
+        const engine::Image image = picture_of(bench, code);
+        for (int x = 0; x < 200; ++x)
+            for (int y = 0; y < 100; ++y)
+                if (image.pixel(x, y)[0] > 128) return std::pair{x, y};
+        return std::pair{-1, -1};
+    };
+    CHECK(left_of("map:draw('far')") == std::pair{50, 0});
+    CHECK(left_of("g.translate(-20, -3) map:draw('far')") == std::pair{40, 0 - 0});
+    CHECK(left_of("map:draw('fixed')") == std::pair{100, 50});
+    CHECK(left_of("g.translate(-20, -3) map:draw('fixed')") == std::pair{100, 50});
+
+    // 10 pixels a metre and so 1.25 to one of the map, which lies from (80, 35) to (120, 65) and whose corner
+    // is 16 and 12 from the middle.
+    REQUIRE(bench.run("camera = cairn.camera.new{ x = 2, y = 1.5, height = 10 }") == "");
+    const auto under_camera = [](const std::string& layer) {
+        return "camera:attach() world:draw('" + layer + "') camera:detach()";
+    };
+    const engine::Image upright = picture_of(bench, under_camera("flag"));
+    is_color(upright, 84, 42, 255, 0, 0);
+    is_color(upright, 98, 42, 0, 255, 0);
+    is_color(upright, 98, 48, 0, 0, 255);
+    CHECK(left_of(under_camera("far")) == std::pair{90, 35});
+    CHECK(left_of(under_camera("fixed")) == std::pair{100, 50});
+    picture_of(bench, "map:draw()");
+    CHECK(stats().draw_calls == 1);
+}
+
+TEST_CASE("a small picture that is repeated and seen from far away is drawn within bounds") {
+    LuaBench bench({{"conf.lua", "{ width = 200, height = 100 }"},
+                    {"tiles.png", tiles_png()},
+                    {"map.tmj", R"({"width": 4, "height": 3, "tilewidth": 8, "tileheight": 8, "tilesets": [],
+        "layers": [{"type": "imagelayer", "name": "wall", "image": "tiles.png", "repeatx": true, "repeaty": true}]})"}},
+                   MachineKind::HeadlessDrawing);
+    REQUIRE(bench.run("map = cairn.tilemap.load('map.tmj') g = cairn.graphics") == "");
+    for (const char* scale : {"0.001", "1e-30", "0"}) {
+        picture_of(bench, std::string("g.scale(") + scale + ") map:draw()");
+        CHECK(bench.machine().renderer->stats().vertices <= 4 * 257 * 257);
+    }
+    picture_of(bench, "g.translate(1e12, -1e12) map:draw()");
+    CHECK_THAT(draw_error(bench, "map:draw('well')"),
+               Catch::Contains("layer is \"well\": no such layer; did you mean \"wall\"?"));
+}
+
 TEST_CASE_METHOD(Maps, "what the picture does not show is not drawn") {
     picture_of(*this, "cairn.graphics.translate(-1000, 0) screen:draw()");
     CHECK(machine().renderer->stats().vertices == 0);

@@ -63,10 +63,31 @@ TEST_CASE("a window closed while the game loads ends it in its first update, wit
 TEST_CASE("a callback that is no function is an error that names it") {
     LuaBench bench;
     CHECK(bench.run("\ncairn.draw = 5") == "test.lua:2: cairn.draw is 5; expected a function");
-    REQUIRE(bench.run("cairn.draw = nil cairn.best = 5 function cairn.update() end cairn.update = 12") == "");
-    const auto error = bench.game().update({});
-    REQUIRE(error);
-    CHECK(error->message == "cairn.update is 12; expected a function");
+    // Over one that is there as well, which then stays.
+    CHECK(bench.run("function cairn.update() updates = (updates or 0) + 1 end\n\ncairn.update = 12") ==
+          "test.lua:3: cairn.update is 12; expected a function");
+    REQUIRE_FALSE(bench.game().update({}));
+    CHECK(bench.value("updates") == "1");
+    CHECK(bench.run("cairn.update = nil cairn.best = 5") == "");
+    REQUIRE_FALSE(bench.game().update({}));
+    CHECK(bench.value("updates") == "1");
+}
+
+TEST_CASE("callbacks are members of cairn like any others: they can be read, wrapped and walked over") {
+    LuaBench bench;
+    REQUIRE(bench.run(
+                "function cairn.update() order = (order or '') .. 'a' end\n"
+                "local before = cairn.update\n"
+                "function cairn.update(dt) before(dt) order = order .. 'b' end\n"
+                "cairn.helper = function() end\n"
+                "for name, f in pairs(cairn) do\n"
+                "    if name == 'update' then cairn[name] = function(dt) f(dt) order = order .. 'c' end end\n"
+                "    if name == 'helper' or name == 'physics' then order = (order or '') .. '.' end\n"
+                "end") == "");
+    REQUIRE_FALSE(bench.game().update({}));
+    CHECK(bench.value("order") == "..abc");
+    CHECK(bench.value("cairn.draw") == "nil");
+    CHECK(bench.value("type(cairn.update)") == "function");
 }
 
 TEST_CASE("a game that uses up its memory gets an error each time, and the program lives on") {

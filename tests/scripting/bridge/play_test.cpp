@@ -106,10 +106,31 @@ TEST_CASE("recordings of other games, sizes and formats are refused") {
     CHECK(play(game.options) != 0);
 }
 
-TEST_CASE("files that cannot be written fail the run") {
+TEST_CASE("a run that ends with an error is recorded as far as it went, and leads there again") {
+    Replayed game;
+    const GameFolder crashing(
+        GameFiles{{"main.lua",
+                   "function cairn.key_pressed(key) clicked = key end\n"
+                   "function cairn.update() if clicked == 'x' then error('boom') end end"}});
+    game.options.source.path = crashing.path();
+    std::ofstream(game.file("by-hand.replay"))
+        << "cairn-replay 1\ngame replayed\nseed 5\nsize 1280 720\nframes 90\nevents\n40 key_pressed x\n";
+    game.options.replay = game.file("by-hand.replay");
+    game.options.record = game.file("crash.replay");
+    REQUIRE(play(game.options) == 1);
+    CHECK(Replayed::text(game.file("crash.replay")) ==
+          "cairn-replay 1\ngame replayed\nseed 5\nsize 1280 720\nframes 40\nevents\n40 key_pressed x\n");
+    game.options.replay = game.file("crash.replay");
+    game.options.record = game.file("again.replay");
+    REQUIRE(play(game.options) == 1);
+    CHECK(Replayed::text(game.file("again.replay")) == Replayed::text(game.file("crash.replay")));
+}
+
+TEST_CASE("files that cannot be written fail the run before it begins") {
     Replayed game;
     game.options.frames = 2;
     CHECK(play(game.options) == 0);
+    game.options.frames = std::uint64_t{1} << 62;  // would never be reached
     game.options.record = game.file("no/such/folder/x.replay");
     CHECK(play(game.options) != 0);
     game.options.record.clear();

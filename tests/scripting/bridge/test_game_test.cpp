@@ -69,6 +69,57 @@ end))",
                     main) == 0);
 }
 
+TEST_CASE("a test's first finger reaches all that one on a device does: menus, the mouse, actions") {
+    const std::string main = R"(
+heard, chosen, level = {}, 0, 0
+local function hear(name, ...) heard[#heard + 1] = table.concat({ name, ... }, " ") end
+for _, name in ipairs{ "mouse_moved", "mouse_pressed", "mouse_released", "touch_pressed", "touch_moved",
+    "touch_released", "action_pressed", "action_released" } do
+    cairn[name] = function(...) hear(name, ...) end
+end
+function cairn.load()
+    cairn.input.bind("fire", { "mouse_left" })
+    menu = cairn.ui.new{ title = "Menu" }
+    menu:add_button{ text = "Play", action = function() chosen = chosen + 1 end }
+end
+function cairn.update() menu:update() end
+)";
+    CHECK(status_of(R"(
+local test = cairn.test
+local function heard_since()
+    local text = table.concat(heard, ", ")
+    heard = {}
+    return text
+end
+test.test("touches", function()
+    test.start{}
+    test.touch_press(1, 640, 380)
+    test.touch_press(2, 5, 6)
+    test.run(1)
+    test.expect_equal(heard_since(), "mouse_moved 640.0 380.0 640.0 380.0, mouse_pressed 640.0 380.0 left, "
+        .. "action_pressed fire, touch_pressed 1 640.0 380.0, touch_pressed 2 5.0 6.0")
+    test.expect(cairn.input.is_mouse_down("left"))
+    test.touch_release(1, 640, 380)
+    test.run(2)
+    test.expect_equal(heard_since(), "mouse_released 640.0 380.0 left, action_released fire, touch_released 1 640.0 380.0")
+    test.expect_equal(chosen, 1)
+    -- Several within one update follow each other.
+    test.touch_press(1, 100, 100)
+    test.touch_move(1, 110, 100)
+    test.touch_move(1, 110, 125)
+    test.mouse_move(112, 125)
+    test.run(1)
+    test.expect_equal(heard_since(), "mouse_moved 100.0 100.0 -540.0 -280.0, mouse_pressed 100.0 100.0 left, "
+        .. "action_pressed fire, touch_pressed 1 100.0 100.0, mouse_moved 110.0 100.0 10.0 0.0, "
+        .. "touch_moved 1 110.0 100.0 10.0 0.0, mouse_moved 110.0 125.0 0.0 25.0, touch_moved 1 110.0 125.0 0.0 25.0, "
+        .. "mouse_moved 112.0 125.0 2.0 0.0")
+    -- A recording holds what the mouse did, so that it plays alike.
+    local text = test.recording()
+    test.expect(text:find("1 mouse_pressed left 640 380\n1 touch_pressed 1 640 380\n", 1, true), text)
+end))",
+                    main) == 0);
+}
+
 TEST_CASE("a mouse button that there is not is answered with all that there are") {
     CHECK(status_of(R"(
 cairn.test.test("buttons", function()

@@ -38,6 +38,8 @@ enum class MountOrder { First, Last };
 
 enum class FileKind { File, Folder };
 
+class PlayedSaves;
+
 /// At most one may exist at a time, because PhysFS keeps one state per process; a second one is refused.
 class Files {
   public:
@@ -83,7 +85,11 @@ class Files {
     const std::string& save_folder() const { return save_folder_; }
 
   private:
+    friend class PlayedSaves;
+
     explicit Files(const FilesDef& def);
+    /// What stands in for the save folder of a path; null: nothing does.
+    PlayedSaves* played(std::string_view path) const;
     Result<void> open_save_folder();
     /// "save" before the first write: an empty folder to whoever looks.
     bool is_unmade_save_folder(std::string_view path) const;
@@ -97,6 +103,7 @@ class Files {
     std::string no_save_folder_;  ///< why there is none
     std::uint64_t max_file_bytes_;
     bool save_mounted_ = false;
+    std::vector<PlayedSaves*> played_;  ///< those that live, the one that is used last
 };
 
 /// The rule about virtual paths, as used by every function of Files; the error names the path and the rule.

@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <cairn/engine/gamepad.h>
 #include <cairn/engine/geometry.h>
@@ -69,6 +70,17 @@ Result<InputEvent> input_event_from_text(std::string_view line);
 
 /// Fingers are numbered like gamepads, from 1.
 inline constexpr int kMaxTouches = 10;
+
+/// Makes the first finger the mouse too. Whatever makes events, a device or a test, passes all of them
+/// through one of these.
+class FingerMouse {
+  public:
+    /// Appends an event; before one of the first finger, what the mouse does at it.
+    void append(InputEvent event, std::vector<InputEvent>& events);
+
+  private:
+    Vec2 position_;  ///< of the mouse, after all that was appended
+};
 
 class Gamepad {
   public:

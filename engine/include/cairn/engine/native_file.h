@@ -13,4 +13,8 @@ namespace cairn::engine {
 /// is written to directly. The error names the path and the reason.
 Result<void> write_native_file(const std::string& path, std::string_view contents);
 
+/// Whether it could be written now, found without touching what is there: for what is written after hours of
+/// play.
+Result<void> check_native_file(const std::string& path);
+
 }  // namespace cairn::engine

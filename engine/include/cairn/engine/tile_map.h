@@ -73,16 +73,24 @@ struct MapObject {
 };
 
 struct MapLayer {
-    enum class Kind { Tiles, Objects };
+    enum class Kind { Tiles, Objects, Image };
 
     std::string name;
     Kind kind = Kind::Tiles;
     bool is_visible = true;
-    float opacity = 1;
-    Vec2 offset;
+    Color color;  ///< its tint and opacity, with those of its groups
+    Vec2 offset;  ///< pixels, with those of its groups
+    Vec2 parallax = {1,
+                     1};  ///< its factors, multiplied with those of its groups: how far it moves with the map
     TileProperties properties;
     std::vector<Tile> tiles;  ///< rows from the top
     std::vector<MapObject> objects;
+    // Of image layers
+    std::string image_path;  ///< as Files knows it
+    Vec2 image_corner;       ///< the top left of the picture in that of the map, but for the offset
+    bool repeats_x = false;
+    bool repeats_y = false;
+    std::string place;  ///< in the map, for messages: "layers[2]"
 };
 
 /// How the cells of a map lie in its picture.
@@ -108,10 +116,9 @@ struct TileMap {
     Stagger stagger;               ///< of a staggered grid
     std::vector<TileSet> sets;     ///< by first_id
     std::vector<MapLayer> layers;  ///< the lowest first; those in groups are named "group/layer"
-    /// Names of layers that are pictures: games draw these themselves.
-    std::vector<std::string> image_layers;
     TileProperties properties;
     std::optional<Color> background;
+    Vec2 parallax_origin;  ///< where the middle of the view shows all layers in their places
 
     /// Of the picture, in pixels.
     Vec2 size() const;
@@ -141,6 +148,8 @@ struct TileMap {
 
     const TileSet* set_of(std::uint32_t id) const;
     const MapLayer* layer(std::string_view name) const;
+    /// How far a layer is moved by parallax when the middle of the view shows that place of the picture.
+    Vec2 parallax_shift(const MapLayer& layer, Vec2 view_middle) const;
     /// The properties of a kind of tile; empty for 0.
     const TileProperties& properties_of(std::uint32_t id) const;
     /// What an animated tile shows at a time; others show themselves.

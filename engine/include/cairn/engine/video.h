@@ -2,6 +2,7 @@
 // Invariant: a file is either finished or an error was given.
 #pragma once
 
+#include <cstdio>
 #include <memory>
 #include <string>
 
@@ -28,13 +29,16 @@ class VideoWriter {
     Result<void> finish();
 
   private:
-    VideoWriter(std::string path, Size size, int pipe, int process);
+    VideoWriter(std::string path, Size size, int pipe, int process, std::FILE* messages);
+    /// What ffmpeg has said: nothing when all went well.
+    std::string messages() const;
     Error failure() const;
 
     std::string path_;
     Size size_;
     int pipe_;     ///< into ffmpeg; -1: closed
     int process_;  ///< -1: ended and waited for
+    std::FILE* messages_;
 };
 
 }  // namespace cairn::engine

@@ -1,13 +1,14 @@
 // Folders are not kept: a folder is there as long as a file's path leads through it, as each was made by a
 // write.
-#include "bind/played_saves.h"
+#include <cairn/engine/files.h>
+#include <cairn/engine/played_saves.h>
 
-namespace cairn::scripting {
+namespace cairn::engine {
 namespace {
 
 constexpr std::string_view kRoot = "save";
 
-engine::Error path_error(std::string_view path, const std::string& reason) {
+Error path_error(std::string_view path, const std::string& reason) {
     return {"file '" + std::string(path) + "': " + reason};
 }
 
@@ -16,6 +17,14 @@ std::string as_prefix(std::string_view folder) {
 }
 
 }  // namespace
+
+PlayedSaves::PlayedSaves(Files& files) : owner_(files) {
+    owner_.played_.push_back(this);
+}
+
+PlayedSaves::~PlayedSaves() {
+    std::erase(owner_.played_, this);
+}
 
 bool PlayedSaves::covers(std::string_view path) {
     return path == kRoot || path.starts_with("save/");
@@ -28,12 +37,12 @@ bool PlayedSaves::is_folder(std::string_view path) const {
     return first != files_.end() && first->first.starts_with(prefix);
 }
 
-engine::Result<std::string> PlayedSaves::read(std::string_view path) const {
+Result<std::string> PlayedSaves::read(std::string_view path) const {
     if (const auto found = files_.find(path); found != files_.end()) return found->second;
     return path_error(path, is_folder(path) ? "is a folder" : "not found");
 }
 
-engine::Result<void> PlayedSaves::write(std::string_view path, std::string_view text) {
+Result<void> PlayedSaves::write(std::string_view path, std::string_view text) {
     if (is_folder(path)) return path_error(path, "is a folder");
     for (std::size_t slash = path.find('/'); slash != std::string_view::npos;
          slash = path.find('/', slash + 1)) {
@@ -53,7 +62,7 @@ engine::Result<void> PlayedSaves::write(std::string_view path, std::string_view 
     return {};
 }
 
-engine::Result<void> PlayedSaves::remove(std::string_view path) {
+Result<void> PlayedSaves::remove(std::string_view path) {
     const auto found = files_.find(path);
     if (found == files_.end()) return path_error(path, is_folder(path) ? "is a folder" : "not found");
     bytes_ -= found->first.size() + found->second.size();
@@ -65,7 +74,7 @@ bool PlayedSaves::exists(std::string_view path) const {
     return files_.contains(path) || is_folder(path);
 }
 
-engine::Result<std::vector<std::string>> PlayedSaves::list(std::string_view folder) const {
+Result<std::vector<std::string>> PlayedSaves::list(std::string_view folder) const {
     if (!is_folder(folder))
         return path_error(folder, files_.contains(folder) ? "is not a folder" : "not found");
     std::vector<std::string> names;
@@ -79,4 +88,4 @@ engine::Result<std::vector<std::string>> PlayedSaves::list(std::string_view fold
     return names;
 }
 
-}  // namespace cairn::scripting
+}  // namespace cairn::engine

@@ -1,0 +1,23 @@
+// JSON from files that anybody may have written. Invariant: no exception leaves, and nothing is nested so
+// deep that walking it takes more stack than there is.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+
+#include <cairn/engine/result.h>
+
+namespace cairn::engine {
+
+/// Objects and lists in each other, or elements of XML. Tiled's groups take two levels each, and nobody nests
+/// 100.
+inline constexpr int kMaxNesting = 200;
+
+/// The error begins with "is": "is not JSON: ...".
+Result<nlohmann::ordered_json> json_from_text(std::string_view text);
+
+/// The first 40 bytes of a value, for messages.
+std::string excerpt(const nlohmann::ordered_json& value);
+
+}  // namespace cairn::engine

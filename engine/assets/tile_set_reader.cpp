@@ -1,0 +1,103 @@
+// Reads tile sets, and files of the editor in either of its formats.
+#include "assets/tile_set_reader.h"
+
+#include "assets/json_text.h"
+#include "assets/tiled_xml.h"
+
+namespace cairn::engine {
+
+std::string tiled_path_beside(std::string_view path, const std::string& name) {
+    std::vector<std::string> parts;
+    const std::size_t slash = path.rfind('/');
+    std::string all = (slash == std::string_view::npos ? "" : std::string(path.substr(0, slash + 1))) + name;
+    std::size_t begin = 0;
+    while (begin <= all.size()) {
+        const std::size_t end = std::min(all.find('/', begin), all.size());
+        const std::string part = all.substr(begin, end - begin);
+        if (part == ".." && !parts.empty() && parts.back() != "..")
+            parts.pop_back();
+        else if (part != "." && !part.empty())
+            parts.push_back(part);
+        begin = end + 1;
+    }
+    std::string result;
+    for (const std::string& part : parts) result += (result.empty() ? "" : "/") + part;
+    return result;
+}
+
+Json read_tiled_file(const Files& files, std::string_view path) {
+    const Result<std::string> text = files.read_text(path);
+    if (!text) throw Fault{text.error().message};
+    if (path.ends_with(".tmx") || path.ends_with(".tsx") || path.ends_with(".xml")) {
+        Result<Json> json = tiled_json_from_xml(*text);
+        if (!json) throw Fault{json.error().message};
+        return std::move(*json);
+    }
+    Result<Json> json = json_from_text(*text);
+    if (!json) throw Fault{json.error().message};
+    return std::move(*json);
+}
+
+TileProperties read_tiled_properties(const Node& node) {
+    TileProperties properties;
+    for (const Node& property : node.list("properties")) {
+        const std::string name = property.text("name");
+        if (!property.has("value")) continue;
+        const Json& value = property.at("value");
+        if (value.is_boolean())
+            properties[name] = value.get<bool>();
+        else if (value.is_number())
+            properties[name] = value.get<double>();
+        else if (value.is_string())
+            properties[name] = value.get<std::string>();
+        else
+            property.fail("value", "must be a text, a number, true or false");
+    }
+    return properties;
+}
+
+namespace {
+
+void read_kind_of_tile(const Node& tile, TileSet& set) {
+    const std::uint32_t id =
+        set.first_id + static_cast<std::uint32_t>(tile.whole("id", 0, set.tile_count - 1));
+    TileProperties properties = read_tiled_properties(tile);
+    const std::string kind = tile.text("class", tile.text("type"));
+    if (!kind.empty()) properties.emplace("class", kind);
+    if (!properties.empty()) set.properties[id] = std::move(properties);
+    for (const Node& frame : tile.list("animation"))
+        set.animations[id].push_back(
+            {set.first_id + static_cast<std::uint32_t>(frame.whole("tileid", 0, set.tile_count - 1)),
+             frame.whole("duration", 1, 3'600'000) / 1000.0});
+}
+
+}  // namespace
+
+TileSet read_tile_set(const Node& node, std::uint32_t first_id, std::string_view path, FaultList& faults) {
+    TileSet set;
+    set.first_id = first_id;
+    set.place = node.place();
+    faults.attempt([&] { set.name = node.text("name"); });
+    faults.attempt([&] {
+        if (!node.has("image"))
+            node.fail("image",
+                      "must name the picture of all its tiles; sets of single pictures are not known");
+        set.image_path = tiled_path_beside(path, node.text("image"));
+    });
+    const auto whole = [&](int& to, const char* field, int low, int high) {
+        faults.attempt([&] { to = node.whole(field, low, high); });
+    };
+    whole(set.tile_size.width, "tilewidth", 1, 4096);
+    whole(set.tile_size.height, "tileheight", 1, 4096);
+    whole(set.columns, "columns", 1, 8192);
+    whole(set.tile_count, "tilecount", 1, 1 << 24);
+    faults.attempt([&] { set.margin = node.whole("margin", 0, 4096, 0); });
+    faults.attempt([&] { set.spacing = node.whole("spacing", 0, 4096, 0); });
+    if (set.tile_count < 1) return set;  // then no tile can be of it
+    faults.attempt([&] {
+        for (const Node& tile : node.list("tiles")) faults.attempt([&] { read_kind_of_tile(tile, set); });
+    });
+    return set;
+}
+
+}  // namespace cairn::engine
