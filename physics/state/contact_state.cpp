@@ -70,6 +70,31 @@ std::byte* put_lanes(std::byte* at, const Lanes<T>& lanes, int used, T unused) {
     return put(at, clean);
 }
 
+template <class T>
+bool is_unused(const Lanes<T>& lanes, int used, T unused) {
+    return std::all_of(lanes.begin() + used, lanes.end(), [unused](T value) { return value == unused; });
+}
+
+// As put_lanes leaves them. Passes go over all lanes of a block, so nothing may lie hidden there.
+bool is_unused(const PairBlock& pairs, int used) {
+    const auto& [contact, body_a, body_b, shape_a, shape_b, boxes, features, reports, impacts, remembers,
+                 seen] = pairs;
+    const auto& [half_ax, half_ay, half_bx, half_by, offset_ax, offset_ay, offset_bx, offset_by] = boxes;
+    bool unused = static_cast<unsigned>(reports | impacts | remembers) <= lanes_below(used);
+    for (const IntLanes* lanes : {&contact, &shape_a, &shape_b}) unused &= is_unused(*lanes, used, kNone);
+    for (const IntLanes& lanes : features) unused &= is_unused(lanes, used, kNoFeature);
+    for (const FloatLanes* lanes :
+         {&half_ax, &half_ay, &half_bx, &half_by, &offset_ax, &offset_ay, &offset_bx, &offset_by})
+        unused &= is_unused(*lanes, used, 0.0f);
+    return unused;
+}
+
+bool is_unused(const ContactBlock& block, int used) {
+    bool unused = is_unused(block.friction_impulse, used, 0.0f);
+    for (const ContactBlockPoint& point : block.points) unused &= is_unused(point.impulse, used, 0.0f);
+    return unused;
+}
+
 // What near blocks and those in colours have in common.
 std::byte* put_pairs(std::byte* at, const PairBlock& pairs, int used) {
     const auto& [contact, body_a, body_b, shape_a, shape_b, boxes, features, reports, impacts, remembers,
@@ -270,6 +295,7 @@ class Placing {
     }
 
   private:
+    static constexpr const char* kUsed = "a lane of contacts holds something, though none is in it";
     static constexpr const char* kMisplaced =
         "a contact is in two places, or of shapes that its bodies do not have";
 
@@ -291,8 +317,7 @@ class Placing {
     }
 
     bool place_lanes(PairBlock& pairs, int used, int bucket, int first_lane) {
-        const unsigned bits = static_cast<unsigned>(pairs.reports | pairs.impacts | pairs.remembers);
-        if (!in_.require(bits <= lanes_below(used), kMisplaced)) return false;
+        if (!in_.require(is_unused(pairs, used), kUsed)) return false;
         for (int i = 0; i < used; ++i) {
             const auto lane = static_cast<std::size_t>(i);
             const ContactRecord* record =
@@ -349,6 +374,7 @@ class Placing {
                     at = get(at, reaches[g][block].m, in_.reading);
                     const int first_lane = static_cast<int>(block) * kLanes;
                     const int used = std::min(kLanes, static_cast<int>(count) - first_lane);
+                    if (!in_.require(is_unused(reaches[g][block].m, used, 0.0f), kUsed)) return;
                     if (!place_lanes(near[g][block], used, bucket, first_lane)) return;
                 }
             }
@@ -408,6 +434,7 @@ class Placing {
                     (touching >> lane & 1) != 0 ? 0.0f : kApart_m;
             contact_block.points[1].separation.fill(kApart_m);
             links[first + i] = {bucket, used, i > 0 ? block - 1 : kNone, i + 1 < length ? block + 1 : kNone};
+            if (!in_.require(touching <= lanes_below(used) && is_unused(contact_block, used), kUsed)) return;
             if (!place_lanes(pair_block, used, bucket, block * kLanes)) return;
             for (int lane = 0; lane < used; ++lane) color(bucket, pair_block, lane, contact_block);
         }

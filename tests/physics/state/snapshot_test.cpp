@@ -2,6 +2,7 @@
 // snapshots of both, step for step, which is more than their hashes.
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <cstring>
 #include <vector>
 
 #include "physics/state/state_bytes.h"
@@ -204,6 +205,48 @@ TEST_CASE("bytes that are no snapshot, or a damaged one, are refused with a reas
         Bytes flipped = good;
         flipped[at] ^= std::byte{16};
         REQUIRE(reason(flipped) == "the snapshot is damaged: its checksum is not that of its contents");
+    }
+}
+
+// Passes go over all eight lanes of a block. One box on the ground is in the first: behind it stand seven
+// contacts, as many shapes and again as many that are none, then eight rows of numbers.
+TEST_CASE("what lies in a lane of contacts that nothing is in is refused") {
+    constexpr int kLanes = 8;
+    constexpr int kNobody = -1;
+    World world;
+    add(world, {.type = BodyType::Static, .position_m = {0, -1}}, Box{10, 1});
+    add(world, {.position_m = {0, 0.5}}, Box{0.5f, 0.5f});
+    run_for(world, 0.1);
+    const Bytes good = bytes_of(world);
+    const auto word_at = [&](std::size_t at) {
+        int word = 0;
+        std::memcpy(&word, good.data() + at, sizeof word);
+        return word;
+    };
+    const auto is_row = [&](std::size_t at) {
+        bool row = word_at(at) >= 0;
+        for (std::size_t lane = 1; lane < kLanes; ++lane)
+            row = row && word_at(at + lane * sizeof(int)) == kNobody;
+        return row;
+    };
+    constexpr std::size_t kRow = kLanes * sizeof(int);
+    std::size_t block = kFrame;
+    while (block + 16 * kRow < good.size() &&
+           !(is_row(block) && is_row(block + kRow) && is_row(block + 2 * kRow)))
+        ++block;
+    REQUIRE(block + 16 * kRow < good.size());
+
+    world.restore(good).value();
+    for (std::size_t row = 0; row < 11; ++row) {
+        INFO("row " << row);
+        Bytes bad = good;
+        const float hidden = 100;
+        std::memcpy(bad.data() + block + row * kRow + kRow - sizeof hidden, &hidden, sizeof hidden);
+        fit_checksum(bad);
+        const Result<void> restored = world.restore(bad);
+        REQUIRE(!restored);
+        CHECK_THAT(restored.error().message,
+                   Catch::Contains("a lane of contacts holds something, though none is in it"));
     }
 }
 

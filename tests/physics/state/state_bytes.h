@@ -45,6 +45,11 @@ inline std::string difference(const Bytes& a, const Bytes& b) {
            std::to_string(at - a.begin());
 }
 
+inline void fit_checksum(Bytes& bytes) {
+    const std::uint64_t sum = checksum(std::span(bytes).subspan(kFrame));
+    std::memcpy(bytes.data() + kFrame - sizeof sum, &sum, sizeof sum);
+}
+
 /// Changes some bytes behind the frame, and makes the checksum fit.
 inline void make_nonsense(Bytes& bytes, Random& random) {
     for (int changes = random.below(3); changes >= 0; --changes) {
@@ -52,8 +57,7 @@ inline void make_nonsense(Bytes& bytes, Random& random) {
             kFrame + static_cast<std::size_t>(random.below(static_cast<int>(bytes.size() - kFrame)));
         bytes[at] = static_cast<std::byte>(random.chance(0.3) ? 0xff : random.below(256));
     }
-    const std::uint64_t sum = checksum(std::span(bytes).subspan(kFrame));
-    std::memcpy(bytes.data() + kFrame - sizeof sum, &sum, sizeof sum);
+    fit_checksum(bytes);
 }
 
 }  // namespace cairn::physics::test
