@@ -28,7 +28,9 @@ std::error_code write_whole(const fs::path& path, std::string_view contents) {
     std::FILE* file = std::fopen(path.string().c_str(), "wb");
     if (file == nullptr) return last_error();
     std::error_code reason;
-    if (std::fwrite(contents.data(), 1, contents.size(), file) != contents.size()) reason = last_error();
+    // Nothing may have no address, which fwrite does not take.
+    if (!contents.empty() && std::fwrite(contents.data(), 1, contents.size(), file) != contents.size())
+        reason = last_error();
     // Closing writes what is still buffered.
     if (std::fclose(file) != 0 && !reason) reason = last_error();
     return reason;
