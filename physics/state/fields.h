@@ -1,4 +1,5 @@
-// The members of every record that a snapshot holds, each list once for writing, reading and measuring.
+// The members of the records that a snapshot holds, each list once for writing, reading and measuring. Those
+// of contacts, whose flags are packed, stand in state/contact_state.cpp.
 //
 // A list names all members of its record in a structured binding, and the compiler refuses a binding with a
 // name too few: a new member cannot be forgotten. It then says which of them go into the snapshot; a comment
