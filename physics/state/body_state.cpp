@@ -183,8 +183,8 @@ void load_records(Reader& in, Stores& stores) {
         if ((has & kHasJointInertia) != 0) at = get(at, record.joint_inertia, reading);
         if ((has & kSleeps) != 0) at = get(at, record.next_sleeper, reading);
         if ((has & kHasUserData) != 0) at = get(at, record.user_data, reading);
-        in.require(is_sound(place) & (std::fabs(record.joint_inertia) <= std::numeric_limits<float>::max()) &
-                       (record.joint_inertia >= 0),
+        in.require(is_sound(place) && record.joint_inertia >= 0 &&
+                       record.joint_inertia <= std::numeric_limits<float>::max(),
                    "a body is at no place in the world, or as heavy for joints as no body is");
     });
     if (!in.ok()) return;
