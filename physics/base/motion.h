@@ -32,7 +32,8 @@ inline constexpr int kWorldRow = 0;
 /// Who moves a body in this step.
 enum class Mover : std::uint8_t {
     Flight,    // nothing acts on it but forces: one exact stride
-    Substeps,  // contacts act on it
+    Substeps,  // contacts in lanes act on it
+    Jointed,   // joints in lanes as well
     Turning,   // the same, and scalar code needs its turn as a rotation
     Direct,    // the structure of joints that it is part of
 };

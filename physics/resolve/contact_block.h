@@ -38,6 +38,12 @@ struct alignas(64) ContactBlock {
     bool reports = false;
 };
 
+void copy_lane(ContactBlock& to, int to_lane, const ContactBlock& from, int from_lane);
+/// What the passes change.
+void copy_outcome(ContactBlock& to, int to_lane, const ContactBlock& from, int from_lane);
+/// As unused lanes are.
+void clear_lane(ContactBlock& block, int lane);
+
 /// What may move in the contacts of a block. Body b always can.
 enum class BlockKind : std::uint8_t {
     TwoBodies,

@@ -320,75 +320,71 @@ HWY_INLINE void warm_start_lanes(ContactBlock& block, int lane, float* velocity,
     pair.finish(block, lane, velocity, nx, ny, sum, tangent);
 }
 
-HWY_INLINE void fetch_ahead(const ContactBlock* pool, std::span<const int> blocks, std::size_t at) {
-    if (at + kBlocksAhead < blocks.size()) prefetch(pool + blocks[at + kBlocksAhead], kFetchedBytes);
+HWY_INLINE void fetch_ahead(std::span<ContactBlock* const> blocks, std::size_t at) {
+    if (at + kBlocksAhead < blocks.size()) prefetch(blocks[at + kBlocksAhead], kFetchedBytes);
 }
 
 template <BlockKind kKind>
-void solve_all(ContactBlock* pool, std::span<const int> blocks, float* velocity,
-               const ContactPassTime& time) {
+void solve_all(std::span<ContactBlock* const> blocks, float* velocity, const ContactPassTime& time) {
     for (std::size_t n = 0; n < blocks.size(); ++n) {
-        const int i = blocks[n];
-        fetch_ahead(pool, blocks, n);
-        for (int lane = 0; lane < kLanes; lane += kStep) solve_lanes<kKind>(pool[i], lane, velocity, time);
+        fetch_ahead(blocks, n);
+        for (int lane = 0; lane < kLanes; lane += kStep) solve_lanes<kKind>(*blocks[n], lane, velocity, time);
     }
 }
 
 template <BlockKind kKind>
-void relax_all(ContactBlock* pool, std::span<const int> blocks, float* velocity, const float* pose,
+void relax_all(std::span<ContactBlock* const> blocks, float* velocity, const float* pose,
                const ContactPassTime& time) {
     for (std::size_t n = 0; n < blocks.size(); ++n) {
-        const int i = blocks[n];
-        fetch_ahead(pool, blocks, n);
+        fetch_ahead(blocks, n);
         for (int lane = 0; lane < kLanes; lane += kStep)
-            relax_lanes<kKind>(pool[i], lane, velocity, pose, time);
+            relax_lanes<kKind>(*blocks[n], lane, velocity, pose, time);
     }
 }
 
 template <BlockKind kKind>
-void warm_start_all(ContactBlock* pool, std::span<const int> blocks, float* velocity, float step_ratio,
+void warm_start_all(std::span<ContactBlock* const> blocks, float* velocity, float step_ratio,
                     float friction_ratio) {
     for (std::size_t n = 0; n < blocks.size(); ++n) {
-        const int i = blocks[n];
-        fetch_ahead(pool, blocks, n);
+        fetch_ahead(blocks, n);
         for (int lane = 0; lane < kLanes; lane += kStep)
-            warm_start_lanes<kKind>(pool[i], lane, velocity, set(step_ratio), set(friction_ratio));
+            warm_start_lanes<kKind>(*blocks[n], lane, velocity, set(step_ratio), set(friction_ratio));
     }
 }
 
-void solve_blocks(ContactBlock* pool, std::span<const int> blocks, BlockKind kind, float* velocity,
+void solve_blocks(std::span<ContactBlock* const> blocks, BlockKind kind, float* velocity,
                   const ContactPassTime& time) {
     switch (kind) {
         case BlockKind::TwoBodies:
-            return solve_all<BlockKind::TwoBodies>(pool, blocks, velocity, time);
+            return solve_all<BlockKind::TwoBodies>(blocks, velocity, time);
         case BlockKind::OneBody:
-            return solve_all<BlockKind::OneBody>(pool, blocks, velocity, time);
+            return solve_all<BlockKind::OneBody>(blocks, velocity, time);
         case BlockKind::Carried:
-            return solve_all<BlockKind::Carried>(pool, blocks, velocity, time);
+            return solve_all<BlockKind::Carried>(blocks, velocity, time);
     }
 }
 
-void relax_blocks(ContactBlock* pool, std::span<const int> blocks, BlockKind kind, float* velocity,
-                  const float* pose, const ContactPassTime& time) {
+void relax_blocks(std::span<ContactBlock* const> blocks, BlockKind kind, float* velocity, const float* pose,
+                  const ContactPassTime& time) {
     switch (kind) {
         case BlockKind::TwoBodies:
-            return relax_all<BlockKind::TwoBodies>(pool, blocks, velocity, pose, time);
+            return relax_all<BlockKind::TwoBodies>(blocks, velocity, pose, time);
         case BlockKind::OneBody:
-            return relax_all<BlockKind::OneBody>(pool, blocks, velocity, pose, time);
+            return relax_all<BlockKind::OneBody>(blocks, velocity, pose, time);
         case BlockKind::Carried:
-            return relax_all<BlockKind::Carried>(pool, blocks, velocity, pose, time);
+            return relax_all<BlockKind::Carried>(blocks, velocity, pose, time);
     }
 }
 
-void warm_start_blocks(ContactBlock* pool, std::span<const int> blocks, BlockKind kind, float* velocity,
+void warm_start_blocks(std::span<ContactBlock* const> blocks, BlockKind kind, float* velocity,
                        float step_ratio, float friction_ratio) {
     switch (kind) {
         case BlockKind::TwoBodies:
-            return warm_start_all<BlockKind::TwoBodies>(pool, blocks, velocity, step_ratio, friction_ratio);
+            return warm_start_all<BlockKind::TwoBodies>(blocks, velocity, step_ratio, friction_ratio);
         case BlockKind::OneBody:
-            return warm_start_all<BlockKind::OneBody>(pool, blocks, velocity, step_ratio, friction_ratio);
+            return warm_start_all<BlockKind::OneBody>(blocks, velocity, step_ratio, friction_ratio);
         case BlockKind::Carried:
-            return warm_start_all<BlockKind::Carried>(pool, blocks, velocity, step_ratio, friction_ratio);
+            return warm_start_all<BlockKind::Carried>(blocks, velocity, step_ratio, friction_ratio);
     }
 }
 
@@ -403,19 +399,19 @@ HWY_EXPORT(solve_blocks);
 HWY_EXPORT(relax_blocks);
 HWY_EXPORT(warm_start_blocks);
 
-void solve_blocks(ContactBlock* pool, std::span<const int> blocks, BlockKind kind, VelocityRow* velocity,
+void solve_blocks(std::span<ContactBlock* const> blocks, BlockKind kind, VelocityRow* velocity,
                   const ContactPassTime& time) {
-    HWY_DYNAMIC_DISPATCH(solve_blocks)(pool, blocks, kind, &velocity->v.x, time);
+    HWY_DYNAMIC_DISPATCH(solve_blocks)(blocks, kind, &velocity->v.x, time);
 }
 
-void relax_blocks(ContactBlock* pool, std::span<const int> blocks, BlockKind kind, VelocityRow* velocity,
+void relax_blocks(std::span<ContactBlock* const> blocks, BlockKind kind, VelocityRow* velocity,
                   const PoseRow* pose, const ContactPassTime& time) {
-    HWY_DYNAMIC_DISPATCH(relax_blocks)(pool, blocks, kind, &velocity->v.x, &pose->d.x, time);
+    HWY_DYNAMIC_DISPATCH(relax_blocks)(blocks, kind, &velocity->v.x, &pose->d.x, time);
 }
 
-void warm_start_blocks(ContactBlock* pool, std::span<const int> blocks, BlockKind kind, VelocityRow* velocity,
+void warm_start_blocks(std::span<ContactBlock* const> blocks, BlockKind kind, VelocityRow* velocity,
                        float step_ratio, float friction_ratio) {
-    HWY_DYNAMIC_DISPATCH(warm_start_blocks)(pool, blocks, kind, &velocity->v.x, step_ratio, friction_ratio);
+    HWY_DYNAMIC_DISPATCH(warm_start_blocks)(blocks, kind, &velocity->v.x, step_ratio, friction_ratio);
 }
 
 }  // namespace cairn::physics

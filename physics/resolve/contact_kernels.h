@@ -18,13 +18,13 @@ struct ContactPassTime {
     float max_push_out_speed_m_s = 0;
 };
 
-// Each works on blocks of one colour and kind, given by their places in the pool.
-void solve_blocks(ContactBlock* pool, std::span<const int> blocks, BlockKind kind, VelocityRow* velocity,
+// Each works on blocks of one colour and kind.
+void solve_blocks(std::span<ContactBlock* const> blocks, BlockKind kind, VelocityRow* velocity,
                   const ContactPassTime& time);
-void relax_blocks(ContactBlock* pool, std::span<const int> blocks, BlockKind kind, VelocityRow* velocity,
+void relax_blocks(std::span<ContactBlock* const> blocks, BlockKind kind, VelocityRow* velocity,
                   const PoseRow* pose, const ContactPassTime& time);
 /// Makes the first guess of a step and applies it once.
-void warm_start_blocks(ContactBlock* pool, std::span<const int> blocks, BlockKind kind, VelocityRow* velocity,
+void warm_start_blocks(std::span<ContactBlock* const> blocks, BlockKind kind, VelocityRow* velocity,
                        float step_ratio, float friction_ratio);
 
 }  // namespace cairn::physics

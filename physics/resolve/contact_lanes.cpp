@@ -1,9 +1,5 @@
-// Upkeep of lanes, and the order of the passes.
+// Upkeep of lanes.
 #include "resolve/contact_lanes.h"
-
-#include <algorithm>
-
-#include "resolve/contact_kernels.h"
 
 namespace cairn::physics {
 namespace {
@@ -45,52 +41,9 @@ void write_pair(PairBlock& to, int lane, const PairLane& from) {
     put_bit(to.seen, false);
 }
 
-void copy_lane(ContactBlock& to, int to_lane, const ContactBlock& from, int from_lane) {
-    const auto copy = [&](auto& t, const auto& f) { t[to_lane] = f[from_lane]; };
-    copy(to.a, from.a);
-    copy(to.b, from.b);
-    copy(to.normal_x, from.normal_x);
-    copy(to.normal_y, from.normal_y);
-    for (int i = 0; i < 2; ++i) {
-        ContactBlockPoint& t = to.points[i];
-        const ContactBlockPoint& f = from.points[i];
-        copy(t.arm_a, f.arm_a);
-        copy(t.arm_b, f.arm_b);
-        copy(t.mass, f.mass);
-        copy(t.start_separation, f.start_separation);
-        copy(t.separation, f.separation);
-        copy(t.static_impulse, f.static_impulse);
-        copy(t.impulse, f.impulse);
-        copy(to.total_impulse[i], from.total_impulse[i]);
-    }
-    copy(to.tangent_arm_a, from.tangent_arm_a);
-    copy(to.tangent_arm_b, from.tangent_arm_b);
-    copy(to.tangent_mass, from.tangent_mass);
-    copy(to.friction, from.friction);
-    copy(to.friction_impulse, from.friction_impulse);
-    to.reports = to.reports || from.reports;
-}
-
-void clear_lane(ContactBlock& block, int lane) {
-    block.a[lane] = block.b[lane] = kWorldRow;
-    block.normal_x[lane] = block.normal_y[lane] = 0;
-    for (int i = 0; i < 2; ++i) {
-        ContactBlockPoint& point = block.points[i];
-        point.arm_a[lane] = point.arm_b[lane] = point.mass[lane] = 0;
-        point.start_separation[lane] = point.separation[lane] = 1;
-        point.static_impulse[lane] = point.impulse[lane] = 0;
-        block.total_impulse[i][lane] = 0;
-    }
-    block.tangent_arm_a[lane] = block.tangent_arm_b[lane] = block.tangent_mass[lane] = 0;
-    block.friction[lane] = block.friction_impulse[lane] = 0;
-}
-
 void clear_pairs(PairBlock& pairs) {
     for (int lane = 0; lane < kLanes; ++lane) write_pair(pairs, lane, PairLane{});
 }
-
-// What a thread takes at once: enough to be worth a microsecond.
-constexpr int kBlocksPerChunk = 24;
 
 // Room that the pool begins with: the contacts of small worlds, which fill their blocks badly, allocate once.
 constexpr std::size_t kFirstBlocks = 32;
@@ -116,6 +69,7 @@ void copy_geometry(PairBlock& to, int to_lane, const PairBlock& from, int from_l
 
 int ContactLanes::add(int bucket, const PairLane& pair) {
     if (!is_colored(bucket)) return add_near(geometry_of(bucket), pair);
+    ++version_;
     int block = chains_[bucket].last;
     if (block == kNone || links_[block].used == kLanes) block = open_block(bucket);
     const int lane = links_[block].used++;
@@ -125,6 +79,7 @@ int ContactLanes::add(int bucket, const PairLane& pair) {
 
 int ContactLanes::remove(int bucket, int lane) {
     if (!is_colored(bucket)) return remove_near(geometry_of(bucket), lane);
+    ++version_;
     const int last_block = chains_[bucket].last;
     PairBlock& from = pairs_[last_block];
     PairBlock& to = pairs_[lane / kLanes];
@@ -258,53 +213,6 @@ void ContactLanes::blank(int lane) {
     block.a[at] = a;
     block.b[at] = b;
     block.friction[at] = friction;
-}
-
-// Buckets follow one another, since their colours may share bodies; the blocks of one may go at once.
-template <class BlockPass>
-void ContactLanes::for_each_bucket(TaskPool& tasks, const BlockPass& pass) const {
-    if (order_.empty()) return;
-    struct Part {
-        const BlockPass* pass;
-        const ContactLanes* lanes;
-        int bucket;
-    };
-    const auto body = [](const void* context, const Chunk& chunk) {
-        const Part& part = *static_cast<const Part*>(context);
-        const auto first = static_cast<std::size_t>(chunk.begin);
-        const auto count = static_cast<std::size_t>(chunk.end - chunk.begin);
-        (*part.pass)(part.bucket, part.lanes->blocks(part.bucket).subspan(first, count));
-    };
-    std::array<Part, kBuckets> parts;
-    std::array<ParallelLoop, kBuckets> loops;
-    std::size_t count = 0;
-    for (const int bucket : buckets()) {
-        parts[count] = {&pass, this, bucket};
-        loops[count] = {body, &parts[count], static_cast<int>(blocks(bucket).size()), kBlocksPerChunk};
-        ++count;
-    }
-    tasks.run_in_order({loops.data(), count});
-}
-
-void ContactLanes::warm_start(Motions& motions, float step_ratio, float friction_ratio, TaskPool& tasks) {
-    for_each_bucket(tasks, [&](int bucket, std::span<const int> blocks) {
-        warm_start_blocks(blocks_.data(), blocks, kind_of(bucket), motions.velocity.data(), step_ratio,
-                          friction_ratio);
-    });
-}
-
-void ContactLanes::solve(Motions& motions, const ContactRules& rules, float h_s, Pass pass, TaskPool& tasks) {
-    for_each_bucket(tasks, [&](int bucket, std::span<const int> blocks) {
-        const BlockKind kind = kind_of(bucket);
-        const ContactPassTime time{
-            kind == BlockKind::TwoBodies ? rules.dynamic_softness : rules.static_softness, 1 / h_s,
-            rules.max_push_out_speed_m_s};
-        if (pass == Pass::Biased) {
-            solve_blocks(blocks_.data(), blocks, kind, motions.velocity.data(), time);
-        } else {
-            relax_blocks(blocks_.data(), blocks, kind, motions.velocity.data(), motions.pose.data(), time);
-        }
-    });
 }
 
 }  // namespace cairn::physics

@@ -12,11 +12,9 @@
 #include <vector>
 
 #include "base/slot_map.h"
-#include "base/task_pool.h"
 #include "collide/box_lanes.h"
 #include "collide/place_lanes.h"
 #include "resolve/contact_block.h"
-#include "resolve/contact_constraint.h"
 #include "resolve/prepare_kernel.h"
 
 namespace cairn::physics {
@@ -139,6 +137,8 @@ class ContactLanes {
     [[nodiscard]] int first_block(int bucket) const { return chains_[bucket].first; }
     /// Lists the blocks of all buckets in colours, for the stages of a step. Adding and removing ends that.
     void arrange();
+    /// Another one whenever a contact in a colour came, went or changed its lane.
+    [[nodiscard]] std::uint64_t version() const { return version_; }
     /// Blocks are numbered below this, those without contacts too.
     [[nodiscard]] int pool_size() const { return static_cast<int>(pairs_.size()); }
     /// As of the last `arrange`: the buckets that hold contacts, and the blocks, bucket by bucket.
@@ -162,16 +162,8 @@ class ContactLanes {
     /// meanwhile, and does nothing to them.
     void blank(int lane);
 
-    /// Makes the first guesses of a step and applies them.
-    void warm_start(Motions& motions, float step_ratio, float friction_ratio, TaskPool& tasks);
-    void solve(Motions& motions, const ContactRules& rules, float h_s, Pass pass, TaskPool& tasks);
-
   private:
     friend struct StateAccess;
-
-    /// Runs pass(bucket, blocks) for all buckets, one after the other, each cut into parts for threads.
-    template <class BlockPass>
-    void for_each_bucket(TaskPool& tasks, const BlockPass& pass) const;
 
     struct Chain {
         int first = kNone;
@@ -193,6 +185,7 @@ class ContactLanes {
     std::vector<ContactBlock> blocks_;  // beside the pairs
     std::vector<int> free_;
     std::array<Chain, kBuckets> chains_;
+    std::uint64_t version_ = 0;
     bool is_arranged_ = true;
     std::vector<int> order_;      // of blocks, bucket by bucket
     std::vector<int> in_memory_;  // the same, ascending

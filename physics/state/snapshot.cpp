@@ -77,6 +77,7 @@ void take_over(WorldState& world, RestoreSpace& from) {
     world.step_count = from.step_count;
     world.previous_h_s = from.previous_h_s;
     forget_groups(world.direct);
+    if (world.scratch.batches) world.scratch.batches->forget();
 }
 
 }  // namespace

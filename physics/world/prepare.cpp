@@ -109,8 +109,11 @@ void choose_movers(const Stores& stores, StepScratch& scratch) {
     };
     for (int row = 0; row < awake.size(); ++row) {
         const auto body = static_cast<std::size_t>(awake.body[row]);
-        if (acts_on(stores.contacts.colors, body) || acts_on(stores.joints.colors, body))
+        if (acts_on(stores.joints.colors, body)) {
+            scratch.motions.mover[row + 1] = Mover::Jointed;
+        } else if (acts_on(stores.contacts.colors, body)) {
             scratch.motions.mover[row + 1] = Mover::Substeps;
+        }
     }
     for (const int i : scratch.scalar_contacts) {
         mark_mover(scratch.motions, scratch.contacts[i].a, Mover::Turning);

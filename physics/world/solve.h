@@ -1,4 +1,4 @@
-// The solver's passes over all constraints of a step.
+// The solver's passes over all constraints of a step that are in no batch.
 #pragma once
 
 #include <algorithm>
@@ -13,6 +13,21 @@ namespace cairn::physics {
 
 // Rows that a thread takes at once.
 inline constexpr int kRowsPerChunk = 1024;
+
+/// Calls work(first, last) for all rows that are in no batch.
+template <class Work>
+void for_rest_rows(const ContactBatches& batches, TaskPool& tasks, const Work& work) {
+    const std::span<const RowRange> ranges = batches.rest_rows();
+    // Where batches are scattered among the rows, ranges are short.
+    constexpr int kRangesPerChunk = 16;
+    const int grain = batches.count() > 0 ? kRangesPerChunk : 1;
+    tasks.parallel_for(static_cast<int>(ranges.size()), grain, [&](const Chunk& chunk) {
+        for (int i = chunk.begin; i < chunk.end; ++i) {
+            const RowRange& range = ranges[static_cast<std::size_t>(i)];
+            work(range.first, range.last);
+        }
+    });
+}
 
 /// Which sorts of constraints act in a step.
 struct Acting {
@@ -46,15 +61,13 @@ inline void prepare_kicks(StepScratch& scratch, float h_s, TaskPool& tasks) {
 
 inline void integrate_velocities(StepScratch& scratch, Acting acting, bool first_substep, TaskPool& tasks) {
     const bool afresh = first_substep || !acting.contacts;
-    tasks.parallel_for(scratch.motions.size(), kRowsPerChunk, [&](const Chunk& rows) {
-        integrate_velocities(scratch.motions, afresh, rows.begin, rows.end);
-    });
+    for_rest_rows(*scratch.batches, tasks,
+                  [&](int first, int last) { integrate_velocities(scratch.motions, afresh, first, last); });
 }
 
 inline void integrate_positions(StepScratch& scratch, float h_s, TaskPool& tasks) {
-    tasks.parallel_for(scratch.motions.size(), kRowsPerChunk, [&](const Chunk& rows) {
-        integrate_positions(scratch.motions, h_s, rows.begin, rows.end);
-    });
+    for_rest_rows(*scratch.batches, tasks,
+                  [&](int first, int last) { integrate_positions(scratch.motions, h_s, first, last); });
 }
 
 inline JointPassTime joint_time(float h_s) {
@@ -70,12 +83,11 @@ inline void note_spring_speeds(JointLanes& joints, StepScratch& scratch, TaskPoo
 
 /// The impulses of contacts in the last step, as the first guess of this one. Within a step
 /// integrate_velocities carries them on.
-inline void warm_start_contacts(ContactLanes& lanes, StepScratch& scratch, const StepTime& time,
-                                TaskPool& tasks) {
+inline void warm_start_contacts(StepScratch& scratch, const StepTime& time, TaskPool& tasks) {
     for (const int i : scratch.scalar_contacts) {
         warm_start_contact(scratch.contacts[i], scratch.motions, time.step_ratio, time.impulse_ratio);
     }
-    lanes.warm_start(scratch.motions, time.step_ratio, time.impulse_ratio, tasks);
+    warm_start(scratch.batches->rest_runs(), scratch.motions, time.step_ratio, time.impulse_ratio, tasks);
 }
 
 /// The passes of joints: biased ones start from the impulses of the last substep.
@@ -85,8 +97,7 @@ inline void solve_joints(JointLanes& lanes, StepScratch& scratch, float h_s, Act
     Motions& motions = scratch.motions;
     const auto for_rows = [&](auto&& work) {
         if (!acting.contacts) return;
-        tasks.parallel_for(motions.size(), kRowsPerChunk,
-                           [&](const Chunk& rows) { work(motions, rows.begin, rows.end); });
+        for_rest_rows(*scratch.batches, tasks, [&](int first, int last) { work(motions, first, last); });
     };
     const JointPassTime time = joint_time(h_s);
     for_rows(begin_joints);
@@ -103,12 +114,12 @@ inline void solve_joints(JointLanes& lanes, StepScratch& scratch, float h_s, Act
     for_rows(end_joints);
 }
 
-inline void solve_contacts(ContactLanes& lanes, StepScratch& scratch, const ContactRules& rules, float h_s,
-                           Pass pass, TaskPool& tasks) {
+inline void solve_contacts(StepScratch& scratch, const ContactRules& rules, float h_s, Pass pass,
+                           TaskPool& tasks) {
     for (const int i : scratch.scalar_contacts) {
         solve_contact(scratch.contacts[i], scratch.motions, rules, h_s, pass);
     }
-    lanes.solve(scratch.motions, rules, h_s, pass, tasks);
+    solve(scratch.batches->rest_runs(), scratch.motions, rules, h_s, pass, tasks);
 }
 
 // Joints before contacts: what comes last is satisfied best, and overlap is worse to see than a stretched
@@ -116,7 +127,7 @@ inline void solve_contacts(ContactLanes& lanes, StepScratch& scratch, const Cont
 inline void solve(Stores& stores, StepScratch& scratch, const ContactRules& rules, float h_s, Acting acting,
                   Pass pass, TaskPool& tasks) {
     solve_joints(stores.joints.lanes, scratch, h_s, acting, pass, tasks);
-    solve_contacts(stores.contacts.lanes, scratch, rules, h_s, pass, tasks);
+    solve_contacts(scratch, rules, h_s, pass, tasks);
 }
 
 }  // namespace cairn::physics

@@ -6,6 +6,7 @@
 #include "base/stage_clock.h"
 #include "integrator/integrate.h"
 #include "world/awaited_contacts.h"
+#include "world/batches.h"
 #include "world/bounce_energy.h"
 #include "world/bounces.h"
 #include "world/breakables.h"
@@ -65,17 +66,20 @@ void step_world(WorldState& world, float dt_s) {
     const Acting acting = what_acts(stores, scratch);
     const int acting_substeps = substeps_of(time, acting, scratch, world.direct);
     if (acting_substeps > 0) prepare_kicks(scratch, time.h_s, tasks);
+    cut_into_batches(stores, acting_substeps, scratch);
+    solve_batches(scratch, acting_substeps, rules, time, tasks);
     for (int substep = 0; substep < acting_substeps; ++substep) {
         note_spring_speeds(stores.joints.lanes, scratch, tasks);
         integrate_velocities(scratch, acting, substep == 0, tasks);
         solve_direct(world.direct, scratch, rules, time.h_s, acting, tasks);
-        if (substep == 0) warm_start_contacts(stores.contacts.lanes, scratch, time, tasks);
+        if (substep == 0) warm_start_contacts(scratch, time, tasks);
         reach_contacts(scratch, substep, rules, time);
         solve(stores, scratch, rules, time.h_s, acting, Pass::Biased, tasks);
         integrate_positions(scratch, time.h_s, tasks);
         move_direct(world.direct, scratch, rules, time.h_s, acting, tasks);
         solve(stores, scratch, rules, time.h_s, acting, Pass::Relax, tasks);
     }
+    return_rest(scratch, acting_substeps);
     clock.enter(Stage::Store);
     fly_freely(scratch.motions, scratch.drives, def.gravity_m_s2, time.dt_s, world.step_count);
     collect_outcomes(stores.contacts, scratch);

@@ -285,7 +285,7 @@ bool JointLanes::place(const std::vector<Place>& places, Motions& motions, float
             for (const int block : pool.blocks(bucket)) {
                 for (const int row : pin_of(pool.block(block)).a) {
                     Mover& mover = motions.mover[static_cast<std::size_t>(row)];
-                    mover = std::max(mover, Mover::Substeps);
+                    mover = std::max(mover, Mover::Jointed);
                 }
             }
         }

@@ -339,11 +339,10 @@ TEST_CASE("lanes and points without a contact do nothing") {
             REQUIRE(p.block.friction_impulse[lane] == 0);
         }
         const std::vector<VelocityRow> before = motions.velocity;
-        const std::array<int, 1> first{0};
-        warm_start_blocks(&p.block, first, BlockKind::TwoBodies, motions.velocity.data(), 1.2f, 1.2f);
-        solve_blocks(&p.block, first, BlockKind::TwoBodies, motions.velocity.data(), time);
-        relax_blocks(&p.block, first, BlockKind::TwoBodies, motions.velocity.data(), motions.pose.data(),
-                     time);
+        const std::array<ContactBlock*, 1> first{&p.block};
+        warm_start_blocks(first, BlockKind::TwoBodies, motions.velocity.data(), 1.2f, 1.2f);
+        solve_blocks(first, BlockKind::TwoBodies, motions.velocity.data(), time);
+        relax_blocks(first, BlockKind::TwoBodies, motions.velocity.data(), motions.pose.data(), time);
         for (int row = 0; row < kRows; ++row) {
             REQUIRE(motions.velocity[row].v == before[row].v);
             REQUIRE(motions.velocity[row].w == before[row].w);

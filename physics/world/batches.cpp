@@ -1,0 +1,49 @@
+// The substeps of batches.
+#include "world/batches.h"
+
+#include "integrator/integrate.h"
+#include "world/solve.h"
+
+namespace cairn::physics {
+namespace {
+
+void solve_batch(ContactBatches& batches, int batch, Motions& motions, const ContactRules& rules,
+                 const StepTime& time) {
+    batches.fetch_lanes(batch);
+    const std::span<const RowRange> rows = batches.rows(batch);
+    const std::span<const ContactRun> runs = batches.runs(batch);
+    for (int substep = 0; substep < time.substeps; ++substep) {
+        for (const RowRange& r : rows) integrate_velocities(motions, substep == 0, r.first, r.last);
+        for (const ContactRun& run : runs) {
+            if (substep == 0) warm_start(run, motions, time.step_ratio, time.impulse_ratio);
+        }
+        for (const ContactRun& run : runs) solve(run, motions, rules, time.h_s, Pass::Biased);
+        for (const RowRange& r : rows) integrate_positions(motions, time.h_s, r.first, r.last);
+        for (const ContactRun& run : runs) solve(run, motions, rules, time.h_s, Pass::Relax);
+    }
+    batches.return_lanes(batch);
+}
+
+}  // namespace
+
+void cut_into_batches(Stores& stores, int substeps, StepScratch& scratch) {
+    if (substeps == 0) return;
+    if (!scratch.batches) scratch.batches = std::make_unique<ContactBatches>();
+    scratch.batches->cut(stores.contacts.lanes, scratch.motions, stores.bodies.rows(RowSet::Awake).body);
+    scratch.batches->fetch_rest();
+}
+
+void solve_batches(StepScratch& scratch, int substeps, const ContactRules& rules, const StepTime& time,
+                   TaskPool& tasks) {
+    if (substeps == 0) return;
+    ContactBatches& batches = *scratch.batches;
+    tasks.parallel_for(batches.count(), 1, [&](const Chunk& chunk) {
+        for (int i = chunk.begin; i < chunk.end; ++i) solve_batch(batches, i, scratch.motions, rules, time);
+    });
+}
+
+void return_rest(StepScratch& scratch, int substeps) {
+    if (substeps > 0) scratch.batches->return_rest();
+}
+
+}  // namespace cairn::physics

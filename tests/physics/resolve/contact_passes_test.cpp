@@ -1,0 +1,169 @@
+// The passes over contacts in lanes, against the scalar form of the same contacts and against themselves at
+// other SIMD levels.
+#include "resolve/contact_passes.h"
+
+#include <algorithm>
+#include <bit>
+#include <catch2/catch.hpp>
+#include <vector>
+
+#include <cairn/physics/simd.h>
+
+#include "physics/support/contact_heap.h"
+
+namespace cairn::physics {
+namespace {
+
+using namespace test;
+
+// As between the passes: centimetres, and turns so small that arms need not turn.
+void displace(Motions& motions, unsigned seed) {
+    Random random(seed);
+    for (int row = 1; row < motions.size(); ++row) {
+        motions.pose[row].d = random.vector(-0.01, 0.01);
+        motions.pose[row].theta = random.real_f(-1e-4, 1e-4) / std::max(motions.pose[row].k, 0.1f);
+        motions.turned[row] = Rotation::from_small_angle(motions.angle(row));
+    }
+}
+
+constexpr float kStepRatio = 1.3f;
+constexpr float kFrictionRatio = 0.8f;
+
+template <class Solve>  // solve(pass)
+void run_passes(Motions& motions, Solve&& solve) {
+    solve(Pass::Biased);
+    displace(motions, 1);
+    for (const Pass pass : {Pass::Relax, Pass::Biased, Pass::Relax}) solve(pass);
+}
+
+void run_lanes(Heap& heap) {
+    TaskPool alone(1);
+    const WholeHeap whole(heap);
+    warm_start(whole.runs(), heap.motions, kStepRatio, kFrictionRatio, alone);
+    run_passes(heap.motions, [&](Pass pass) {
+        solve(whole.runs(), heap.motions, kHeapRules, kHeapSubstep_s, pass, alone);
+    });
+}
+
+Motions run_scalars(Heap& heap) {
+    Motions motions = heap.motions;
+    for (Placed& p : heap.placed) warm_start_contact(p.scalar, motions, kStepRatio, kFrictionRatio);
+    run_passes(motions, [&](Pass pass) {
+        for (Placed& p : heap.placed) solve_contact(p.scalar, motions, kHeapRules, kHeapSubstep_s, pass);
+    });
+    return motions;
+}
+
+bool same_bits(const VelocityRow& a, const VelocityRow& b) {
+    using Bits = std::array<std::uint32_t, 4>;
+    return std::bit_cast<Bits>(a) == std::bit_cast<Bits>(b);
+}
+
+auto approx(float expected, double margin) {
+    return Approx(static_cast<double>(expected)).margin(margin).epsilon(2e-5);
+}
+
+void check_lane(Heap& heap, const Placed& p) {
+    const ContactBlock& block = heap.block(p);
+    const int lane = p.lane % kLanes;
+    for (int k = 0; k < p.scalar.count; ++k) {
+        const ContactPointConstraint& expected = p.scalar.points[k];
+        CHECK(block.points[k].impulse[lane] == approx(expected.normal_impulse, 5e-5));
+        CHECK(block.points[k].separation[lane] == approx(expected.end_separation, 1e-6));
+        const float total = block.reports ? expected.total_normal_impulse : 0;
+        CHECK(block.total_impulse[k][lane] == approx(total, 1e-4));
+    }
+    CHECK(block.friction_impulse[lane] == approx(p.scalar.friction_impulse, 5e-5));
+}
+
+}  // namespace
+
+TEST_CASE("a lane that is blanked does nothing in the passes, and keeps its friction and its contact") {
+    Heap heap = make_heap(2, {BlockKind::TwoBodies}, 2, 1);
+    const Placed p = heap.placed.front();
+    heap.lanes.blank(p.lane);
+    // It keeps its bodies: nobody else may write their rows while its block is solved.
+    CHECK(heap.block(p).a[p.lane % kLanes] == p.input.a);
+    CHECK(heap.block(p).b[p.lane % kLanes] == p.input.b);
+    CHECK(heap.block(p).friction[p.lane % kLanes] == p.input.friction);
+    CHECK(heap.pairs(p).contact[p.lane % kLanes] == 0);
+    const std::vector<VelocityRow> before = heap.motions.velocity;
+    run_lanes(heap);
+    for (int row = 0; row < heap.motions.size(); ++row) {
+        CHECK(same_bits(heap.motions.velocity[row], before[row]));
+    }
+}
+
+TEST_CASE("the first guess of lanes is that of the scalar form, for steps of any length") {
+    const float step_ratio = GENERATE(0.5f, 1.0f, 1.7f);
+    const float friction_ratio = GENERATE(0.0f, 0.7f);
+    Heap heap = make_heap(3, kAllKinds, 100, 200);
+    std::vector<std::array<float, 2>> remembered;
+    for (const Placed& p : heap.placed) remembered.push_back(heap.lanes.memory(p.lane).impulse);
+
+    Motions by_scalars = heap.motions;
+    for (Placed& p : heap.placed) warm_start_contact(p.scalar, by_scalars, step_ratio, friction_ratio);
+    TaskPool alone(1);
+    warm_start(WholeHeap(heap).runs(), heap.motions, step_ratio, friction_ratio, alone);
+    for (int i = 0; i < static_cast<int>(heap.placed.size()); ++i) {
+        const Placed& p = heap.placed[i];
+        const ContactMemory memory = heap.lanes.memory(p.lane);
+        for (int k = 0; k < p.scalar.count; ++k) {
+            const float at_rest = p.scalar.points[k].static_impulse;
+            CHECK(memory.impulse[k] == first_guess(remembered[i][k], at_rest, step_ratio));
+        }
+        CHECK(memory.friction_impulse == friction_ratio * p.input.friction_impulse);
+    }
+    for (int row = 0; row < by_scalars.size(); ++row) {
+        CHECK(static_cast<double>(length(heap.motions.velocity[row].v - by_scalars.velocity[row].v)) < 1e-5);
+        CHECK(heap.motions.spin(row) == approx(by_scalars.spin(row), 2e-5));
+    }
+}
+
+TEST_CASE("lanes of every kind move bodies as the scalar form of the same contacts does") {
+    const unsigned seed = GENERATE(4u, 5u, 6u, 7u);
+    const std::vector<BlockKind> kinds =
+        GENERATE(std::vector{BlockKind::TwoBodies}, std::vector{BlockKind::OneBody},
+                 std::vector{BlockKind::Carried}, kAllKinds);
+    CAPTURE(seed, kinds.size(), static_cast<int>(kinds[0]));
+    Heap heap = make_heap(seed, kinds, 200, 300);
+    const std::vector<VelocityRow> before = heap.motions.velocity;
+    const Motions by_scalars = run_scalars(heap);
+    run_lanes(heap);
+    for (int row = 0; row < by_scalars.size(); ++row) {
+        // Velocities of a few m/s after some dozen float operations.
+        CHECK(static_cast<double>(length(heap.motions.velocity[row].v - by_scalars.velocity[row].v)) < 4e-5);
+        CHECK(heap.motions.spin(row) == approx(by_scalars.spin(row), 1e-4));
+        if (row < heap.first_free) CHECK(same_bits(heap.motions.velocity[row], before[row]));
+    }
+    for (const Placed& p : heap.placed) check_lane(heap, p);
+}
+
+TEST_CASE("every SIMD level gives the same bits") {
+    const std::vector<SimdLevel> levels = available_simd_levels();
+    REQUIRE(!levels.empty());
+    std::vector<std::uint32_t> first;
+    for (const SimdLevel level : levels) {
+        force_simd_level(level).value();
+        Heap heap = make_heap(8, kAllKinds, 300, 900);
+        run_lanes(heap);
+        force_simd_level(levels.back()).value();
+        std::vector<std::uint32_t> bits;
+        const auto add_bits = [&](float x) { bits.push_back(std::bit_cast<std::uint32_t>(x)); };
+        for (const VelocityRow& row : heap.motions.velocity) {
+            for (const float x : {row.v.x, row.v.y, row.w}) add_bits(x);
+        }
+        for (const Placed& p : heap.placed) {
+            const ContactMemory memory = heap.lanes.memory(p.lane);
+            for (const float x : {memory.impulse[0], memory.impulse[1], memory.friction_impulse}) add_bits(x);
+            for (const ContactBlockPoint& point : heap.block(p).points)
+                add_bits(point.separation[p.lane % kLanes]);
+            for (const auto& total : heap.block(p).total_impulse) add_bits(total[p.lane % kLanes]);
+        }
+        if (first.empty()) first = bits;
+        CAPTURE(name(level));
+        CHECK(bits == first);
+    }
+}
+
+}  // namespace cairn::physics
