@@ -118,8 +118,10 @@ class Renderer {
 
     // ---- Assets
 
-    /// The same path and filter give the same handle. The error names the path and the reason.
-    Result<TextureId> load_texture(std::string_view path, TextureFilter filter = TextureFilter::Linear);
+    /// The same path, filter and color give the same handle. Pixels of the color `transparent` are not seen,
+    /// whatever its alpha and theirs. The error names the path and the reason.
+    Result<TextureId> load_texture(std::string_view path, TextureFilter filter = TextureFilter::Linear,
+                                   std::optional<Color> transparent = std::nullopt);
     /// Reads an image anew; its handles show what the file holds now. False when no texture is of that file.
     /// With an error the old picture stays. Not within a frame.
     Result<bool> reload_texture(std::string_view path);
