@@ -103,6 +103,21 @@ struct Game::CallbackCall {
     std::string problem = {};
 };
 
+namespace {
+
+/// Empty when it has left the stack.
+std::string place_of_scene(lua_State* L, int table) {
+    for (const Scene& scene : context_of(L).scenes) {
+        lua_rawgeti(L, LUA_REGISTRYINDEX, scene.reference);
+        const bool is_it = lua_rawequal(L, -1, table) != 0;
+        lua_pop(L, 1);
+        if (is_it) return scene.place;
+    }
+    return "";
+}
+
+}  // namespace
+
 int Game::run_callback(lua_State* L) {
     auto& callback = *static_cast<CallbackCall*>(lua_touserdata(L, 1));
     if (push_callback(L, callback.name)) {
@@ -116,10 +131,10 @@ int Game::run_callback(lua_State* L) {
 
 void Game::run_scene_callbacks(lua_State* L, CallbackCall& callback) {
     // Taken onto the stack first: a callback may change the scenes.
-    const std::vector<int>& scenes = context_of(L).scenes;
+    const std::vector<Scene>& scenes = context_of(L).scenes;
     luaL_checkstack(L, static_cast<int>(scenes.size()) + LUA_MINSTACK, "scenes");
     for (auto scene = scenes.rbegin(); scene != scenes.rend(); ++scene) {
-        lua_rawgeti(L, LUA_REGISTRYINDEX, *scene);
+        lua_rawgeti(L, LUA_REGISTRYINDEX, scene->reference);
         if (!callback.is_for_visible_scenes) break;
         lua_getfield(L, -1, "overlay");
         const bool is_overlay = lua_toboolean(L, -1) != 0;
@@ -134,8 +149,9 @@ void Game::run_scene_callbacks(lua_State* L, CallbackCall& callback) {
             lua_call(L, 1 + callback.push_arguments(L), 1);
             callback.result = callback.result || lua_toboolean(L, -1) != 0;
         } else if (!lua_isnil(L, -1)) {
-            callback.problem = std::string("the scene's ") + callback.name + " is " + describe_value(L, -1) +
-                               "; expected a function";
+            callback.problem = place_of_scene(L, scene) + "the " + callback.name +
+                               " of the scene that is put on here is " + describe_value(L, -1) +
+                               " by now; expected a function";
             return;
         }
         lua_settop(L, scene - 1);
