@@ -122,6 +122,13 @@ Result<bool> Renderer::reload_texture(std::string_view path) {
     return is_known;
 }
 
+void Renderer::forget_files(std::string_view folder) {
+    const std::string prefix = std::string(folder) + '/';
+    std::erase_if(state_->textures_by_source,
+                  [&](const auto& known) { return known.first.path.starts_with(prefix); });
+    state_->fonts.forget_files(prefix);
+}
+
 Result<TextureId> Renderer::create_texture(const Image& image, TextureFilter filter) {
     const auto [width, height] = image.size;
     if (width < 1 || height < 1 || width > kMaxImageSide || height > kMaxImageSide)
@@ -181,7 +188,8 @@ void Renderer::State::destroy(TextureId texture) {
     if (!found) return;
     batch.flush();
     if (found->backend_texture) backend->destroy_texture(found->backend_texture);
-    textures_by_source.erase(found->source);
+    const auto known = textures_by_source.find(found->source);
+    if (known != textures_by_source.end() && known->second == texture) textures_by_source.erase(known);
     textures.erase(texture);
 }
 

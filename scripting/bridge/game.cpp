@@ -57,7 +57,12 @@ Game::Game(const Services& services, const GameOptions& options)
                .random = engine::Random(options.seed),
                .visual_random = engine::Random(options.visual_seed, 1)} {
     context_.test = options.test;
-    if (options.plays_saves) context_.played_saves.emplace(services.files);
+    if (options.plays_saves) {
+        context_.played_saves.emplace(services.files);
+        // Nothing that an earlier game saved is there for this one, nor what was loaded of it.
+        services.renderer.forget_files("save");
+        services.audio.forget_files("save");
+    }
     state_.set_context(&context_);
     register_all(state_.get());
     lua_getglobal(state_.get(), "cairn");

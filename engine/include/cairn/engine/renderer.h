@@ -143,6 +143,9 @@ class Renderer {
     /// pixels, in 4 .. 256.
     Result<FontId> load_font(std::string_view path, float size);
     bool is_valid(FontId font) const;
+    /// Images and fonts of files below a folder are read anew when they are loaded the next time. The handles
+    /// that there are show what they did.
+    void forget_files(std::string_view folder);
     /// From one line's top to the next one's, in logical pixels.
     float line_height(FontId font) const;
 
