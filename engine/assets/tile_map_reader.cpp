@@ -19,20 +19,6 @@ constexpr std::size_t kMaxCells = 16u << 20;
 /// Of infinite maps, which begin anywhere.
 constexpr int kFarthestCell = 1 << 24;
 
-/// "#rrggbb" or "#aarrggbb".
-std::optional<Color> read_color(const Node& node, const char* field) {
-    if (!node.has(field)) return std::nullopt;
-    std::string text = node.text(field);
-    if (text.starts_with('#')) text.erase(0, 1);
-    if (text.size() == 6) text = "ff" + text;
-    if (text.size() != 8 || text.find_first_not_of("0123456789abcdefABCDEF") != std::string::npos)
-        node.fail(field, "must be a color like \"#rrggbb\"");
-    const auto part = [&](std::size_t at) {
-        return static_cast<float>(std::stoi(text.substr(at, 2), nullptr, 16)) / 255;
-    };
-    return Color{part(2), part(4), part(6), part(0)};
-}
-
 Tile read_tile(std::uint32_t bits) {
     return {.id = bits & 0x0fffffffu,
             .flip_x = (bits & 0x80000000u) != 0,
@@ -57,7 +43,7 @@ class MapReader {
     void read_map(const Node& node) {
         const bool has_cells = read_cells(node);
         faults_.attempt([&] { map_.properties = read_tiled_properties(node); });
-        faults_.attempt([&] { map_.background = read_color(node, "backgroundcolor"); });
+        faults_.attempt([&] { map_.background = read_tiled_color(node, "backgroundcolor"); });
         faults_.attempt([&] {
             if (has_cells) editor_origin_ = editor_origin(node);
             map_.parallax_origin = editor_origin_ + read_place(node, "parallaxorigin", 0);
@@ -229,7 +215,7 @@ class MapReader {
         layer.name = prefix + node.text("name");
         layer.place = node.place();
         layer.is_visible = group.is_visible && node.flag("visible", true);
-        const Color tint = read_color(node, "tintcolor").value_or(Color{});
+        const Color tint = read_tiled_color(node, "tintcolor").value_or(Color{});
         const auto opacity = static_cast<float>(node.number("opacity", 1));
         if (opacity < 0 || opacity > 1) node.fail("opacity", "must be from 0 to 1");
         layer.color = {group.color.r * tint.r, group.color.g * tint.g, group.color.b * tint.b,
@@ -260,9 +246,7 @@ class MapReader {
         layer.image_corner = editor_origin_;
         faults_.attempt([&] { layer.repeats_x = node.flag("repeatx", false); });
         faults_.attempt([&] { layer.repeats_y = node.flag("repeaty", false); });
-        if (!node.text("transparentcolor").empty())
-            node.fail("transparentcolor",
-                      "must not be there: save the picture with a transparent background");
+        faults_.attempt([&] { layer.transparent = read_tiled_color(node, "transparentcolor"); });
         if (node.text("image").empty()) node.fail("image", "must name the picture of the layer");
         layer.image_path = tiled_path_beside(path_, node.text("image"));
     }

@@ -56,6 +56,19 @@ TileProperties read_tiled_properties(const Node& node) {
     return properties;
 }
 
+std::optional<Color> read_tiled_color(const Node& node, const char* field) {
+    if (!node.has(field)) return std::nullopt;
+    std::string text = node.text(field);
+    if (text.starts_with('#')) text.erase(0, 1);
+    if (text.size() == 6) text = "ff" + text;
+    if (text.size() != 8 || text.find_first_not_of("0123456789abcdefABCDEF") != std::string::npos)
+        node.fail(field, "must be a color like \"#rrggbb\"");
+    const auto part = [&](std::size_t at) {
+        return static_cast<float>(std::stoi(text.substr(at, 2), nullptr, 16)) / 255;
+    };
+    return Color{part(2), part(4), part(6), part(0)};
+}
+
 namespace {
 
 void read_kind_of_tile(const Node& tile, TileSet& set) {
@@ -84,6 +97,7 @@ TileSet read_tile_set(const Node& node, std::uint32_t first_id, std::string_view
                       "must name the picture of all its tiles; sets of single pictures are not known");
         set.image_path = tiled_path_beside(path, node.text("image"));
     });
+    faults.attempt([&] { set.transparent = read_tiled_color(node, "transparentcolor"); });
     const auto whole = [&](int& to, const char* field, int low, int high) {
         faults.attempt([&] { to = node.whole(field, low, high); });
     };

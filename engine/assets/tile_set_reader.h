@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -50,6 +51,9 @@ std::string tiled_path_beside(std::string_view path, const std::string& name);
 Json read_tiled_file(const Files& files, std::string_view path);
 
 TileProperties read_tiled_properties(const Node& node);
+
+/// "#rrggbb" or "#aarrggbb", with or without its "#".
+std::optional<Color> read_tiled_color(const Node& node, const char* field);
 
 /// `path` is the file that the node is of.
 TileSet read_tile_set(const Node& node, std::uint32_t first_id, std::string_view path, FaultList& faults);

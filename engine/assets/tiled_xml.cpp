@@ -86,6 +86,10 @@ Json object(const pugi::xml_node& node) {
     return json;
 }
 
+void read_transparent_color(const pugi::xml_node& image, Json& json) {
+    if (image.attribute("trans")) json["transparentcolor"] = image.attribute("trans").value();
+}
+
 Json tile_set(const pugi::xml_node& node) {
     Json json = attributes(node);
     json["properties"] = properties(node);
@@ -93,6 +97,7 @@ Json tile_set(const pugi::xml_node& node) {
         json["image"] = image.attribute("source").value();
         json["imagewidth"] = number_or_text(image.attribute("width").value());
         json["imageheight"] = number_or_text(image.attribute("height").value());
+        read_transparent_color(image, json);
     }
     Json tiles = Json::array();
     for (const pugi::xml_node& tile : node.children("tile")) {
@@ -131,7 +136,7 @@ Json tiles(const pugi::xml_node& data) {
 void read_image(const pugi::xml_node& layer, Json& json) {
     const pugi::xml_node image = layer.child("image");
     if (image.attribute("source")) json["image"] = image.attribute("source").value();
-    if (image.attribute("trans")) json["transparentcolor"] = image.attribute("trans").value();
+    read_transparent_color(image, json);
     for (const char* field : {"repeatx", "repeaty"})
         if (json.contains(field)) json[field] = json[field] != 0;
 }

@@ -161,6 +161,11 @@ Result<bool> Audio::reload_sound(std::string_view path) {
     return true;
 }
 
+void Audio::forget_files(std::string_view folder) {
+    const std::string prefix = std::string(folder) + '/';
+    std::erase_if(state_->sounds_by_path, [&](const auto& known) { return known.first.starts_with(prefix); });
+}
+
 bool Audio::is_valid(SoundId sound) const {
     return state_->sounds.find(sound) != nullptr;
 }

@@ -21,16 +21,21 @@ Result<FontId> FontStore::load(const Files& files, std::string_view path, float 
     if (file == files_.end()) {
         Result<std::vector<std::byte>> bytes = files.read_bytes(path);
         if (!bytes) return Error{"font '" + name + "' cannot be loaded: " + bytes.error().message};
-        file = files_.emplace(name, std::make_unique<const std::vector<std::byte>>(std::move(*bytes))).first;
+        file = files_.emplace(name, std::make_shared<const std::vector<std::byte>>(std::move(*bytes))).first;
     }
     Result<FontFace> face = FontFace::open(*file->second, pixels, path);
     if (!face) {
         files_.erase(file);
         return face.error();
     }
-    const FontId id = fonts_.insert({name, file->second.get(), pixels, std::move(*face)});
+    const FontId id = fonts_.insert({name, file->second, pixels, std::move(*face)});
     by_path_[{name, pixels}] = id;
     return id;
+}
+
+void FontStore::forget_files(std::string_view prefix) {
+    std::erase_if(files_, [&](const auto& known) { return known.first.starts_with(prefix); });
+    std::erase_if(by_path_, [&](const auto& known) { return known.first.first.starts_with(prefix); });
 }
 
 const FontFace* FontStore::nominal(FontId font) const {

@@ -25,6 +25,8 @@ class FontStore {
     static constexpr int kMaxPixels = 256;
 
     Result<FontId> load(const Files& files, std::string_view path, float size);
+    /// Paths that begin so are read anew from here on.
+    void forget_files(std::string_view prefix);
     bool is_valid(FontId font) const { return fonts_.find(font) != nullptr; }
     /// The face for measuring; null for a null or stale handle.
     const FontFace* nominal(FontId font) const;
@@ -38,12 +40,12 @@ class FontStore {
 
     struct Font {
         std::string path;
-        const std::vector<std::byte>* file;
+        std::shared_ptr<const std::vector<std::byte>> file;  ///< outlives the face, which reads from it
         int pixels;
         FontFace face;
     };
 
-    std::map<std::string, std::unique_ptr<const std::vector<std::byte>>, std::less<>> files_;
+    std::map<std::string, std::shared_ptr<const std::vector<std::byte>>, std::less<>> files_;
     HandleTable<FontId, Font> fonts_;
     std::map<std::pair<std::string, int>, FontId> by_path_;
     std::map<std::pair<std::uint32_t, int>, FontFace> drawing_faces_;  ///< by font index and pixels

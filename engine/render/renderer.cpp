@@ -1,6 +1,7 @@
 // The renderer's assets, frames and drawing state. Invariant: between frames nothing is left in the batch,
 // and the stack of transforms holds the identity only.
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <utility>
@@ -37,6 +38,14 @@ PixelRect logical_pixels(const Viewport& viewport, const Rect& area) {
                           viewport.output);
 }
 
+/// Pixels of a color, whatever their alpha.
+void make_transparent(Image& image, const std::array<std::uint8_t, 3>& color) {
+    for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
+        if (std::equal(color.begin(), color.end(), image.rgba.begin() + static_cast<std::ptrdiff_t>(i)))
+            image.rgba[i + 3] = 0;
+    }
+}
+
 Rect logical_area(const Viewport& viewport) {
     return {0, 0, static_cast<float>(viewport.logical.width), static_cast<float>(viewport.logical.height)};
 }
@@ -57,19 +66,20 @@ Renderer::~Renderer() = default;
 
 // ---- Assets
 
-Result<Texture> Renderer::State::read_texture(std::string_view path, TextureFilter filter) {
+Result<Texture> Renderer::State::read_texture(const TextureSource& source) {
+    const std::string& path = source.path;
     const Result<std::vector<std::byte>> file = files.read_bytes(path);
-    if (!file) return Error{"image '" + std::string(path) + "' cannot be loaded: " + file.error().message};
+    if (!file) return Error{"image '" + path + "' cannot be loaded: " + file.error().message};
 
     Texture texture;
-    texture.path = path;
-    texture.filter = filter;
+    texture.source = source;
     if (backend->keeps_pixels()) {
         Result<Image> image = decode_image(*file, path);
         if (!image) return image.error();
+        if (source.transparent) make_transparent(*image, *source.transparent);
         premultiply(*image);
-        const Result<BackendTexture> made = backend->create_texture(*image, filter);
-        if (!made) return Error{"image '" + texture.path + "': " + made.error().message};
+        const Result<BackendTexture> made = backend->create_texture(*image, source.filter);
+        if (!made) return Error{"image '" + path + "': " + made.error().message};
         texture.size = image->size;
         texture.backend_texture = *made;
     } else {
@@ -80,23 +90,28 @@ Result<Texture> Renderer::State::read_texture(std::string_view path, TextureFilt
     return texture;
 }
 
-Result<TextureId> Renderer::load_texture(std::string_view path, TextureFilter filter) {
-    const std::pair key{std::string(path), filter};
-    if (const auto known = state_->textures_by_path.find(key); known != state_->textures_by_path.end())
-        return known->second;
-    Result<Texture> texture = state_->read_texture(path, filter);
+Result<TextureId> Renderer::load_texture(std::string_view path, TextureFilter filter,
+                                         std::optional<Color> transparent) {
+    TextureSource source{std::string(path), filter};
+    if (transparent) {
+        const Rgba8 color = to_rgba8({transparent->r, transparent->g, transparent->b, 1});
+        source.transparent = {color.r, color.g, color.b};
+    }
+    const auto known = state_->textures_by_source.find(source);
+    if (known != state_->textures_by_source.end()) return known->second;
+    Result<Texture> texture = state_->read_texture(source);
     if (!texture) return texture.error();
     const TextureId id = state_->textures.insert(*std::move(texture));
-    state_->textures_by_path.emplace(key, id);
+    state_->textures_by_source.emplace(std::move(source), id);
     return id;
 }
 
 Result<bool> Renderer::reload_texture(std::string_view path) {
     State& s = *state_;
     bool is_known = false;
-    for (const auto& [key, id] : s.textures_by_path) {
-        if (key.first != path) continue;
-        Result<Texture> texture = s.read_texture(path, key.second);
+    for (const auto& [source, id] : s.textures_by_source) {
+        if (source.path != path) continue;
+        Result<Texture> texture = s.read_texture(source);
         if (!texture) return texture.error();
         Texture* old = s.textures.find(id);
         s.batch.flush();
@@ -105,6 +120,13 @@ Result<bool> Renderer::reload_texture(std::string_view path) {
         is_known = true;
     }
     return is_known;
+}
+
+void Renderer::forget_files(std::string_view folder) {
+    const std::string prefix = std::string(folder) + '/';
+    std::erase_if(state_->textures_by_source,
+                  [&](const auto& known) { return known.first.path.starts_with(prefix); });
+    state_->fonts.forget_files(prefix);
 }
 
 Result<TextureId> Renderer::create_texture(const Image& image, TextureFilter filter) {
@@ -166,7 +188,8 @@ void Renderer::State::destroy(TextureId texture) {
     if (!found) return;
     batch.flush();
     if (found->backend_texture) backend->destroy_texture(found->backend_texture);
-    textures_by_path.erase({found->path, found->filter});
+    const auto known = textures_by_source.find(found->source);
+    if (known != textures_by_source.end() && known->second == texture) textures_by_source.erase(known);
     textures.erase(texture);
 }
 

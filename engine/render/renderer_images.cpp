@@ -14,7 +14,7 @@ namespace cairn::engine {
 std::vector<TextureInfo> Renderer::loaded_textures() const {
     std::vector<TextureInfo> list;
     state_->textures.for_each([&](TextureId, const Texture& texture) {
-        list.push_back({texture.path, texture.size, texture.is_canvas});
+        list.push_back({texture.source.path, texture.size, texture.is_canvas});
     });
     return list;
 }
@@ -39,7 +39,7 @@ void Renderer::draw_image(TextureId texture, const ImageDraw& draw) {
     const Affine2 uv_from_source = uv_from_image * Affine2::translation({source.x, source.y});
     // Half a texel inside the source rectangle the linear filter does not see what lies beside it; the
     // nearest one must only not step over the edge.
-    const float inset = found->filter == TextureFilter::Nearest ? 1.0f / 64 : 0.5f;
+    const float inset = found->source.filter == TextureFilter::Nearest ? 1.0f / 64 : 0.5f;
     const Vec2 margin = {std::min(inset, 0.5f * source.width), std::min(inset, 0.5f * source.height)};
     const Vec2 low = uv_from_source.apply(margin);
     const Vec2 size = uv_from_image.apply_vector({source.width - 2 * margin.x, source.height - 2 * margin.y});

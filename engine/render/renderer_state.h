@@ -2,8 +2,12 @@
 // Invariant: transforms.back() is the current transform, from drawing coordinates to logical pixels.
 #pragma once
 
+#include <array>
+#include <compare>
+#include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -20,11 +24,20 @@
 
 namespace cairn::engine {
 
+/// What a texture is made from.
+struct TextureSource {
+    std::string path;  ///< empty when it was made from an image in memory
+    TextureFilter filter = TextureFilter::Linear;
+    /// Red, green and blue of the pixels that are not seen.
+    std::optional<std::array<std::uint8_t, 3>> transparent = std::nullopt;
+
+    friend auto operator<=>(const TextureSource&, const TextureSource&) = default;
+};
+
 struct Texture {
     BackendTexture backend_texture = 0;  ///< 0 when the back-end keeps no pixels
     Size size;
-    std::string path;  ///< empty when it was made from an image in memory
-    TextureFilter filter = TextureFilter::Linear;
+    TextureSource source;
     bool is_canvas = false;
 };
 
@@ -41,7 +54,7 @@ struct Renderer::State {
     State(const Files& files_to_read, std::unique_ptr<RenderBackend> chosen);
 
     /// Not yet among `textures`.
-    Result<Texture> read_texture(std::string_view path, TextureFilter filter);
+    Result<Texture> read_texture(const TextureSource& source);
 
     /// Drawing coordinates to output pixels.
     Affine2 output_transform() const { return viewport.output_from_logical() * transforms.back(); }
@@ -76,7 +89,7 @@ struct Renderer::State {
     std::vector<Affine2> transforms = {Affine2{}};
 
     HandleTable<TextureId, Texture> textures;
-    std::map<std::pair<std::string, TextureFilter>, TextureId> textures_by_path;
+    std::map<TextureSource, TextureId> textures_by_source;
     TextureId soft_disc;
     FontStore fonts;
 

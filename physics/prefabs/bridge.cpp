@@ -13,13 +13,15 @@ Result<Bridge> create_bridge(World& world, const BridgeDef& def) {
         check::finite("bridge.from_m", def.from_m),
         check::finite("bridge.to_m", def.to_m),
         check_count("bridge.planks", def.planks, 2, 10000),
-        check::require(distance > 0.01f * static_cast<float>(def.planks), "bridge.to_m - bridge.from_m",
-                       as_double(distance), "longer than 0.01 m for each plank"),
         check::within("bridge.slack", as_double(def.slack), 0, 1),
         check::positive("bridge.thickness_m", as_double(def.thickness_m)),
         check::not_negative("bridge.friction_torque_nm", as_double(def.friction_torque_nm)),
         check::not_negative("bridge.damping_1_s", as_double(def.damping_1_s)),
     });
+    if (builder.good())
+        builder.require(
+            {check::require(distance > 0.01f * static_cast<float>(def.planks), "bridge.to_m - bridge.from_m",
+                            as_double(distance), "longer than 0.01 m for each plank")});
     std::vector<Position> points;
     if (builder.good()) {
         points = hanging_line(def.from_m, def.to_m, as_double(distance * (1 + def.slack)), def.planks);

@@ -17,7 +17,13 @@ check::Fault check_count(const char* field, int value, int low, int high) {
 }
 
 void Builder::require(std::initializer_list<check::Fault> faults) {
-    if (!fault_) fault_ = check::first_of(faults);
+    for (const check::Fault& fault : faults) {
+        if (!fault) continue;
+        if (fault_)
+            fault_->message += std::string(kAndAlso) + fault->message;
+        else
+            fault_ = fault;
+    }
 }
 
 BodyId Builder::body(const BodyDef& def) {

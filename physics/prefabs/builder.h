@@ -1,4 +1,4 @@
-// Makes the parts of a prefab. Invariant: all or nothing. After the first error nothing more is made, and
+// Makes the parts of a prefab. Invariant: all or nothing. After an error nothing more is made, and
 // `finish` destroys what there is and gives that error.
 #pragma once
 
@@ -12,7 +12,8 @@ class Builder {
   public:
     explicit Builder(World& world) : world_(world) {}
 
-    /// The rules for a definition; the first one that fails is the error.
+    /// Rules for a definition. All that are broken are told, in one call or several: what makes sense only
+    /// where others hold is asked for when those are `good`.
     void require(std::initializer_list<check::Fault> faults);
 
     BodyId body(const BodyDef& def);

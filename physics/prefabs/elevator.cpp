@@ -33,11 +33,13 @@ Result<Elevator> create_elevator(World& world, const ElevatorDef& def) {
         check::not_negative("elevator.load_kg", as_double(def.load_kg)),
     });
     for (std::size_t i = 0; i < def.floors_m.size(); ++i) {
-        builder.require({check::finite("elevator.floors_m", as_double(def.floors_m[i]))});
-        if (i > 0) {
-            builder.require({check::require(def.floors_m[i] > def.floors_m[i - 1], "elevator.floors_m",
-                                            as_double(def.floors_m[i]), "above the floor before it")});
-        }
+        const double floor_m = as_double(def.floors_m[i]);
+        check::Fault fault = check::finite("elevator.floors_m", floor_m);
+        if (!fault && i > 0)
+            fault = check::require(def.floors_m[i] > def.floors_m[i - 1], "elevator.floors_m", floor_m,
+                                   "above the floor before it");
+        builder.require({fault});
+        if (fault) break;  // those behind it may be no worse
     }
     Elevator elevator{.floors_m = def.floors_m, .speed_m_s = def.speed_m_s};
     const float ground_floor = builder.good() ? def.floors_m.front() : 0;

@@ -10,13 +10,16 @@ Result<GearTrain> create_gear_train(World& world, const GearTrainDef& def) {
     builder.require({
         check::finite("gear_train.position_m", def.position_m),
         check::finite("gear_train.direction", def.direction),
-        check::positive("gear_train.direction", as_double(length(def.direction))),
         check_count("gear_train.radii_m.size()", static_cast<int>(def.radii_m.size()), 1, 1000),
         check::finite("gear_train.motor_speed_rad_s", as_double(def.motor_speed_rad_s)),
         check::not_negative("gear_train.max_motor_torque_nm", as_double(def.max_motor_torque_nm)),
     });
+    if (builder.good())
+        builder.require({check::positive("gear_train.direction", as_double(length(def.direction)))});
     for (const float radius : def.radii_m) {
-        builder.require({check::positive("gear_train.radii_m", as_double(radius))});
+        const check::Fault fault = check::positive("gear_train.radii_m", as_double(radius));
+        builder.require({fault});
+        if (fault) break;
     }
     GearTrain train;
     const Vec2 along = builder.good() ? normalized(def.direction) : Vec2{};

@@ -10,7 +10,6 @@ Result<LinkChain> create_link_chain(World& world, const LinkChainDef& def) {
     builder.require({
         check::finite("link_chain.start_m", def.start_m),
         check::finite("link_chain.direction", def.direction),
-        check::positive("link_chain.direction", as_double(length(def.direction))),
         check_count("link_chain.links", def.links, 1, 10000),
         check::require(std::isfinite(def.link_length_m) && def.link_length_m > 0.01f,
                        "link_chain.link_length_m", as_double(def.link_length_m),
@@ -19,6 +18,8 @@ Result<LinkChain> create_link_chain(World& world, const LinkChainDef& def) {
         check::not_negative("link_chain.friction_torque_nm", as_double(def.friction_torque_nm)),
         check::not_negative("link_chain.damping_1_s", as_double(def.damping_1_s)),
     });
+    if (builder.good())
+        builder.require({check::positive("link_chain.direction", as_double(length(def.direction)))});
     std::vector<Position> points;
     if (builder.good()) {
         const Vec2 link = def.link_length_m * normalized(def.direction);

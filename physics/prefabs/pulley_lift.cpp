@@ -13,12 +13,16 @@ Result<PulleyLift> create_pulley_lift(World& world, const PulleyLiftDef& def) {
         check::positive("pulley_lift.thickness_m", as_double(def.thickness_m)),
         check::positive("pulley_lift.travel_m", as_double(def.travel_m)),
         check::positive("pulley_lift.ratio", as_double(def.ratio)),
-        check::require(std::isfinite(def.distance_m) && def.distance_m > def.width_m,
-                       "pulley_lift.distance_m", as_double(def.distance_m),
-                       "finite and greater than width_m"),
-        check::require(std::isfinite(def.rope_m) && def.rope_m > def.travel_m, "pulley_lift.rope_m",
-                       as_double(def.rope_m), "finite and greater than travel_m"),
     });
+    if (builder.good()) {
+        builder.require({
+            check::require(std::isfinite(def.distance_m) && def.distance_m > def.width_m,
+                           "pulley_lift.distance_m", as_double(def.distance_m),
+                           "finite and greater than width_m"),
+            check::require(std::isfinite(def.rope_m) && def.rope_m > def.travel_m, "pulley_lift.rope_m",
+                           as_double(def.rope_m), "finite and greater than travel_m"),
+        });
+    }
     PulleyLift lift;
     const BodyId frame = builder.holder({}, def.position_m);
     const auto add_platform = [&](float x_m, const ShapeDef& shape) {

@@ -15,16 +15,20 @@ Result<Rope> create_rope(World& world, const RopeDef& def) {
         check::finite("rope.from_m", def.from_m),
         check::finite("rope.to_m", def.to_m),
         check_count("rope.links", def.links, 2, 10000),
-        check::require(distance > 0.01f, "rope.to_m - rope.from_m", as_double(distance),
-                       "longer than 0.01 m"),
-        check::require(rope_m >= distance && rope_m <= 100 * distance, "rope.length_m", as_double(rope_m),
-                       "from the distance of the ends to 100 times that"),
-        check::require(rope_m > 0.01f * static_cast<float>(def.links), "rope.length_m", as_double(rope_m),
-                       "more than 0.01 m for each link"),
         check::positive("rope.radius_m", as_double(def.radius_m)),
         check::not_negative("rope.friction_torque_nm", as_double(def.friction_torque_nm)),
         check::not_negative("rope.damping_1_s", as_double(def.damping_1_s)),
     });
+    if (builder.good())
+        builder.require({check::require(distance > 0.01f, "rope.to_m - rope.from_m", as_double(distance),
+                                        "longer than 0.01 m")});
+    if (builder.good())
+        builder.require({
+            check::require(rope_m >= distance && rope_m <= 100 * distance, "rope.length_m", as_double(rope_m),
+                           "from the distance of the ends to 100 times that"),
+            check::require(rope_m > 0.01f * static_cast<float>(def.links), "rope.length_m", as_double(rope_m),
+                           "more than 0.01 m for each link"),
+        });
     std::vector<Position> points;
     if (builder.good()) points = hanging_line(def.from_m, def.to_m, as_double(rope_m), def.links);
     LinkedBodies linked = link_bodies(

@@ -18,8 +18,10 @@ Result<Vehicle> create_vehicle(World& world, const VehicleDef& def) {
         check::not_negative("vehicle.brake_torque_nm", as_double(def.brake_torque_nm)),
     });
     for (const VehicleWheelDef& wheel : def.wheels) {
-        builder.require({check::finite("vehicle.wheel.place_m", wheel.place_m),
-                         check::positive("vehicle.wheel.radius_m", as_double(wheel.radius_m))});
+        const check::Fault place = check::finite("vehicle.wheel.place_m", wheel.place_m);
+        const check::Fault radius = check::positive("vehicle.wheel.radius_m", as_double(wheel.radius_m));
+        builder.require({place, radius});
+        if (place || radius) break;
     }
     Vehicle vehicle{.drive_torque_nm = def.drive_torque_nm, .brake_torque_nm = def.brake_torque_nm};
     vehicle.chassis = builder.body({.position_m = def.position_m});

@@ -44,6 +44,11 @@ struct DrawState {
     int cameras = 0;  ///< attached and not yet detached
 };
 
+struct Scene {
+    int reference;      ///< to its table, in the registry
+    std::string place;  ///< where it was put on the stack, "main.lua:12: "
+};
+
 struct Services {
     engine::Files& files;
     engine::Renderer& renderer;
@@ -63,7 +68,7 @@ struct Context {
     int listener = LUA_NOREF;  ///< in the registry: what cairn.input.listen was given
     Timers timers{};
     Tweens tweens{};
-    std::vector<int> scenes{};  ///< references in the registry, the top one last
+    std::vector<Scene> scenes{};  ///< the top one last
 
     std::uint64_t frame = 0;  ///< updates so far
     double alpha = 1;         ///< of the picture being drawn

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <cairn/physics/math.h>
+#include <cairn/scripting/suggest.h>
 
 namespace cairn::scripting {
 namespace {
@@ -85,6 +86,13 @@ const std::vector<std::string>& ease_names() {
         return list;
     }();
     return names;
+}
+
+std::string no_such_ease(std::string_view name) {
+    std::string text = "no such ease" + suggestion(name, ease_names()) + " (linear, or ";
+    for (int curve = 1; curve < kEaseCurveCount; ++curve)
+        text += (curve > 1 ? ", " : "") + std::string(kCurveNames[curve]);
+    return text + " with _in, _out or _in_out)";
 }
 
 std::optional<Ease> ease_from_name(std::string_view name) {

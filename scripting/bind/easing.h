@@ -43,5 +43,8 @@ double eased(Ease ease, double t);
 /// "linear", "quad_in", "bounce_out", "sine_in_out", ...
 std::optional<Ease> ease_from_name(std::string_view name);
 const std::vector<std::string>& ease_names();
+/// What is wrong with a name that is none: the nearest one, and how all of them are made up, which are too
+/// many to be listed.
+std::string no_such_ease(std::string_view name);
 
 }  // namespace cairn::scripting

@@ -93,12 +93,16 @@ std::string without_function_name(std::string message) {
     return names_function ? message.substr(end + 2) : message;
 }
 
-/// Pops the error of a call for a part, or for a shape.
-std::string take_fault(lua_State* L, const std::string& place) {
+/// Pops the error of a call for a part, or for a shape: a fault for each rule that is broken.
+void take_faults(lua_State* L, const std::string& place, std::vector<std::string>& faults) {
     const char* text = lua_tostring(L, -1);
     std::string message = text == nullptr ? "cannot be made" : without_function_name(text);
     lua_pop(L, 1);
-    return place + ": " + message;
+    for (std::size_t end = 0; end != std::string::npos;) {
+        end = message.find(physics::kAndAlso);
+        faults.push_back(place + ": " + message.substr(0, end));
+        if (end != std::string::npos) message.erase(0, end + physics::kAndAlso.size());
+    }
 }
 
 const Module& methods_of(PartKind kind) {
@@ -149,13 +153,16 @@ std::vector<std::string> make_part(lua_State* L, const Level& level, std::size_t
     lua_pushlightuserdata(L, &making);
     lua_pushvalue(L, world);
     lua_pushvalue(L, objects);
-    if (lua_pcall(L, 3, 1, 0) != LUA_OK) return {take_fault(L, part.place)};
     std::vector<std::string> faults;
+    if (lua_pcall(L, 3, 1, 0) != LUA_OK) {
+        take_faults(L, part.place, faults);
+        return faults;
+    }
     for (const ShapePart& shape : part.shapes) {
         lua_pushcfunction(L, run_make_shape);
         lua_pushlightuserdata(L, const_cast<ShapePart*>(&shape));  // Lua keeps no const; nothing writes to it
         lua_pushvalue(L, -3);
-        if (lua_pcall(L, 2, 0, 0) != LUA_OK) faults.push_back(take_fault(L, shape.place));
+        if (lua_pcall(L, 2, 0, 0) != LUA_OK) take_faults(L, shape.place, faults);
     }
     lua_rawseti(L, objects, static_cast<lua_Integer>(number + 1));
     return faults;

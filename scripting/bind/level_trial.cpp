@@ -99,9 +99,9 @@ bool can_be_tried(const LevelPart& part) {
 }
 
 /// What is wrong with a faulty part whatever its faulty fields will be. `level` is as before when it is done.
-std::optional<std::string> fault_of_sound_fields(lua_State* L, Level& level, std::size_t part, int world,
-                                                 int objects) {
-    if (!can_be_tried(level.parts[part])) return std::nullopt;
+std::vector<std::string> faults_of_sound_fields(lua_State* L, Level& level, std::size_t part, int world,
+                                                int objects) {
+    if (!can_be_tried(level.parts[part])) return {};
     const LevelPart faulty = level.parts[part];
     // Of many faulty fields all are low or all high together; else their combinations would be too many.
     constexpr std::size_t kMostCombined = 3;
@@ -110,18 +110,19 @@ std::optional<std::string> fault_of_sound_fields(lua_State* L, Level& level, std
     for (std::size_t i = 0; i < std::min(fields, kMostCombined); ++i) choices *= kTrialValues;
     for (std::size_t i = 0; i < std::min<std::size_t>(fields, 16); ++i) uniform = uniform * kTrialValues + 1;
     if (fields > kMostCombined) choices = kTrialValues;
-    std::optional<std::string> certain;
-    bool holds = true;
-    for (int choice = 0; holds && choice < choices; ++choice) {
+    std::vector<std::string> certain;
+    for (int choice = 0; choice < choices && (choice == 0 || !certain.empty()); ++choice) {
         level.parts[part] = with_other_values(faulty, fields > kMostCombined ? choice * uniform : choice);
         const std::vector<std::string> faults = make_part(L, level, part, world, objects);
-        holds = !faults.empty() && (!certain || *certain == faults.front());
-        if (holds) certain = faults.front();
+        if (choice == 0) certain = faults;
+        std::erase_if(certain, [&](const std::string& fault) {
+            return std::find(faults.begin(), faults.end(), fault) == faults.end();
+        });
     }
     level.parts[part] = faulty;
     lua_pushnil(L);  // what was made of it is nothing for others to refer to
     lua_rawseti(L, objects, static_cast<lua_Integer>(part + 1));
-    return holds ? certain : std::nullopt;
+    return certain;
 }
 
 }  // namespace
@@ -139,8 +140,8 @@ std::vector<std::string> faults_of_building(lua_State* L, const Level& level) {
         if (refers_to_unmade(level, part, is_made)) continue;  // the cause is told
         if (level.parts[part].is_faulty) {
             if (!trial) trial = level;
-            const auto certain = fault_of_sound_fields(L, *trial, part, top + 1, top + 2);
-            if (certain) faults.push_back(*certain);
+            const auto certain = faults_of_sound_fields(L, *trial, part, top + 1, top + 2);
+            faults.insert(faults.end(), certain.begin(), certain.end());
             continue;
         }
         const std::vector<std::string> found = make_part(L, level, part, top + 1, top + 2);

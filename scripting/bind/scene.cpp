@@ -11,14 +11,29 @@ namespace {
 /// Deeper than any menu over a menu; a push without its pop meets it.
 constexpr std::size_t kMaxScenes = 64;
 
+[[noreturn]] void refuse_method(lua_State* L, const char* name, int value) {
+    call_error(
+        L, std::string("the scene's ") + name + " is " + describe_value(L, value) + "; expected a function");
+}
+
+/// Told where the scene is given, because a call by the program has no place in a script.
+void check_methods(lua_State* L, int scene) {
+    const auto check = [&](const char* name) {
+        lua_getfield(L, scene, name);
+        if (!lua_isnil(L, -1) && !lua_isfunction(L, -1)) refuse_method(L, name, -1);
+        lua_pop(L, 1);
+    };
+    for (const char* name : {"enter", "leave", "pause", "resume"}) check(name);
+    for (const std::string_view name : callback_names())
+        if (name != "load") check(std::string(name).c_str());
+}
+
 /// Calls scene:name(...) with the values from `first` to the top of the stack, if the scene has such a
 /// method. The values stay.
 void call_method(lua_State* L, int scene, const char* name, int first, int count) {
     lua_getfield(L, scene, name);
     if (lua_isnil(L, -1)) return lua_pop(L, 1);
-    if (!lua_isfunction(L, -1))
-        call_error(
-            L, std::string("the scene's ") + name + " is " + describe_value(L, -1) + "; expected a function");
+    if (!lua_isfunction(L, -1)) refuse_method(L, name, -1);  // since it was given
     lua_pushvalue(L, scene);
     luaL_checkstack(L, count, "arguments of a scene");
     for (int i = 0; i < count; ++i) lua_pushvalue(L, first + i);
@@ -27,15 +42,15 @@ void call_method(lua_State* L, int scene, const char* name, int first, int count
 
 /// Pushes the top scene and gives its place, or 0 when there is none.
 int push_top(lua_State* L) {
-    const std::vector<int>& scenes = context_of(L).scenes;
+    const std::vector<Scene>& scenes = context_of(L).scenes;
     if (scenes.empty()) return 0;
-    lua_rawgeti(L, LUA_REGISTRYINDEX, scenes.back());
+    lua_rawgeti(L, LUA_REGISTRYINDEX, scenes.back().reference);
     return lua_gettop(L);
 }
 
 void check_not_there(lua_State* L, int scene) {
-    for (const int reference : context_of(L).scenes) {
-        lua_rawgeti(L, LUA_REGISTRYINDEX, reference);
+    for (const Scene& other : context_of(L).scenes) {
+        lua_rawgeti(L, LUA_REGISTRYINDEX, other.reference);
         if (lua_rawequal(L, -1, scene) != 0) call_error(L, "that scene is on the stack already");
         lua_pop(L, 1);
     }
@@ -43,21 +58,25 @@ void check_not_there(lua_State* L, int scene) {
 
 void add(lua_State* L, int scene) {
     warn_of_slips(L, scene, "the scene's ");
+    luaL_where(L, 1);
+    std::string place = lua_tostring(L, -1);
+    lua_pop(L, 1);
     lua_pushvalue(L, scene);
-    context_of(L).scenes.push_back(luaL_ref(L, LUA_REGISTRYINDEX));
+    context_of(L).scenes.push_back({luaL_ref(L, LUA_REGISTRYINDEX), std::move(place)});
 }
 
 /// Takes the top scene off the stack and pushes it.
 int take_top(lua_State* L) {
-    std::vector<int>& scenes = context_of(L).scenes;
+    std::vector<Scene>& scenes = context_of(L).scenes;
     const int place = push_top(L);
-    luaL_unref(L, LUA_REGISTRYINDEX, scenes.back());
+    luaL_unref(L, LUA_REGISTRYINDEX, scenes.back().reference);
     scenes.pop_back();
     return place;
 }
 
 void push(lua_State* L, TableArgument scene, FurtherArguments more) {
     check_not_there(L, scene.index);
+    check_methods(L, scene.index);
     if (context_of(L).scenes.size() >= kMaxScenes)
         call_error(L, std::to_string(kMaxScenes) + " scenes are on the stack already; is a pop missing?");
     if (const int below = push_top(L); below != 0) call_method(L, below, "pause", 0, 0);
@@ -72,6 +91,7 @@ void pop(lua_State* L, FurtherArguments more) {
 }
 
 void switch_to(lua_State* L, TableArgument scene, FurtherArguments more) {
+    check_methods(L, scene.index);
     if (!context_of(L).scenes.empty()) call_method(L, take_top(L), "leave", 0, 0);
     check_not_there(L, scene.index);
     add(L, scene.index);

@@ -39,23 +39,26 @@ Pushed load(lua_State* L, std::string_view path, std::optional<TableArgument> fi
     if (filter != "linear" && filter != "nearest") reader.fail(kFilter, "must be \"linear\" or \"nearest\"");
     const bool is_nearest = filter == "nearest";
     const auto start = [&] { return "map '" + std::string(path) + "': "; };
-    const auto texture = [&](const std::string& image, const std::string& place) {
+    // Of a tile set or of a layer.
+    const auto texture = [&](const auto& of) {
+        const std::string& image = of.image_path;
+        const std::string& place = of.place;
         const auto loaded = services.renderer.load_texture(
-            image, is_nearest ? engine::TextureFilter::Nearest : engine::TextureFilter::Linear);
+            image, is_nearest ? engine::TextureFilter::Nearest : engine::TextureFilter::Linear,
+            of.transparent);
         if (!loaded)
             call_error(L, start() + place + ".image is \"" + image + "\", but " + loaded.error().message);
         return *loaded;
     };
     std::vector<engine::TextureId> textures;
     for (const engine::TileSet& set : map.sets) {
-        textures.push_back(texture(set.image_path, set.place));
+        textures.push_back(texture(set));
         const engine::Size size = services.renderer.texture_size(textures.back());
         if (const auto fits = set.check_image(size); !fits) call_error(L, start() + fits.error().message);
     }
     std::vector<engine::TextureId> images;
     for (const MapLayer& layer : map.layers)
-        images.push_back(layer.image_path.empty() ? engine::TextureId{}
-                                                  : texture(layer.image_path, layer.place));
+        images.push_back(layer.image_path.empty() ? engine::TextureId{} : texture(layer));
     new_object<TileMapObject>(L, 0, std::move(map), std::move(textures), std::move(images),
                               reader.real(kScale), reader.boolean(kYUp), is_nearest);
     return {1};
@@ -351,7 +354,8 @@ constexpr Function kModuleFunctions[] = {
         "load", "path, fields = {}", "map", kReturnsMap,
         "Loads an orthogonal, isometric, staggered or hexagonal map, .tmx "
         "or .tmj, with its tile "
-        "sets and pictures. An infinite one is as large as what was drawn in it: its upper "
+        "sets and pictures, in which the transparent color that the editor was told is not seen. An infinite "
+        "one is as large as what was drawn in it: its upper "
         "left corner is that of the first tile. Layer data may be CSV or base64, plain or packed with zlib "
         "or gzip. Places are those "
         "of the picture, in which a cell may be a diamond or a hexagon.",

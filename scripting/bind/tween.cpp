@@ -7,7 +7,6 @@
 #include "bind/fields.h"
 #include "bind/modules.h"
 #include "bind/timers.h"
-#include "data/nearest.h"
 #include "lua/state.h"
 
 namespace cairn::scripting {
@@ -104,7 +103,7 @@ Pushed to(lua_State* L, TableArgument target, TableArgument goals, Seconds secon
     Tween tween;
     tween.fields = read_goals(L, goals.index);
     const auto ease = ease_from_name(reader.text(kEase));
-    if (!ease) reader.fail(kEase, "no such ease" + suggestion(std::string(reader.text(kEase)), ease_names()));
+    if (!ease) reader.fail(kEase, no_such_ease(reader.text(kEase)));
     tween.ease = *ease;
     const std::int64_t repeats = reader.integer(kRepeats);
     const double delay = reader.number(kDelay);
@@ -143,9 +142,7 @@ void cancel_all(lua_State* L, TableArgument target) {
 
 double ease_value(lua_State* L, std::string_view name, double t) {
     const auto ease = ease_from_name(name);
-    if (!ease)
-        call_error(L, "name is \"" + std::string(name) + "\": no such ease" +
-                          suggestion(std::string(name), ease_names()));
+    if (!ease) call_error(L, "name is \"" + std::string(name) + "\": " + no_such_ease(name));
     return eased(*ease, t);
 }
 

@@ -2,6 +2,8 @@
 #include "bridge/error_screen.h"
 
 #include <algorithm>
+#include <cstdlib>
+#include <utility>
 
 namespace cairn::scripting {
 namespace {
@@ -33,26 +35,78 @@ std::string without_tabs(const std::string& line) {
     return out;
 }
 
-/// As much of a line as fits into a width, with an ellipsis for the rest.
-std::string cut_to_width(const engine::Renderer& renderer, engine::FontId font, std::string text,
-                         float width) {
-    constexpr std::size_t kLongest = 1024;  // no screen shows more, and generated files have endless lines
-    const bool is_too_long = text.size() > kLongest;
-    if (is_too_long) text.resize(kLongest);
-    if (!is_too_long && renderer.measure_text(font, text).x <= width) return text;
-    const auto cut = [&](std::size_t length) {
-        while (length > 0 && (static_cast<unsigned char>(text[length]) & 0xc0) == 0x80)
-            --length;  // inside UTF-8
-        return text.substr(0, length) + "…";
-    };
-    std::size_t fits = 0;
-    std::size_t too_many = text.size();
-    while (too_many - fits > 1) {
-        const std::size_t middle = fits + (too_many - fits) / 2;
-        (renderer.measure_text(font, cut(middle)).x <= width ? fits : too_many) = middle;
+/// What the message says about the place in a line: a column, "FILE:LINE:COLUMN: ", or else a word in quotes
+/// that the line has, "(field 'aim')". Otherwise its beginning.
+std::size_t focus_of(const std::string& message, const ScriptPlace& place, const std::string& line) {
+    const std::string start = place.file + ':' + std::to_string(place.line) + ':';
+    const long column = std::strtol(message.c_str() + std::min(start.size(), message.size()), nullptr, 10);
+    if (column > 0) return std::min(static_cast<std::size_t>(column - 1), line.size());
+    for (std::size_t open = message.find_first_of("'\""); open != std::string::npos;) {
+        const std::size_t close = message.find(message[open], open + 1);
+        if (close == std::string::npos) break;
+        const std::size_t found = line.find(message.substr(open + 1, close - open - 1));
+        if (close > open + 1 && found != std::string::npos) return found;
+        open = message.find_first_of("'\"", close + 1);
     }
-    return cut(fits);
+    return 0;
 }
+
+/// The nearest place before, that is none inside of a character of UTF-8.
+std::size_t character_start(const std::string& text, std::size_t at) {
+    while (at > 0 && at < text.size() && (static_cast<unsigned char>(text[at]) & 0xc0) == 0x80) --at;
+    return at;
+}
+
+/// The panel with the lines of source.
+class SourcePanel {
+  public:
+    SourcePanel(const engine::Renderer& renderer, engine::FontId font, float width)
+        : renderer_(renderer), font_(font), width_(width) {}
+
+    /// What is shown of a line: as much as fits beside its number. Of the faulty one as much as fits below
+    /// too, and what is around its fault if that is not all.
+    [[nodiscard]] std::string shown(const SourceLine& line) const {
+        constexpr std::size_t kBefore = 160;  // two rows or so
+        std::string beginning = cut(line.text, line.is_faulty);
+        if (!line.is_faulty || line.focus <= kBefore || beginning == line.text) return beginning;
+        return cut("…" + line.text.substr(character_start(line.text, line.focus - kBefore)), true);
+    }
+
+    [[nodiscard]] float height(const std::string& text) const {
+        return std::max(renderer_.measure_text(font_, text, width_).y, renderer_.line_height(font_));
+    }
+
+  private:
+    static constexpr std::size_t kLongest =
+        1024;                              // no screen shows more, and generated files have endless lines
+    static constexpr float kMostRows = 6;  // which leave room for the calls
+
+    [[nodiscard]] bool fits(const std::string& text, bool is_wrapped) const {
+        if (!is_wrapped) return renderer_.measure_text(font_, text).x <= width_;
+        return height(text) < (kMostRows + 0.5f) * renderer_.line_height(font_);
+    }
+
+    /// The beginning that fits, with an ellipsis for the rest.
+    [[nodiscard]] std::string cut(std::string text, bool is_wrapped) const {
+        const bool is_too_long = text.size() > kLongest;
+        if (is_too_long) text.resize(kLongest);
+        if (!is_too_long && fits(text, is_wrapped)) return text;
+        const auto beginning = [&](std::size_t length) {
+            return text.substr(0, character_start(text, length)) + "…";
+        };
+        std::size_t enough = 0;
+        std::size_t too_many = text.size();
+        while (too_many - enough > 1) {
+            const std::size_t middle = enough + (too_many - enough) / 2;
+            (fits(beginning(middle), is_wrapped) ? enough : too_many) = middle;
+        }
+        return beginning(enough);
+    }
+
+    const engine::Renderer& renderer_;
+    engine::FontId font_;
+    float width_;
+};
 
 struct Button {
     ErrorChoice choice;
@@ -110,10 +164,53 @@ ErrorScreen make_error_screen(const ScriptError& error, const engine::Files& fil
     const int last = std::min(place->line + kLinesAround, static_cast<int>(lines.size()));
     for (int line = std::max(1, place->line - kLinesAround); line <= last; ++line) {
         const std::string& source = lines[static_cast<std::size_t>(line - 1)];
-        screen.excerpt.push_back({line, without_tabs(source), line == place->line});
+        SourceLine shown{line, without_tabs(source), line == place->line};
+        if (shown.is_faulty)
+            shown.focus = without_tabs(source.substr(0, focus_of(error.message, *place, source))).size();
+        screen.excerpt.push_back(std::move(shown));
     }
     return screen;
 }
+
+namespace {
+
+void draw_excerpt(const std::vector<SourceLine>& excerpt, engine::Renderer& renderer, engine::FontId font,
+                  Column& column) {
+    const auto width = static_cast<float>(renderer.logical_size().width);
+    const float margin = width / 16;
+    const float line = renderer.line_height(font);
+    const float padding = line / 2;
+    const float number_width = renderer.measure_text(font, "00000").x;
+    const float left = margin + number_width + line;
+    const float text_width = width - margin - left;
+    const SourcePanel panel(renderer, font, text_width);
+    std::vector<std::string> texts;
+    float height = 0;
+    for (const SourceLine& source : excerpt) {
+        texts.push_back(panel.shown(source));
+        height += panel.height(texts.back());
+    }
+    renderer.fill_rectangle(
+        {margin - padding, column.y() - padding, width - 2 * (margin - padding), height + 2 * padding},
+        kPanel);
+    for (std::size_t i = 0; i < excerpt.size(); ++i) {
+        const SourceLine& source = excerpt[i];
+        const Color color = source.is_faulty ? kHeadline : kQuiet;
+        const float rows = panel.height(texts[i]);
+        if (source.is_faulty)
+            renderer.fill_rectangle({margin - padding, column.y(), padding / 2, rows}, kHeadline);
+        renderer.draw_text(font, std::to_string(source.number),
+                           {.position = {margin + number_width, column.y()},
+                            .color = color,
+                            .align = engine::TextAlign::Right});
+        renderer.draw_text(font, texts[i],
+                           {.position = {left, column.y()}, .color = color, .wrap_width = text_width});
+        column.skip(rows);
+    }
+    column.skip(static_cast<float>(renderer.logical_size().height) / 40 + padding);
+}
+
+}  // namespace
 
 ErrorChoice choice_of(const engine::InputEvent& event, engine::Size screen) {
     using engine::GamepadButton;
@@ -158,28 +255,7 @@ void draw_error_screen(const ErrorScreen& screen, engine::Renderer& renderer) {
     column.use(*small);
     column.write(screen.error.message, kText);
     column.skip(height / 40);
-    if (!screen.excerpt.empty()) {
-        const float line = renderer.line_height(*small);
-        const float padding = line / 2;
-        renderer.fill_rectangle({margin - padding, column.y() - padding, width - 2 * (margin - padding),
-                                 line * static_cast<float>(screen.excerpt.size()) + 2 * padding},
-                                kPanel);
-        const float number_width = renderer.measure_text(*small, "00000").x;
-        for (const SourceLine& source : screen.excerpt) {
-            const Color color = source.is_faulty ? kHeadline : kQuiet;
-            if (source.is_faulty)
-                renderer.fill_rectangle({margin - padding, column.y(), padding / 2, line}, kHeadline);
-            renderer.draw_text(*small, std::to_string(source.number),
-                               {.position = {margin + number_width, column.y()},
-                                .color = color,
-                                .align = engine::TextAlign::Right});
-            const float left = margin + number_width + line;
-            renderer.draw_text(*small, cut_to_width(renderer, *small, source.text, width - margin - left),
-                               {.position = {left, column.y()}, .color = color});
-            column.skip(line);
-        }
-        column.skip(height / 40 + padding);
-    }
+    if (!screen.excerpt.empty()) draw_excerpt(screen.excerpt, renderer, *small, column);
     const float bottom = area_of(0, renderer.logical_size()).y;
     for (const std::string& call : screen.error.traceback) {
         if (column.y() > bottom - renderer.line_height(*small)) break;

@@ -16,6 +16,7 @@ struct SourceLine {
     int number = 0;
     std::string text;
     bool is_faulty = false;  ///< the line that the error names
+    std::size_t focus = 0;   ///< where in the text the fault is, as far as the error says; else its beginning
 };
 
 struct ErrorScreen {

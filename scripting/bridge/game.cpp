@@ -57,7 +57,12 @@ Game::Game(const Services& services, const GameOptions& options)
                .random = engine::Random(options.seed),
                .visual_random = engine::Random(options.visual_seed, 1)} {
     context_.test = options.test;
-    if (options.plays_saves) context_.played_saves.emplace(services.files);
+    if (options.plays_saves) {
+        context_.played_saves.emplace(services.files);
+        // Nothing that an earlier game saved is there for this one, nor what was loaded of it.
+        services.renderer.forget_files("save");
+        services.audio.forget_files("save");
+    }
     state_.set_context(&context_);
     register_all(state_.get());
     lua_getglobal(state_.get(), "cairn");
@@ -103,6 +108,21 @@ struct Game::CallbackCall {
     std::string problem = {};
 };
 
+namespace {
+
+/// Empty when it has left the stack.
+std::string place_of_scene(lua_State* L, int table) {
+    for (const Scene& scene : context_of(L).scenes) {
+        lua_rawgeti(L, LUA_REGISTRYINDEX, scene.reference);
+        const bool is_it = lua_rawequal(L, -1, table) != 0;
+        lua_pop(L, 1);
+        if (is_it) return scene.place;
+    }
+    return "";
+}
+
+}  // namespace
+
 int Game::run_callback(lua_State* L) {
     auto& callback = *static_cast<CallbackCall*>(lua_touserdata(L, 1));
     if (push_callback(L, callback.name)) {
@@ -116,10 +136,10 @@ int Game::run_callback(lua_State* L) {
 
 void Game::run_scene_callbacks(lua_State* L, CallbackCall& callback) {
     // Taken onto the stack first: a callback may change the scenes.
-    const std::vector<int>& scenes = context_of(L).scenes;
+    const std::vector<Scene>& scenes = context_of(L).scenes;
     luaL_checkstack(L, static_cast<int>(scenes.size()) + LUA_MINSTACK, "scenes");
     for (auto scene = scenes.rbegin(); scene != scenes.rend(); ++scene) {
-        lua_rawgeti(L, LUA_REGISTRYINDEX, *scene);
+        lua_rawgeti(L, LUA_REGISTRYINDEX, scene->reference);
         if (!callback.is_for_visible_scenes) break;
         lua_getfield(L, -1, "overlay");
         const bool is_overlay = lua_toboolean(L, -1) != 0;
@@ -134,8 +154,9 @@ void Game::run_scene_callbacks(lua_State* L, CallbackCall& callback) {
             lua_call(L, 1 + callback.push_arguments(L), 1);
             callback.result = callback.result || lua_toboolean(L, -1) != 0;
         } else if (!lua_isnil(L, -1)) {
-            callback.problem = std::string("the scene's ") + callback.name + " is " + describe_value(L, -1) +
-                               "; expected a function";
+            callback.problem = place_of_scene(L, scene) + "the " + callback.name +
+                               " of the scene that is put on here is " + describe_value(L, -1) +
+                               " by now; expected a function";
             return;
         }
         lua_settop(L, scene - 1);

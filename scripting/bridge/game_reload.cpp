@@ -30,7 +30,7 @@ void unref_all(lua_State* L, Context& context) {
         luaL_unref(L, LUA_REGISTRYINDEX, tween.done);
     }
     context.tweens.running.clear();
-    for (const int scene : context.scenes) luaL_unref(L, LUA_REGISTRYINDEX, scene);
+    for (const Scene& scene : context.scenes) luaL_unref(L, LUA_REGISTRYINDEX, scene.reference);
     context.scenes.clear();
     luaL_unref(L, LUA_REGISTRYINDEX, context.listener);
     context.listener = LUA_NOREF;

@@ -2724,7 +2724,7 @@ cairn.tilemap = {}
 ---@field y_up? boolean whether y points up, as under a camera
 ---@field filter? string of its pictures: "linear", or "nearest" for pixel art
 
----Loads an orthogonal, isometric, staggered or hexagonal map, .tmx or .tmj, with its tile sets and pictures. An infinite one is as large as what was drawn in it: its upper left corner is that of the first tile. Layer data may be CSV or base64, plain or packed with zlib or gzip. Places are those of the picture, in which a cell may be a diamond or a hexagon.
+---Loads an orthogonal, isometric, staggered or hexagonal map, .tmx or .tmj, with its tile sets and pictures, in which the transparent color that the editor was told is not seen. An infinite one is as large as what was drawn in it: its upper left corner is that of the first tile. Layer data may be CSV or base64, plain or packed with zlib or gzip. Places are those of the picture, in which a cell may be a diamond or a hexagon.
 ---@param path string
 ---@param fields cairn.tilemap.load.Fields?
 ---@return TileMap map

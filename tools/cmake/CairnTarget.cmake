@@ -18,6 +18,15 @@ function(cairn_compile_options target)
   endif()
 endfunction()
 
+# cairn_simd(TARGET): Highway, with every level that a processor may offer except those that gain nothing over the next:
+# eight lanes are enough.
+function(cairn_simd target)
+  find_package(hwy REQUIRED)
+  target_link_libraries(${target} PRIVATE hwy::hwy)
+  target_compile_definitions(${target} PRIVATE HWY_COMPILE_ALL_ATTAINABLE
+                                               "HWY_DISABLED_TARGETS=(HWY_SSSE3|HWY_AVX3|HWY_AVX3_DL)")
+endfunction()
+
 # cairn_library(NAME HEADERS... SOURCES...): the library cairn_NAME, known as cairn::NAME, with its public headers
 # under include/ as a file set and its own folder as the private include root.
 function(cairn_library name)

@@ -3,11 +3,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <span>
 #include <utility>
+
+#include "render/surface/textured_rows.h"
 
 namespace cairn::engine {
 namespace {
@@ -58,44 +59,6 @@ void store_texel(std::uint8_t* to, Texel color) {
     color = color < white ? color : white;
     const Bytes bytes = __builtin_convertvector(__builtin_convertvector(color, Words), Bytes);
     std::memcpy(to, &bytes, sizeof bytes);
-}
-
-/// As Image::pixel, but inline.
-const std::uint8_t* texel_at(const Image& image, int x, int y) {
-    return image.rgba.data() + 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.size.width) +
-                                    static_cast<std::size_t>(x));
-}
-
-/// Linear filter, clamped at the edges.
-Texel sample(const Image& texture, float u, float v) {
-    const float x = std::clamp(u, 0.0f, 1.0f) * static_cast<float>(texture.size.width) - 0.5f;
-    const float y = std::clamp(v, 0.0f, 1.0f) * static_cast<float>(texture.size.height) - 0.5f;
-    const float floor_x = std::floor(x);
-    const float floor_y = std::floor(y);
-    const float fx = x - floor_x;
-    const float fy = y - floor_y;
-    const int x0 = std::clamp(static_cast<int>(floor_x), 0, texture.size.width - 1);
-    const int y0 = std::clamp(static_cast<int>(floor_y), 0, texture.size.height - 1);
-    const int x1 = std::clamp(static_cast<int>(floor_x) + 1, 0, texture.size.width - 1);
-    const int y1 = std::clamp(static_cast<int>(floor_y) + 1, 0, texture.size.height - 1);
-    const std::uint8_t* p00 = texel_at(texture, x0, y0);
-    const std::uint8_t* p10 = texel_at(texture, x1, y0);
-    const std::uint8_t* p01 = texel_at(texture, x0, y1);
-    const std::uint8_t* p11 = texel_at(texture, x1, y1);
-    const Texel t00 = load_texel(p00);
-    const Texel t01 = load_texel(p01);
-    const Texel upper = t00 + (load_texel(p10) - t00) * fx;
-    const Texel lower = t01 + (load_texel(p11) - t01) * fx;
-    return upper + (lower - upper) * fy;
-}
-
-/// The texel that holds a place.
-Texel sample_nearest(const Image& texture, float u, float v) {
-    const auto index = [](float share, int size) {
-        return std::clamp(static_cast<int>(share * static_cast<float>(size)), 0, size - 1);
-    };
-    const std::uint8_t* p = texel_at(texture, index(u, texture.size.width), index(v, texture.size.height));
-    return load_texel(p);
 }
 
 /// What a color, premultiplied, makes of what lies under it.
@@ -168,91 +131,82 @@ void fill_spans(std::span<const Span> spans, Rgba8 color, Image& target) {
     }
 }
 
-/// The colors and the places in the texture of a triangle without a texture, and of one with it.
-template <bool kIsTextured>
-struct Shading {
-    Plane<ExactTexel> color;
+/// From corner 0 of a triangle to the middle of a pixel.
+struct Way {
+    double x;
+    double y;
 
-    explicit Shading(const Triangle& t)
-        : color(t, {exact_texel(t.vertex[0]->color), exact_texel(t.vertex[1]->color),
-                    exact_texel(t.vertex[2]->color)}) {}
-};
-template <>
-struct Shading<true> : Shading<false> {
-    Plane<double> u;
-    Plane<double> v;
+    Way(const Triangle& t, int column, int row)
+        : x(pixels_from(column, t.place[0].x)), y(pixels_from(row, t.place[0].y)) {}
 
-    explicit Shading(const Triangle& t)
-        : Shading<false>(t),
-          u(t, {t.vertex[0]->uv.x, t.vertex[1]->uv.x, t.vertex[2]->uv.x}),
-          v(t, {t.vertex[0]->uv.y, t.vertex[1]->uv.y, t.vertex[2]->uv.y}) {}
-};
-
-/// Colors that change, and blend with what lies under them. `sample_texture(u, v)` gives what they are
-/// multiplied by; where there is no texture it is not called.
-template <BlendMode kBlend, bool kIsTextured, class Sample>
-void shade_spans(std::span<const Span> spans, const Triangle& t, const Sample& sample_texture,
-                 Image& target) {
-    const Shading<kIsTextured> shading(t);
-    const Texel color_step = rounded(shading.color.step_x);
-    const auto pixels_from = [](int pixel, std::int32_t place) {
+  private:
+    static double pixels_from(int pixel, std::int32_t place) {
         return (static_cast<double>(pixel) + 0.5) - static_cast<double>(place) / kSubpixels;
-    };
+    }
+};
+
+Plane<ExactTexel> plane_of_colors(const Triangle& t) {
+    return {
+        t,
+        {exact_texel(t.vertex[0]->color), exact_texel(t.vertex[1]->color), exact_texel(t.vertex[2]->color)}};
+}
+
+/// Colors that change, and blend with what lies under them.
+template <BlendMode kBlend>
+void shade_plain(std::span<const Span> spans, const Triangle& t, Image& target) {
+    const Plane<ExactTexel> colors = plane_of_colors(t);
+    const Texel color_step = rounded(colors.step_x);
     for (const Span& span : spans) {
-        const double from_x = pixels_from(span.first, t.place[0].x);
-        const double from_y = pixels_from(span.row, t.place[0].y);
-        const Texel start = rounded(shading.color.at(from_x, from_y));
-        Vec2 uv;
-        Vec2 uv_step;
-        if constexpr (kIsTextured) {
-            uv = {static_cast<float>(shading.u.at(from_x, from_y)),
-                  static_cast<float>(shading.v.at(from_x, from_y))};
-            uv_step = {static_cast<float>(shading.u.step_x), static_cast<float>(shading.v.step_x)};
-        }
+        const Way way(t, span.first, span.row);
+        const Texel start = rounded(colors.at(way.x, way.y));
         std::uint8_t* pixel = pixel_of(target, span);
         const int count = span.last - span.first;
-        for (int x = 0; x <= count; ++x, pixel += 4) {
-            const auto distance = static_cast<float>(x);
-            Texel color = start + color_step * distance;
-            if constexpr (kIsTextured)
-                color *=
-                    sample_texture(uv.x + uv_step.x * distance, uv.y + uv_step.y * distance) * (1.0f / 255);
-            store_texel(pixel, blended<kBlend>(load_texel(pixel), color));
-        }
+        for (int x = 0; x <= count; ++x, pixel += 4)
+            store_texel(pixel,
+                        blended<kBlend>(load_texel(pixel), start + color_step * static_cast<float>(x)));
     }
 }
 
-template <BlendMode kBlend>
-void shade_spans(std::span<const Span> spans, const Triangle& t, const Paint& paint, Image& target) {
-    if (paint.texture == nullptr) {
-        shade_spans<kBlend, false>(
-            spans, t, [](float, float) { return Texel{}; }, target);
-    } else if (paint.filter == TextureFilter::Nearest) {
-        const auto nearest = [&](float u, float v) { return sample_nearest(*paint.texture, u, v); };
-        shade_spans<kBlend, true>(spans, t, nearest, target);
-    } else {
-        const auto linear = [&](float u, float v) { return sample(*paint.texture, u, v); };
-        shade_spans<kBlend, true>(spans, t, linear, target);
+FloatColor float_color(const Texel& t) {
+    return {t[0], t[1], t[2], t[3]};
+}
+
+void shade_textured(std::span<const Span> spans, const Triangle& t, const Paint& paint, Image& target) {
+    const auto& [a, b, c] = t.vertex;
+    const Plane<ExactTexel> colors = plane_of_colors(t);
+    const Plane<double> u(t, {a->uv.x, b->uv.x, c->uv.x});
+    const Plane<double> v(t, {a->uv.y, b->uv.y, c->uv.y});
+    const RowSteps steps{{static_cast<float>(u.step_x), static_cast<float>(v.step_x)},
+                         float_color(rounded(colors.step_x))};
+    std::array<TexturedRow, kMaxSpans> rows;
+    std::size_t count = 0;
+    for (const Span& span : spans) {
+        const Way way(t, span.first, span.row);
+        rows[count++] = {pixel_of(target, span),
+                         span.last - span.first + 1,
+                         {static_cast<float>(u.at(way.x, way.y)), static_cast<float>(v.at(way.x, way.y))},
+                         float_color(rounded(colors.at(way.x, way.y)))};
     }
+    shade_textured_rows({rows.data(), count}, steps, paint);
 }
 
 void draw_spans(std::span<const Span> spans, const Triangle& t, const Paint& paint, Image& target) {
+    if (paint.texture != nullptr) return shade_textured(spans, t, paint, target);
     switch (paint.blend) {
         case BlendMode::Alpha: {
             const Rgba8 color = t.vertex[0]->color;
-            if (paint.texture == nullptr && color.a == 255 && color == t.vertex[1]->color &&
-                color == t.vertex[2]->color)
+            if (color.a == 255 && color == t.vertex[1]->color && color == t.vertex[2]->color)
                 return fill_spans(spans, color, target);
-            return shade_spans<BlendMode::Alpha>(spans, t, paint, target);
+            return shade_plain<BlendMode::Alpha>(spans, t, target);
         }
         case BlendMode::Add:
-            return shade_spans<BlendMode::Add>(spans, t, paint, target);
+            return shade_plain<BlendMode::Add>(spans, t, target);
         case BlendMode::Multiply:
-            return shade_spans<BlendMode::Multiply>(spans, t, paint, target);
+            return shade_plain<BlendMode::Multiply>(spans, t, target);
         case BlendMode::Screen:
-            return shade_spans<BlendMode::Screen>(spans, t, paint, target);
+            return shade_plain<BlendMode::Screen>(spans, t, target);
         case BlendMode::Replace:
-            return shade_spans<BlendMode::Replace>(spans, t, paint, target);
+            return shade_plain<BlendMode::Replace>(spans, t, target);
     }
 }
 

@@ -8,17 +8,10 @@
 
 #include <array>
 
-#include "render/backend.h"
+#include "render/surface/paint.h"
 #include "render/surface/triangle_spans.h"
 
 namespace cairn::engine {
-
-/// How the pixels of triangles are colored.
-struct Paint {
-    const Image* texture = nullptr;  ///< null: plain colors
-    TextureFilter filter = TextureFilter::Linear;
-    BlendMode blend = BlendMode::Alpha;
-};
 
 /// `corners` are the places of the vertices. All colors are premultiplied, those of the target too. `clip`
 /// lies inside the target.

@@ -104,6 +104,7 @@ void SurfaceBackend::draw(std::span<const RenderVertex> vertices, std::span<cons
         paint.filter = textures_[texture - 1].filter;
     }
     Image& to = target();
+    assert(paint.texture != &to);  // the renderer shows no canvas to itself
     places_.clear();
     for (const RenderVertex& vertex : vertices) places_.push_back(to_fixed(vertex.position));
     const auto rasterize = [&](std::size_t i, const PixelRect& clip) {
@@ -111,8 +112,7 @@ void SurfaceBackend::draw(std::span<const RenderVertex> vertices, std::span<cons
         rasterize_triangle({&vertices[a], &vertices[b], &vertices[c]}, {places_[a], places_[b], places_[c]},
                            paint, clip, to);
     };
-    const bool draws_itself = paint.texture == &to;  // then what is read depends on what was written before
-    if (draws_itself || workers_.threads() == 1 || !is_much(vertices, indices)) {
+    if (workers_.threads() == 1 || !is_much(vertices, indices)) {
         for (std::size_t i = 0; i + 2 < indices.size(); i += 3) rasterize(i, scissor);
         return;
     }

@@ -156,7 +156,7 @@ TEST_CASE_METHOD(Maps, "what is wrong with an image layer is told with its place
         {"type": "imagelayer", "name": "a"}, {"type": "imagelayer", "name": "b", "image": 5},
         {"type": "group", "name": "g", "layers": [{"type": "imagelayer", "name": "c", "image": "c.png", "repeatx": 2,
          "repeaty": "yes"}]},
-        {"type": "imagelayer", "name": "d", "image": "d.png", "transparentcolor": "#ff00ff"},
+        {"type": "imagelayer", "name": "d", "image": "d.png", "transparentcolor": "pink"},
         {"type": "imagelayer", "name": "e", "image": "e.png", "opacity": 1.5},
         {"type": "imagelayer", "name": "f", "image": "f.png", "parallaxx": "far"},
         {"type": "imagelayer", "name": "g", "image": "g.png", "tintcolor": "red"}], "parallaxoriginx": true})");
@@ -168,12 +168,40 @@ TEST_CASE_METHOD(Maps, "what is wrong with an image layer is told with its place
               start + "layers[2].image is 5, but must be a text",
               start + "layers[3].layers[1].repeatx is 2, but must be true or false",
               start + "layers[3].layers[1].repeaty is \"yes\", but must be true or false",
-              start +
-                  "layers[4].transparentcolor is \"#ff00ff\", but must not be there: save the picture with a "
-                  "transparent background",
+              start + "layers[4].transparentcolor is \"pink\", but must be a color like \"#rrggbb\"",
               start + "layers[5].opacity is 1.5, but must be from 0 to 1",
               start + "layers[6].parallaxx is \"far\", but must be a number",
               start + "layers[7].tintcolor is \"red\", but must be a color like \"#rrggbb\""});
+}
+
+TEST_CASE_METHOD(Maps, "the transparent color of a picture is that of its tile set or layer") {
+    const auto xml =
+        load("t.tmx", R"(<map width="1" height="1" tilewidth="8" tileheight="8"><tileset firstgid="1" name="a"
+        tilewidth="8" tileheight="8" tilecount="1" columns="1"><image source="a.png" trans="ff8000"/></tileset>
+        <tileset firstgid="2" name="b" tilewidth="8" tileheight="8" tilecount="1" columns="1"><image source="b.png"/></tileset>
+        <imagelayer name="c"><image source="c.png" trans="#000000"/></imagelayer></map>)");
+    if (!xml) FAIL(xml.error().message);
+    const std::string set =
+        R"("tilewidth": 8, "tileheight": 8, "tilecount": 1, "columns": 1, "image": "a.png")";
+    const auto json =
+        load("t.tmj", R"({"width": 1, "height": 1, "tilewidth": 8, "tileheight": 8, "tilesets": [
+        {"firstgid": 1, "transparentcolor": "#ff8000", )" +
+                          set + R"(}, {"firstgid": 2, )" + set + R"(}],
+        "layers": [{"type": "imagelayer", "name": "c", "image": "c.png", "transparentcolor": "#000000"}]})");
+    if (!json) FAIL(json.error().message);
+    for (const TileMap& map : {*xml, *json}) {
+        REQUIRE(map.sets.size() == 2);
+        CHECK(map.sets[0].transparent == Color{1, 128 / 255.0f, 0, 1});
+        CHECK_FALSE(map.sets[1].transparent);
+        CHECK(map.layers[0].transparent == Color{0, 0, 0, 1});
+    }
+    folder.put("maps/w.tmj",
+               R"({"width": 1, "height": 1, "tilewidth": 8, "tileheight": 8, "layers": [], "tilesets": [
+        {"firstgid": 1, "transparentcolor": 7, )" +
+                   set + "}]}");
+    CHECK(
+        read_tile_map(*files, "maps/w.tmj").faults ==
+        std::vector<std::string>{"map 'maps/w.tmj': tilesets[1].transparentcolor is 7, but must be a text"});
 }
 
 // "The parallax scrolling factor is applied based on the distance of the center of the view from the parallax

@@ -53,6 +53,18 @@ TEST_CASE_METHOD(Sounds, "a sound that is read anew has its handle and limits, a
     CHECK_FALSE(*audio->reload_sound("other.wav"));
 }
 
+TEST_CASE_METHOD(Sounds,
+                 "a sound whose folder is forgotten is read anew, and its old handle plays as before") {
+    folder.put("mine/tone.wav", tone_wav(0.5));
+    const SoundId before = *audio->load_sound("mine/tone.wav");
+    folder.put("mine/tone.wav", tone_wav(0.25));
+    CHECK(*audio->load_sound("mine/tone.wav") == before);
+    audio->forget_files("mine");
+    CHECK(audio->duration_s(*audio->load_sound("mine/tone.wav")) == Approx(0.25));
+    CHECK(audio->duration_s(before) == Approx(0.5));
+    CHECK(*audio->load_sound("tone.wav") == tone);
+}
+
 TEST_CASE_METHOD(Sounds, "a higher pitch ends sooner, a loop not at all") {
     const VoiceId high = audio->play(tone, {.pitch = 2});
     const VoiceId low = audio->play(tone, {.pitch = 0.5f});

@@ -32,6 +32,21 @@ struct Images : Drawing {
 
 }  // namespace
 
+TEST_CASE_METHOD(Images,
+                 "an image whose folder is forgotten is read anew, and its old handle shows what it did") {
+    put_png("mine/one.png", palette());
+    const TextureId before = *renderer->load_texture("mine/one.png");
+    put_png("mine/one.png", {{1, 1}, {1, 2, 3, 255}});
+    CHECK(*renderer->load_texture("mine/one.png") == before);
+    renderer->forget_files("mine");
+    const TextureId after = *renderer->load_texture("mine/one.png");
+    CHECK(renderer->texture_size(after) == Size{1, 1});
+    CHECK(renderer->texture_size(before) == Size{4, 2});
+    CHECK(*renderer->load_texture("palette.png") == texture);
+    renderer->destroy_texture(before);
+    CHECK(*renderer->load_texture("mine/one.png") == after);
+}
+
 TEST_CASE_METHOD(Images, "an image in its own size is shown pixel by pixel") {
     renderer->draw_image(texture, {.position = {10, 20}});
     const Image image = capture();

@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <fstream>
+#include <iterator>
 #include <limits>
 
 #include "engine/support/drawing.h"
@@ -37,7 +39,27 @@ std::string as_text(const std::vector<TextLine>& lines) {
     return out;
 }
 
+std::string text_of(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
 }  // namespace
+
+TEST_CASE_METHOD(Drawing, "a font whose folder is forgotten is read anew, and the old one still writes") {
+    folder.put("mine/own.ttf", text_of(CAIRN_SOURCE_DIR "/assets/fonts/default.ttf"));
+    const FontId font = *renderer->load_font("mine/own.ttf", 16);
+    const FontId other = *renderer->load_font("fonts/default.ttf", 16);
+    folder.put("mine/own.ttf", "torn");
+    CHECK(*renderer->load_font("mine/own.ttf", 16) == font);
+    renderer->forget_files("mine");
+    CHECK_FALSE(renderer->load_font("mine/own.ttf", 16));
+    CHECK(*renderer->load_font("fonts/default.ttf", 16) == other);
+    renderer->begin_frame({0, 0, 0, 1});
+    renderer->draw_text(font, "still", {.position = {4, 4}});
+    CHECK(ink(capture()).width > 10);
+    renderer->end_frame();
+}
 
 TEST_CASE("text has the same measure in every renderer") {
     std::vector<Vec2> measures[2];

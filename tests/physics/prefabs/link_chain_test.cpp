@@ -72,6 +72,31 @@ TEST_CASE("a bad definition of a prefab names the field, the value and the rule,
                   "shape.density_kg_m2 is -1, but must be finite and at least 0");
 }
 
+TEST_CASE("all broken rules of a prefab are told, but for those that are broken because others are") {
+    World world;
+    check_refused(world, create_vehicle(world, {.length_m = -1, .drive_torque_nm = -2}),
+                  "vehicle.length_m is -1, but must be finite and greater than 0; and "
+                  "vehicle.drive_torque_nm is -2, but must be finite and at least 0");
+    check_refused(world, create_pulley_lift(world, {.distance_m = 1, .travel_m = 9}),
+                  "pulley_lift.distance_m is 1, but must be finite and greater than width_m; and "
+                  "pulley_lift.rope_m is 5, but must be finite and greater than travel_m");
+    check_refused(world, create_pulley_lift(world, {.distance_m = 1, .travel_m = kUnlimited}),
+                  "pulley_lift.travel_m is inf, but must be finite and greater than 0");
+    check_refused(world, create_gear_train(world, {.direction = {0, 0}, .radii_m = {1, -1, -2}}),
+                  "gear_train.direction is 0, but must be finite and greater than 0; and "
+                  "gear_train.radii_m is -1, but must be finite and greater than 0");
+    // Its length is the distance of its ends, unless it is said.
+    check_refused(world, create_rope(world, {.to_m = {0, 0}, .radius_m = -1}),
+                  "rope.radius_m is -1, but must be finite and greater than 0");
+    check_refused(world, create_rope(world, {.to_m = {0, 0}}),
+                  "rope.to_m - rope.from_m is 0, but must be longer than 0.01 m");
+    check_refused(world, create_rope(world, {.length_m = 2, .links = 500}),
+                  "rope.length_m is 2, but must be from the distance of the ends to 100 times that; and "
+                  "rope.length_m is 2, but must be more than 0.01 m for each link");
+    check_refused(world, create_link_chain(world, {.direction = {kUnlimited, 0}}),
+                  "link_chain.direction is (inf, 0), but must be finite");
+}
+
 TEST_CASE("destroying a prefab leaves nothing of it, whatever was taken away before") {
     World world;
     const Counts before = world.counts();

@@ -86,6 +86,24 @@ TEST_CASE("rules over several fields are judged where these fields are sound, wh
         {"break_force = -1", "joints[1]: lower is 1, but must be"});
 }
 
+TEST_CASE("all broken rules over several fields of a prefab are told, each on its own") {
+    const std::string distance = "prefabs[1]: distance is 1, but must be finite and greater than width";
+    const std::string rope = "prefabs[1]: rope is 1, but must be finite and greater than travel";
+    expect_faults("{ prefabs = { { prefab = 'pulley_lift', distance = 1, rope = 1, travel = 3 } } }",
+                  {distance, rope});
+    expect_faults(
+        "{ prefabs = { { prefab = 'pulley_lift', distance = 1, rope = 1, travel = 3, ratio = 0 } } }",
+        {"ratio = 0: must be above 0", distance, rope});
+    // Another travel may be right for the rope.
+    expect_faults("{ prefabs = { { prefab = 'pulley_lift', distance = 1, rope = 1, travel = -3 } } }",
+                  {"travel = -3: must be above 0", distance});
+    LuaBench bench;
+    CHECK(
+        bench.run("cairn.prefab.pulley_lift(cairn.physics.new_world{}, { distance = 1, travel = 9 })") ==
+        "test.lua:1: cairn.prefab.pulley_lift: distance is 1, but must be finite and greater than width; and "
+        "rope is 5, but must be finite and greater than travel");
+}
+
 TEST_CASE("rules over a faulty field and others are not judged: another value may keep them") {
     expect_faults("{ prefabs = { { prefab = 'pulley_lift', rope = 1, travel = -1 } } }", {"travel = -1"});
     expect_faults("{ prefabs = { { prefab = 'pulley_lift', rope = -1, travel = 4 } } }", {"rope = -1"});

@@ -93,14 +93,32 @@ TEST_CASE_METHOD(Scenes, "wrong uses of scenes say what is wrong") {
     CHECK(run("cairn.scene.push(a)") == "test.lua:1: cairn.scene.push: that scene is on the stack already");
     CHECK(run("cairn.scene.push('menu')") ==
           "test.lua:1: cairn.scene.push: scene is \"menu\"; expected a table");
-    CHECK(run("cairn.scene.push{ enter = 3 }") ==
-          "test.lua:1: cairn.scene.push: the scene's enter is 3; expected a function");
-    REQUIRE(run("cairn.scene.switch{ update = 3 }") == "");
-    const auto error = game().update({});
-    REQUIRE(error);
-    CHECK(error->message == "the scene's update is 3; expected a function");
     CHECK(run("for i = 1, 100 do cairn.scene.push{} end").find("64 scenes are on the stack already") !=
           std::string::npos);
+}
+
+TEST_CASE_METHOD(Scenes, "a callback of a scene that is no function is told where the scene is given") {
+    REQUIRE(run("cairn.scene.push(a) log = {}") == "");
+    CHECK(run("\ncairn.scene.push{ enter = 3 }") ==
+          "test.lua:2: cairn.scene.push: the scene's enter is 3; expected a function");
+    CHECK(run("\n\ncairn.scene.switch{ touch_moved = {} }")
+              .find("test.lua:3: cairn.scene.switch: the scene's touch_moved is a table") == 0);
+    CHECK(run("cairn.scene.push(setmetatable({}, { __index = { draw = 'x' } }))") ==
+          "test.lua:1: cairn.scene.push: the scene's draw is \"x\"; expected a function");
+    // The scene below noticed nothing, and goes on.
+    CHECK(take() == "");
+    CHECK(value("cairn.scene.current() == a and cairn.scene.count() == 1") == "true");
+    CHECK(run("cairn.scene.push{ load = 3, update = nil, speed = 3 }") == "");
+}
+
+TEST_CASE_METHOD(Scenes, "a callback that becomes something else later names the place of the scene") {
+    REQUIRE(run("\ncairn.scene.push(a)\na.update = 3") == "");
+    const auto error = game().update({});
+    REQUIRE(error);
+    CHECK(error->message ==
+          "test.lua:2: the update of the scene that is put on here is 3 by now; expected a function");
+    CHECK(run("a.leave = true cairn.scene.pop()") ==
+          "test.lua:1: cairn.scene.pop: the scene's leave is true; expected a function");
 }
 
 TEST_CASE_METHOD(Scenes, "an error in a scene names its line") {

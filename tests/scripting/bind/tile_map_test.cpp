@@ -99,6 +99,29 @@ TEST_CASE_METHOD(Maps, "the map is drawn upright in each frame") {
     CHECK(machine().renderer->stats().draw_calls == 1);
 }
 
+TEST_CASE("pixels of the transparent color are not seen, in tiles and in image layers") {
+    LuaBench bench({{"conf.lua", "{ width = 200, height = 100 }"},
+                    {"tiles.png", tiles_png()},
+                    {"map.tmj", R"({"width": 2, "height": 1, "tilewidth": 8, "tileheight": 8,
+        "tilesets": [{"firstgid": 1, "name": "t", "tilewidth": 8, "tileheight": 8, "tilecount": 2, "columns": 2,
+            "image": "tiles.png", "transparentcolor": "#00ff00"}],
+        "layers": [{"type": "tilelayer", "name": "ground", "data": [1, 2]},
+            {"type": "imagelayer", "name": "flag", "image": "tiles.png", "transparentcolor": "#ff0000"},
+            {"type": "imagelayer", "name": "whole", "image": "tiles.png"}]})"}},
+                   MachineKind::HeadlessDrawing);
+    REQUIRE(bench.run("map = cairn.tilemap.load('map.tmj')") == "");
+    const engine::Image tiles = picture_of(bench, "map:draw('ground')");
+    is_color(tiles, 4, 2, 255, 0, 0);
+    is_color(tiles, 12, 2, 0, 0, 0);
+    is_color(tiles, 12, 6, 0, 0, 255);
+    const engine::Image flag = picture_of(bench, "map:draw('flag')");
+    is_color(flag, 4, 2, 0, 0, 0);
+    is_color(flag, 12, 2, 0, 255, 0);
+    const engine::Image whole = picture_of(bench, "map:draw('whole')");
+    is_color(whole, 4, 2, 255, 0, 0);
+    is_color(whole, 12, 2, 0, 255, 0);
+}
+
 TEST_CASE("image layers are drawn with offset, tint, opacity, repetition and parallax") {
     // The picture is 16 pixels wide and 8 high: red, and green above blue.
     LuaBench bench({{"conf.lua", "{ width = 200, height = 100 }"},

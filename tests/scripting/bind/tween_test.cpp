@@ -167,8 +167,13 @@ TEST_CASE("wrong tweens say what is wrong") {
           "test.lua:1: cairn.tween.to: target.name is \"n\"; expected a number");
     CHECK(bench.run("cairn.tween.to(t, { x = 0/0 }, 1)") ==
           "test.lua:1: cairn.tween.to: goals.x is nan; expected a finite number");
-    CHECK(bench.run("cairn.tween.to(t, { x = 2 }, 1, { ease = 'qad_out' })")
-              .find("ease = \"qad_out\": no such ease; did you mean \"quad_out\"?") != std::string::npos);
+    const std::string all =
+        " (linear, or quad, cubic, quart, quint, sine, expo, circ, back, elastic, bounce with _in, _out or "
+        "_in_out)";
+    CHECK(bench.run("cairn.tween.to(t, { x = 2 }, 1, { ease = 'qad_out' })") ==
+          "test.lua:1: cairn.tween.to: ease = \"qad_out\": no such ease; did you mean \"quad_out\"?" + all);
+    CHECK(bench.run("cairn.tween.ease('wibble', 0.5)") ==
+          "test.lua:1: cairn.tween.ease: name is \"wibble\": no such ease" + all);
     CHECK(bench.run("cairn.tween.to(t, { x = 2 }, 1, { repeats = -2 })").find("at least -1") !=
           std::string::npos);
     CHECK(bench.run("cairn.tween.to(t, { x = 2 }, 1, { done = 3 })").find("must be a function") !=

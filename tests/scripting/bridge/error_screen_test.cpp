@@ -95,6 +95,41 @@ TEST_CASE("a source line that is too long ends before the edge of the panel") {
     CHECK(light_in_margin == 0);
 }
 
+engine::Image screen_of(const std::string& message, const std::string& source) {
+    LuaBench bench(GameFiles{{"main.lua", source}}, MachineKind::HeadlessDrawing);
+    engine::Renderer& renderer = *bench.machine().renderer;
+    renderer.begin_frame({1, 1, 1, 1});
+    draw_error_screen(make_error_screen({message, {}}, *bench.machine().files), renderer);
+    auto image = renderer.capture();
+    renderer.end_frame();
+    REQUIRE(image);
+    return *std::move(image);
+}
+
+TEST_CASE("the faulty part of a source line is seen however long the line is") {
+    const auto line = [](int words_before, const std::string& fault, int words_behind) {
+        std::string text = "local t = {";
+        for (int i = 0; i < words_before; ++i) text += " \"wörd\",";
+        text += fault;
+        for (int i = 0; i < words_behind; ++i) text += " 7,";
+        return text + " }";
+    };
+    // What differs in one place only looks different when that place is seen.
+    const auto is_seen = [&](const std::string& message, int before, int behind) {
+        return screen_of(message, line(before, " a.bxd.c,", behind)).rgba !=
+               screen_of(message, line(before, " a.bwd.c,", behind)).rgba;
+    };
+    CHECK(is_seen("main.lua:1: no", 5, 10));
+    CHECK(is_seen("main.lua:1: it ends in the fourth row of text", 40, 0));
+    CHECK(is_seen("main.lua:1:27024: the column is said", 3000, 3000));
+    CHECK(is_seen("main.lua:1: attempt to index a nil value (local 'a.b')", 3000, 3000));
+    CHECK_FALSE(is_seen("main.lua:1: nothing says where it is", 3000, 3000));
+    // Only the line of the fault has more rows than one.
+    const std::string other = line(40, " a.bxd.c,", 0) + "\n" + line(0, "", 0);
+    CHECK(screen_of("main.lua:2: no", other).rgba ==
+          screen_of("main.lua:2: no", line(40, " a.bwd.c,", 0) + "\n" + line(0, "", 0)).rgba);
+}
+
 TEST_CASE("each way to choose at the screen means what its label says") {
     using engine::InputEvent;
     using engine::InputKind;

@@ -7,6 +7,14 @@
 namespace cairn::scripting::test {
 namespace {
 
+std::string png_of(engine::Size size) {
+    engine::Image image{size, {}};
+    image.rgba.assign(4 * static_cast<std::size_t>(size.width) * size.height, 255);
+    const auto png = engine::encode_png(image);
+    REQUIRE(png);
+    return {reinterpret_cast<const char*>(png->data()), png->size()};
+}
+
 int status_of(const std::string& test_code, const std::string& main_code = "") {
     const GameFolder folder({{"main.lua", main_code}, {"tests/one.lua", test_code}});
     return test_game(folder.source());
@@ -54,6 +62,27 @@ test.test("nonsense", function()
     test.expect(called >= 3 * #nonsense * 28)
 end)
 )") == 0);
+}
+
+TEST_CASE("each test begins with what its own save folder holds, whatever another one loaded from there") {
+    const GameFolder folder(
+        {{"main.lua", ""}, {"wide.png", png_of({8, 4})}, {"high.png", png_of({2, 16})}, {"tests/one.lua", R"(
+local test = cairn.test
+local function save(picture)
+    cairn.files.write("save/picture.png", cairn.files.read(picture))
+end
+test.test("saves a wide picture", function()
+    save("wide.png")
+    test.expect_equal(table.concat({ cairn.graphics.new_image("save/picture.png"):size() }, " "), "8 4")
+end)
+test.test("saves a high one", function()
+    save("high.png")
+    test.expect_equal(table.concat({ cairn.graphics.new_image("save/picture.png"):size() }, " "), "2 16")
+end)
+test.test("saves none", function()
+    test.expect_error(function() cairn.graphics.new_image("save/picture.png") end, "save/picture.png")
+end))"}});
+    CHECK(test_game(folder.source()) == 0);
 }
 
 TEST_CASE("a test types text, character by character") {

@@ -66,6 +66,9 @@ class Audio {
     /// Reads a sound anew; its handle plays what the file holds now. Voices of it end. False when no sound is
     /// of that file. With an error the old one stays.
     Result<bool> reload_sound(std::string_view path);
+    /// Sounds of files below a folder are read anew when they are loaded the next time. The handles that
+    /// there are play what they did.
+    void forget_files(std::string_view folder);
     bool is_valid(SoundId sound) const;
     double duration_s(SoundId sound) const;
     void set_limit(SoundId sound, const SoundLimit& limit);

@@ -118,8 +118,10 @@ class Renderer {
 
     // ---- Assets
 
-    /// The same path and filter give the same handle. The error names the path and the reason.
-    Result<TextureId> load_texture(std::string_view path, TextureFilter filter = TextureFilter::Linear);
+    /// The same path, filter and color give the same handle. Pixels of the color `transparent` are not seen,
+    /// whatever its alpha and theirs. The error names the path and the reason.
+    Result<TextureId> load_texture(std::string_view path, TextureFilter filter = TextureFilter::Linear,
+                                   std::optional<Color> transparent = std::nullopt);
     /// Reads an image anew; its handles show what the file holds now. False when no texture is of that file.
     /// With an error the old picture stays. Not within a frame.
     Result<bool> reload_texture(std::string_view path);
@@ -141,6 +143,9 @@ class Renderer {
     /// pixels, in 4 .. 256.
     Result<FontId> load_font(std::string_view path, float size);
     bool is_valid(FontId font) const;
+    /// Images and fonts of files below a folder are read anew when they are loaded the next time. The handles
+    /// that there are show what they did.
+    void forget_files(std::string_view folder);
     /// From one line's top to the next one's, in logical pixels.
     float line_height(FontId font) const;
 

@@ -44,6 +44,7 @@ struct TileSet {
     int margin = 0;
     int spacing = 0;
     std::string image_path;                                      ///< as Files knows it
+    std::optional<Color> transparent;                            ///< pixels of that color are not seen
     std::string place;                                           ///< in the map, for messages: "tilesets[1]"
     std::map<std::uint32_t, TileProperties> properties;          ///< by id
     std::map<std::uint32_t, std::vector<TileFrame>> animations;  ///< by id
@@ -86,8 +87,9 @@ struct MapLayer {
     std::vector<Tile> tiles;  ///< rows from the top
     std::vector<MapObject> objects;
     // Of image layers
-    std::string image_path;  ///< as Files knows it
-    Vec2 image_corner;       ///< the top left of the picture in that of the map, but for the offset
+    std::string image_path;            ///< as Files knows it
+    std::optional<Color> transparent;  ///< pixels of that color are not seen
+    Vec2 image_corner;                 ///< the top left of the picture in that of the map, but for the offset
     bool repeats_x = false;
     bool repeats_y = false;
     std::string place;  ///< in the map, for messages: "layers[2]"

@@ -4,14 +4,18 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace cairn::physics {
 
-/// What went wrong: names the thing, the value and the rule, in one sentence without a final stop.
+/// What went wrong: names the thing, the value and the rule, in one sentence without a final stop. Where
+/// several rules are broken that do not depend on each other, it is a sentence for each, with kAndAlso
+/// between.
 struct Error {
     std::string message;
 };
+inline constexpr std::string_view kAndAlso = "; and ";
 
 namespace detail {
 /// Prints the message and ends the program: a failed Result was used as if it held a value.
