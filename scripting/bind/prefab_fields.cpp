@@ -48,21 +48,25 @@ void read_end(lua_State* L, const FieldReader& reader, const Field& held, const 
     lua_pop(L, 1);
 }
 
-/// { 1, 2, ... }
-std::vector<float> read_numbers(lua_State* L, const FieldReader& reader, const Field& field) {
-    std::vector<float> numbers;
+/// Calls `read` with each entry of a list on top of the stack.
+void read_list(lua_State* L, const FieldReader& reader, const Field& field, int type, const auto& read) {
     reader.push(field);
     const auto count = static_cast<lua_Integer>(lua_rawlen(L, -1));
     for (lua_Integer i = 1; i <= count; ++i) {
-        lua_rawgeti(L, -1, i);
-        if (lua_type(L, -1) != LUA_TNUMBER) {
+        if (lua_rawgeti(L, -1, i) != type)
             call_error(L, std::string(field.name) + "[" + std::to_string(i) + "] is " +
-                              describe_value(L, -1) + "; expected a number");
-        }
-        numbers.push_back(static_cast<float>(lua_tonumber(L, -1)));
+                              describe_value(L, -1) + "; expected a " + lua_typename(L, type));
+        read();
         lua_pop(L, 1);
     }
     lua_pop(L, 1);
+}
+
+/// { 1, 2, ... }
+std::vector<float> read_numbers(lua_State* L, const FieldReader& reader, const Field& field) {
+    std::vector<float> numbers;
+    read_list(L, reader, field, LUA_TNUMBER,
+              [&] { numbers.push_back(static_cast<float>(lua_tonumber(L, -1))); });
     return numbers;
 }
 
@@ -202,22 +206,13 @@ constexpr FieldSet kWheelFields{kWheelOwn};
 
 std::vector<VehicleWheelDef> read_wheels(lua_State* L, const FieldReader& reader) {
     std::vector<VehicleWheelDef> wheels;
-    reader.push(kWheels);
-    const auto count = static_cast<lua_Integer>(lua_rawlen(L, -1));
-    for (lua_Integer i = 1; i <= count; ++i) {
-        lua_rawgeti(L, -1, i);
-        if (!lua_istable(L, -1)) {
-            call_error(
-                L, "wheels[" + std::to_string(i) + "] is " + describe_value(L, -1) + "; expected a table");
-        }
+    read_list(L, reader, kWheels, LUA_TTABLE, [&] {
         const FieldReader wheel(L, -1, kWheelFields);
         wheels.push_back({.place_m = {wheel.real(kX), wheel.real(kY)},
                           .radius_m = wheel.real(kWheelRadius),
                           .driven = wheel.boolean(kDriven),
                           .braked = wheel.boolean(kBraked)});
-        lua_pop(L, 1);
-    }
-    lua_pop(L, 1);
+    });
     return wheels;
 }
 
