@@ -18,6 +18,10 @@ constexpr float kTolerance = 0.1f;
 /// Enough for radii up to 21,000 pixels; only more would show corners again.
 constexpr int kMaxSegments = 1024;
 
+/// From this radius in pixels on, a circle has the largest number of segments. Floats do not tell the cosine
+/// of a much larger one from 1.
+constexpr float kMostNeeding = 1e6f;
+
 Vec2 on_circle(Vec2 center, float radius, float angle_rad) {
     return center + Vec2{std::cos(angle_rad), std::sin(angle_rad)} * radius;
 }
@@ -25,6 +29,8 @@ Vec2 on_circle(Vec2 center, float radius, float angle_rad) {
 }  // namespace
 
 int circle_segments(float radius_pixels) {
+    // Of a radius that is no number, too: the points of such a circle are none either and draw nothing.
+    if (!(radius_pixels < kMostNeeding)) return kMaxSegments;
     // The sagitta of a chord over the angle 2 pi / n is r (1 - cos(pi / n)).
     const float cosine = 1 - kTolerance / std::max(radius_pixels, kTolerance);
     const float needed = std::ceil(kPi / std::acos(cosine));

@@ -5,6 +5,7 @@
 #include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 using namespace cairn::engine;
@@ -55,6 +56,21 @@ TEST_CASE("the triangles of a box cover its area, at any angle and in either win
         std::reverse(box.begin(), box.end());
         CHECK(covered_area(filled(box)) == Approx(1000).margin(0.5));
     }
+}
+
+TEST_CASE("circles have a limited number of segments, whatever their radius in pixels is") {
+    const int most = circle_segments(1e5f);
+    CHECK(most == 1024);
+    const float infinity = std::numeric_limits<float>::infinity();
+    for (const float radius : {1e6f, 1e30f, std::numeric_limits<float>::max(), infinity, infinity - infinity})
+        CHECK(circle_segments(radius) == most);
+    CHECK(circle_segments(0) == 8);
+    // The determinant of this map is infinity - infinity.
+    Affine2 huge = Affine2::scaling({1e20f, 1e20f}) * Affine2::scaling({1e20f, 1e20f});
+    huge.b = huge.c = 1e30f;
+    CHECK(circle_points({0, 0}, 1, huge).size() == 1024);
+    CHECK(arc_points({0, 0}, 1, 0, kPi, huge).size() == 513);
+    CHECK(capsule_points({0, 0}, {1, 0}, 1, huge).size() == 1026);
 }
 
 TEST_CASE("the triangles of a circle cover its area") {
