@@ -18,7 +18,7 @@ constexpr int kMostRowsOfIsland = 2 * kRowsPerBatch;
 // Fewer take less than a megabyte: the cache of a core holds all of them anyway.
 constexpr std::size_t kFewestBlocks = 1024;
 
-// Looking for islands takes a twentieth of solving them. Where most rows are of the rest, it is not done
+// Looking for islands takes a twentieth of a step. Where most rows are of the rest, it is not done
 // again for up to this many steps.
 constexpr int kMostPatience = 64;
 
