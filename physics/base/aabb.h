@@ -23,7 +23,8 @@ inline float round_down(double x) {
     const auto nearest = static_cast<float>(x);
     const auto bits = std::bit_cast<std::int32_t>(nearest);
     const std::int32_t is_above = static_cast<double>(nearest) > x ? 1 : 0;
-    const std::int32_t away_from_zero = (bits >> 31) | 1;  // of positive numbers, the reverse of negative ones
+    const std::int32_t away_from_zero =
+        (bits >> 31) | 1;  // of positive numbers, the reverse of negative ones
     return std::bit_cast<float>(bits - is_above * away_from_zero);
 }
 

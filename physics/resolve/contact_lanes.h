@@ -11,6 +11,7 @@
 #include <span>
 #include <vector>
 
+#include "base/place.h"
 #include "base/slot_map.h"
 #include "collide/box_lanes.h"
 #include "collide/place_lanes.h"
@@ -107,12 +108,25 @@ constexpr PairGeometry geometry_of(int bucket) {
     return static_cast<PairGeometry>(bucket % kPairGeometries);
 }
 
+/// What ContactLanes::sort works on, of one bucket.
+struct LaneOrderScratch {
+    std::vector<int> blocks;
+    std::vector<std::uint64_t> keys;  // by lane: where it belongs << 32 | the lane that goes there
+};
+
 class ContactLanes {
   public:
     /// Puts a contact in. The result is its lane: the number of the block times kLanes, plus the place in it.
     int add(int bucket, const PairLane& lane);
     /// The contact that took the freed lane, or kNone.
     int remove(int bucket, int lane);
+
+    /// Puts the contacts of each bucket in a colour in the order of the rows that `places` tells of their
+    /// bodies. Calls tell(contact, lane) for each that changed its lane. Allocates nothing after `make_room`,
+    /// until a bucket opens a block.
+    template <class Tell>
+    void sort(std::span<const Place> places, LaneOrderScratch& scratch, const Tell& tell);
+    void make_room(LaneOrderScratch& scratch) const;
 
     /// Blocks of near pairs are numbered on their own, from 0 in each of their buckets.
     [[nodiscard]] std::vector<PairBlock>& near_pairs(PairGeometry geometry) { return near_[index(geometry)]; }
@@ -175,6 +189,8 @@ class ContactLanes {
     int remove_near(PairGeometry geometry, int lane);
     int open_block(int bucket);
     void close_block(int bucket);
+    bool sort_keys(int bucket, std::span<const Place> places, LaneOrderScratch& scratch) const;
+    void take_order(LaneOrderScratch& scratch);
 
     std::array<std::vector<PairBlock>, kPairGeometries> near_;
     std::array<std::vector<NearReaches>, kPairGeometries> near_reaches_;  // beside the pairs
@@ -193,5 +209,20 @@ class ContactLanes {
     std::array<int, kBuckets> used_{};  // buckets
     std::size_t used_count_ = 0;
 };
+
+template <class Tell>
+void ContactLanes::sort(std::span<const Place> places, LaneOrderScratch& scratch, const Tell& tell) {
+    for (int bucket = kFirstColored; bucket < kBuckets; ++bucket) {
+        if (chains_[bucket].first == kNone || !sort_keys(bucket, places, scratch)) continue;
+        take_order(scratch);
+        ++version_;
+        for (std::size_t i = 0; i < scratch.keys.size(); ++i) {
+            const int block = scratch.blocks[i / kLanes];
+            const int lane = static_cast<int>(i % kLanes);
+            if (static_cast<std::uint32_t>(scratch.keys[i]) != i)
+                tell(pairs_[block].contact[lane], block * kLanes + lane);
+        }
+    }
+}
 
 }  // namespace cairn::physics

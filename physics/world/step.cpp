@@ -11,6 +11,7 @@
 #include "world/bounces.h"
 #include "world/breakables.h"
 #include "world/contact_events.h"
+#include "world/contact_order.h"
 #include "world/contact_update.h"
 #include "world/contacts.h"
 #include "world/direct_groups.h"
@@ -52,6 +53,7 @@ void step_world(WorldState& world, float dt_s) {
     const StepTime time = make_step_time(dt_s, substeps, world.previous_h_s);
     const ContactRules rules =
         make_contact_rules(time.h_s, def.max_push_out_speed_m_s, def.restitution_speed_m_s);
+    order_contacts(stores, world.step_count, scratch);
     update_contacts(world, time, rules);
 
     clock.enter(Stage::Prepare);

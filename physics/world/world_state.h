@@ -240,11 +240,12 @@ struct StepScratch {
     ChunkedList<int> locked_rows;  // of awake bodies that do not move along some axis
     std::vector<ContactConstraint>
         contacts;  // in plain form: solved as scalars, or wanted for restitution or events
-    std::vector<int> scalar_contacts;         // those of them
-    std::vector<AwaitedContact> awaited;      // those that are reached in the course of the step
-    std::vector<DeepOverlap> deep;            // those of them that overlap deeply
-    std::unique_ptr<ContactBatches> batches;  // none before the first substep
-    std::vector<int> pushed;                  // bodies that were moved out of others in the last step
+    std::vector<int> scalar_contacts;              // those of them
+    std::vector<AwaitedContact> awaited;           // those that are reached in the course of the step
+    std::vector<DeepOverlap> deep;                 // those of them that overlap deeply
+    std::unique_ptr<LaneOrderScratch> lane_order;  // none before the first sort
+    std::unique_ptr<ContactBatches> batches;       // none before the first substep
+    std::vector<int> pushed;                       // bodies that were moved out of others in the last step
     ImpactScratch impacts;
     std::unique_ptr<BounceScratch> bouncing;  // none before the first bounce
     std::vector<JointConstraint> joints;      // the swept ones, in their order

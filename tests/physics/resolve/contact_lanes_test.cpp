@@ -174,6 +174,28 @@ void change(Random& random, ContactLanes& lanes, Model& model) {
     block.tangent_arm_b[kept.lane % kLanes] = random.real_f(-1, 1);
 }
 
+void sort(Random& random, ContactLanes& lanes, Model& model, LaneOrderScratch& scratch) {
+    std::vector<Place> places(1000);
+    for (Place& place : places) place.row = random.below(500);
+    lanes.sort(places, scratch, [&](int contact, int lane) { model.at(contact).lane = lane; });
+    for (const int bucket : kSomeBuckets) {
+        if (!is_colored(bucket)) continue;
+        int last = 0;
+        for (const auto& [block, used] : blocks_of(lanes, bucket)) {
+            for (int lane = 0; lane < used; ++lane) {
+                const int row_b = places[static_cast<std::size_t>(lanes.pairs(block).body_b[lane])].row;
+                const int row_a = places[static_cast<std::size_t>(lanes.pairs(block).body_a[lane])].row;
+                const int sum = kind_of(bucket) == BlockKind::OneBody ? 2 * row_b : row_a + row_b;
+                REQUIRE(last <= sum);
+                last = sum;
+            }
+        }
+    }
+    const std::uint64_t version = lanes.version();
+    lanes.sort(places, scratch, [](int, int) { FAIL("they are in order already"); });
+    CHECK(lanes.version() == version);
+}
+
 const std::vector<BlockKind> kAllKinds{BlockKind::TwoBodies, BlockKind::OneBody, BlockKind::Carried};
 
 }  // namespace
@@ -182,6 +204,7 @@ TEST_CASE("lanes stay dense, and contacts keep what is theirs, whatever comes an
     Random random(1);
     ContactLanes lanes;
     Model model;
+    LaneOrderScratch order;
     for (int round = 0; round < 3000; ++round) {
         // It grows and shrinks in turn.
         const bool grows = round / 500 % 2 == 0;
@@ -192,6 +215,7 @@ TEST_CASE("lanes stay dense, and contacts keep what is theirs, whatever comes an
         } else {
             change(random, lanes, model);
         }
+        if (round % 50 == 0) sort(random, lanes, model, order);
         if (round % 10 == 0) check_against(lanes, model);
     }
     while (!model.empty()) remove(random, lanes, model);

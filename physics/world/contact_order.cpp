@@ -1,0 +1,31 @@
+// When to sort. Measured with two threads on two cores of a virtual machine, where a cache line takes 0.2 us
+// from one core to the other: a step of the junkyard (15,600 contacts in colours) takes 13 % less time, its
+// passes 30 %; of the washer (20,800) 6 % and 20 %. With one thread both gain 2 %.
+#include "world/contact_order.h"
+
+namespace cairn::physics {
+namespace {
+
+// Steps from one sort to the next. Sorting takes 1 % of a step of the washer; in 16 steps twice that, for a
+// gain of two more in a hundred.
+constexpr std::uint64_t kInterval = 32;
+
+// Fewer blocks are no work for several threads.
+constexpr std::size_t kLeastBlocks = 128;
+
+}  // namespace
+
+void order_contacts(Stores& stores, std::uint64_t step_count, StepScratch& scratch) {
+    ContactStore& contacts = stores.contacts;
+    if (static_cast<std::size_t>(contacts.lanes.pool_size()) < kLeastBlocks) return;
+    // Not only when it is needed: a step that has warmed up allocates nothing.
+    if (!scratch.lane_order) scratch.lane_order = std::make_unique<LaneOrderScratch>();
+    contacts.lanes.make_room(*scratch.lane_order);
+    if (step_count % kInterval != 0) return;
+    contacts.lanes.arrange();
+    if (contacts.lanes.blocks().size() < kLeastBlocks) return;
+    contacts.lanes.sort(stores.bodies.places, *scratch.lane_order,
+                        [&](int contact, int lane) { contacts.slots[contact].lane = lane; });
+}
+
+}  // namespace cairn::physics

@@ -1,0 +1,16 @@
+// Contacts near each other in memory, so that threads keep out of each other's way.
+#pragma once
+
+#include <cstdint>
+
+#include "world/world_state.h"
+
+namespace cairn::physics {
+
+/// Stage: now and then the contacts of each colour are put in the order of the rows of their bodies. Threads
+/// share a colour by its blocks, each taking the same part of all colours: sorted like this, most bodies are
+/// met by one thread alone, and their velocities stay in its cache. The order is part of the state, so it is
+/// kept up whatever the number of threads.
+void order_contacts(Stores& stores, std::uint64_t step_count, StepScratch& scratch);
+
+}  // namespace cairn::physics
