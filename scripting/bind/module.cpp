@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "bind/fields.h"
 #include "data/nearest.h"
 
 namespace cairn::scripting {
@@ -17,10 +18,22 @@ int report_unknown_name(lua_State* L) {
     if (lua_type(L, 2) != LUA_TSTRING) return 0;
     const std::string name = lua_tostring(L, 2);
     std::vector<std::string> names;
-    for (const Function& function : module.functions) names.push_back(function.name);
+    for (const Function& function : module.functions) {
+        if (name == function.name)
+            raise(L, std::string(module.name) + '.' + name + " is nil because the script has set it to nil");
+        names.push_back(function.name);
+    }
     const std::string_view best = nearest(name, names);
     raise(L, std::string(module.name) + " has no \"" + name + "\"" +
                  (best.empty() ? std::string() : "; did you mean \"" + std::string(best) + "\"?"));
+}
+
+/// __newindex of objects: a field that is set would be lost. Those with `data` have their own.
+int refuse_field(lua_State* L) {
+    const std::string type = object_type_name(L, 1);
+    const bool begins_with_vowel = std::string_view("AEIO").find(type[0]) != std::string_view::npos;
+    raise(L, (begins_with_vowel ? "an " : "a ") + type + " has no field " + describe_value(L, 2) +
+                 " to set; keep values of your own in a table");
 }
 
 }  // namespace
@@ -61,6 +74,11 @@ void register_type(lua_State* L, ObjectTag tag, const Module& methods, lua_CFunc
     lua_createtable(L, 0, static_cast<int>(methods.functions.size()));
     fill_table(L, methods);
     lua_setfield(L, -2, "__index");
+    // A body has a metatable of its own, whose data has this one (physics_objects.cpp): fields of that are set.
+    if (tag != ObjectTag::Body) {
+        lua_pushcfunction(L, refuse_field);
+        lua_setfield(L, -2, "__newindex");
+    }
     lua_pushboolean(L, 0);
     lua_setfield(L, -2, "__metatable");
     if (finalize != nullptr) {

@@ -74,14 +74,48 @@ int take_top(lua_State* L) {
     return place;
 }
 
+/// __close of the table that stands for an `enter` that runs: its field is the scene. One that did not enter
+/// does not stay, or every picture would meet it half made.
+int end_enter(lua_State* L) {
+    if (lua_isnil(L, 2)) return 0;  // no error
+    lua_settop(L, 1);
+    lua_rawgeti(L, 1, 1);
+    std::vector<Scene>& scenes = context_of(L).scenes;
+    for (auto place = scenes.begin(); place != scenes.end(); ++place) {
+        lua_rawgeti(L, LUA_REGISTRYINDEX, place->reference);
+        const bool is_it = lua_rawequal(L, -1, 2) != 0;
+        lua_pop(L, 1);
+        if (!is_it) continue;
+        luaL_unref(L, LUA_REGISTRYINDEX, place->reference);
+        scenes.erase(place);
+        break;
+    }
+    return 0;
+}
+
+/// Puts the scene on top and calls its `enter`.
+void enter(lua_State* L, int scene, const FurtherArguments& more) {
+    lua_createtable(L, 1, 0);
+    lua_pushvalue(L, scene);
+    lua_rawseti(L, -2, 1);
+    lua_createtable(L, 0, 1);
+    lua_pushcfunction(L, end_enter);
+    lua_setfield(L, -2, "__close");
+    lua_setmetatable(L, -2);
+    const int entering = lua_gettop(L);
+    lua_toclose(L, entering);
+    add(L, scene);
+    call_method(L, scene, "enter", more.first, more.count);
+    lua_closeslot(L, entering);
+}
+
 void push(lua_State* L, TableArgument scene, FurtherArguments more) {
     check_not_there(L, scene.index);
     check_methods(L, scene.index);
     if (context_of(L).scenes.size() >= kMaxScenes)
         call_error(L, std::to_string(kMaxScenes) + " scenes are on the stack already; is a pop missing?");
     if (const int below = push_top(L); below != 0) call_method(L, below, "pause", 0, 0);
-    add(L, scene.index);
-    call_method(L, scene.index, "enter", more.first, more.count);
+    enter(L, scene.index, more);
 }
 
 void pop(lua_State* L, FurtherArguments more) {
@@ -94,8 +128,7 @@ void switch_to(lua_State* L, TableArgument scene, FurtherArguments more) {
     check_methods(L, scene.index);
     if (!context_of(L).scenes.empty()) call_method(L, take_top(L), "leave", 0, 0);
     check_not_there(L, scene.index);
-    add(L, scene.index);
-    call_method(L, scene.index, "enter", more.first, more.count);
+    enter(L, scene.index, more);
 }
 
 Pushed current(lua_State* L) {
@@ -131,7 +164,8 @@ const Module kSceneModule = {"cairn.scene",
                              "of `cairn` with that name. One with "
                              "`overlay = true` is drawn over the scene below it, which is drawn but not "
                              "updated. A change takes effect at once; "
-                             "the callback that makes it runs on to its end.",
+                             "the callback that makes it runs on to its end. A scene whose `enter` raises an "
+                             "error does not stay on the stack.",
                              kFunctions};
 
 }  // namespace cairn::scripting

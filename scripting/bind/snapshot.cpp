@@ -21,6 +21,24 @@ std::string_view bytes_of(lua_State* L, int index) {
     return Argument<std::string_view>::get(L, index);
 }
 
+/// The list of a snapshot, or nil of one that was put together by hand.
+void check_bodies(lua_State* L, int values) {
+    if (lua_isnil(L, values)) return;
+    if (!lua_istable(L, values)) {
+        call_error(L, "snapshot.bodies is " + describe_value(L, values) +
+                          "; expected the list of bodies that world:snapshot() gave");
+    }
+    const auto count = static_cast<lua_Integer>(lua_rawlen(L, values));
+    for (lua_Integer place = 1; place <= count; ++place) {
+        lua_rawgeti(L, values, place);
+        if (object_at<BodyObject>(L, -1) == nullptr) {
+            call_error(L, "snapshot.bodies[" + std::to_string(place) + "] is " + describe_value(L, -1) +
+                              "; expected a Body");
+        }
+        lua_pop(L, 1);
+    }
+}
+
 }  // namespace
 
 Pushed snapshot(lua_State* L, WorldRef self) {
@@ -46,6 +64,7 @@ void restore(lua_State* L, WorldRef self, AnyArgument snapshot) {
     if (lua_type(L, snapshot.index) == LUA_TTABLE) {
         lua_getfield(L, snapshot.index, "bodies");
         lua_replace(L, values);
+        check_bodies(L, values);
     }
     const std::string_view bytes = bytes_of(L, snapshot.index);
     check_or_raise(L, self.world.restore(std::as_bytes(std::span(bytes))));

@@ -183,7 +183,7 @@ void expect_error(lua_State* L, FunctionArgument action, std::string_view text) 
 constexpr Field kTolerance =
     within(number_field("tolerance", PictureTolerance{}.color, "0.03", "how far a color may be off"), 0, 1);
 constexpr Field kShare = within(
-    number_field("share", PictureTolerance{}.share, "0.001", "of the pixels that may be farther off"), 0, 1);
+    number_field("share", PictureTolerance{}.share, "0", "of the pixels that may be farther off"), 0, 1);
 constexpr const Field* kPictureOwn[] = {&kTolerance, &kShare};
 constexpr FieldSet kPictureFields{kPictureOwn};
 

@@ -125,6 +125,9 @@ Pushed to(lua_State* L, TableArgument target, TableArgument goals, Seconds secon
     if (reader.push(kDone)) tween.done = luaL_ref(L, LUA_REGISTRYINDEX);
     lua_pushvalue(L, target.index);
     tween.target = luaL_ref(L, LUA_REGISTRYINDEX);
+    luaL_where(L, 1);
+    tween.place = lua_tostring(L, -1);
+    lua_pop(L, 1);
     const std::uint64_t number = ++tweens.made;
     tweens.running.emplace(number, std::move(tween));
     new_object<TweenObject>(L, 0, number);
@@ -174,13 +177,29 @@ Progress progress_of(const Tween& tween, std::uint64_t frame) {
     return {tween.is_yoyo && way % 2 == 1 ? 1 - share : share, is_over};
 }
 
+/// Of the target on top of the stack. The tween ends where the field is no number any more.
+double number_in(lua_State* L, Tweens& tweens, std::uint64_t number, const TweenField& field) {
+    lua_getfield(L, -1, field.name.c_str());
+    const auto place = tweens.running.find(number);
+    if (lua_type(L, -1) != LUA_TNUMBER && place != tweens.running.end()) {
+        const std::string start = place->second.place;
+        drop(L, tweens, place);
+        raise(L, start + "target." + field.name + " of the tween that is started here is " +
+                     describe_value(L, -1) + " by now; expected a number");
+    }
+    const double value = lua_tonumber(L, -1);
+    lua_pop(L, 1);
+    return value;
+}
+
 constexpr std::array<std::string_view, 1> kReturnsTween = {"Tween"};
 
 constexpr Function kFunctions[] = {
     function_pushing<&to>("to", "target, goals, seconds [s], fields = {}", "tween", kReturnsTween,
                           "Moves number fields of a table to goals: `cairn.tween.to(menu, { y = 100, alpha = "
                           "1 }, 0.4)`. It starts from "
-                          "the values at its beginning. A newer tween of the same field takes it over.",
+                          "the values at its beginning. A newer tween of the same field takes it over. A "
+                          "field that is no number any more ends it with an error.",
                           &kToFields),
     function<&cancel_all>("cancel_all", "target", "", "Ends all tweens of a table where they are."),
     function<&ease_value>("ease", "name, t", "share", "What a curve makes of t, 0 to 1."),
@@ -207,15 +226,12 @@ int run_tweens(lua_State* L) {
         // Copied: a metamethod of the target may cancel the tween.
         std::vector<TweenField> fields = tween.fields;
         if (!std::exchange(tween.has_begun, true)) {
-            for (TweenField& field : fields) {
-                lua_getfield(L, -1, field.name.c_str());
-                field.start = lua_tonumber(L, -1);
-                lua_pop(L, 1);
-            }
+            for (TweenField& field : fields) field.start = number_in(L, tweens, number, field);
             if (const auto same = tweens.running.find(number); same != tweens.running.end())
                 same->second.fields = fields;
         }
         for (const TweenField& field : fields) {
+            number_in(L, tweens, number, field);  // the script may have made it something else
             // Exactly the goal at the end, whatever the rounding on the way.
             const double value =
                 progress.share == 1 ? field.goal : field.start + (field.goal - field.start) * progress.share;

@@ -23,6 +23,7 @@ struct Tween {
     int done = LUA_NOREF;            ///< a function to call at the end, in the registry
     const void* identity = nullptr;  ///< of the table: compared, never ordered by
     std::vector<TweenField> fields;
+    std::string place;  ///< where it was started, "main.lua:3: "
     Ease ease;
     std::uint64_t begin = 0;   ///< the frame at whose end the fields still have their starting values
     std::uint64_t frames = 1;  ///< of one way

@@ -292,6 +292,13 @@ std::optional<ScriptError> Game::update(std::span<const InputEvent> events) {
     ++context_.frame;
     context_.actions.begin_update();
     context_.events = events;
+    auto error = update_within(events);
+    context_.events = {};  // after an error too: the game may go on by other scripts
+    if (!error) context_.services.audio.advance(context_.step_s());
+    return error;
+}
+
+std::optional<ScriptError> Game::update_within(std::span<const InputEvent> events) {
     for (const InputEvent& event : events) {
         if (auto error = deliver(event)) return error;
     }
@@ -300,10 +307,7 @@ std::optional<ScriptError> Game::update(std::span<const InputEvent> events) {
         lua_pushcfunction(state_.get(), run_tweens);
         if (auto error = protected_call(state_.get(), 0, 0)) return error;
     }
-    auto error = call("update", nullptr, context_.step_s());
-    context_.events = {};
-    context_.services.audio.advance(context_.step_s());
-    return error;
+    return call("update", nullptr, context_.step_s());
 }
 
 std::optional<ScriptError> Game::draw(double alpha) {

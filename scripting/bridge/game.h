@@ -40,9 +40,12 @@ class Game {
     std::optional<ScriptError> load(const std::string& main_path, const std::vector<std::string>& arguments);
     /// Whether the game has cairn.before_reload, and so says how to go on with changed scripts.
     [[nodiscard]] bool can_reload() const;
+    struct Reloaded {
+        std::optional<ScriptError> error;
+        bool is_unchanged = false;  ///< after an error: of cairn.before_reload, so that nothing has changed
+    };
     /// Runs the scripts anew, keeping what cairn.before_reload returns for cairn.after_reload.
-    std::optional<ScriptError> reload(const std::string& main_path,
-                                      const std::vector<std::string>& arguments);
+    Reloaded reload(const std::string& main_path, const std::vector<std::string>& arguments);
     /// One frame: the events, the timers, cairn.update.
     std::optional<ScriptError> update(std::span<const engine::InputEvent> events);
     /// Between begin_frame and end_frame of the renderer.
@@ -66,6 +69,8 @@ class Game {
     static void run_scene_callbacks(lua_State* L, CallbackCall& callback);
     /// Logs functions of `cairn` that look like callbacks and are none.
     void hint_at_slips();
+    /// What an update calls.
+    std::optional<ScriptError> update_within(std::span<const engine::InputEvent> events);
     /// Calls cairn.load.
     std::optional<ScriptError> call_load(const std::vector<std::string>& arguments);
     std::optional<ScriptError> deliver(const engine::InputEvent& event);

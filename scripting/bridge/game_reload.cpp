@@ -45,14 +45,13 @@ bool Game::can_reload() const {
     return can;
 }
 
-std::optional<ScriptError> Game::reload(const std::string& main_path,
-                                        const std::vector<std::string>& arguments) {
+Game::Reloaded Game::reload(const std::string& main_path, const std::vector<std::string>& arguments) {
     lua_State* L = state_.get();
     const int top = lua_gettop(L);
-    if (!push_callback(L, "before_reload")) return load(main_path, arguments);
+    if (!push_callback(L, "before_reload")) return {load(main_path, arguments)};
     if (auto error = protected_call(L, 0, 1)) {
         lua_settop(L, top);
-        return error;
+        return {std::move(error), true};
     }
     const int kept = luaL_ref(L, LUA_REGISTRYINDEX);  // of nil too
     lua_rawgeti(L, LUA_REGISTRYINDEX, cairn_);
@@ -71,7 +70,7 @@ std::optional<ScriptError> Game::reload(const std::string& main_path,
     }
     luaL_unref(L, LUA_REGISTRYINDEX, kept);
     lua_settop(L, top);
-    return error;
+    return {std::move(error)};
 }
 
 }  // namespace cairn::scripting

@@ -114,7 +114,7 @@ std::optional<ScriptError> HotReload::check_syntax(Game& game, const std::set<st
     return std::nullopt;
 }
 
-HotReload::Outcome HotReload::take_in(Game& game) {
+HotReload::Outcome HotReload::take_in(Game& game, bool has_failed) {
     has_news_ = false;
     take_in_assets();
     // Levels that the game has loaded stay what they are, whatever their names.
@@ -128,9 +128,13 @@ HotReload::Outcome HotReload::take_in(Game& game) {
         return {.error = std::move(error), .wants_restart = false, .keeps_the_game = true};
     changed_.clear();
     if (!game.can_reload()) return {.error = std::nullopt, .wants_restart = true, .keeps_the_game = false};
-    return {.error = game.reload(machine_.main_path, arguments_),
-            .wants_restart = false,
-            .keeps_the_game = false};
+    Game::Reloaded reloaded = game.reload(machine_.main_path, arguments_);
+    if (has_failed && reloaded.is_unchanged) {
+        engine::log(engine::LogLevel::Warning, "the game starts anew, because cairn.before_reload failed: " +
+                                                   reloaded.error->message);
+        return {.error = std::nullopt, .wants_restart = true, .keeps_the_game = false};
+    }
+    return {.error = std::move(reloaded.error), .wants_restart = false, .keeps_the_game = false};
 }
 
 }  // namespace cairn::scripting

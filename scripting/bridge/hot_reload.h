@@ -29,8 +29,9 @@ class HotReload {
 
     /// Whether something was saved that has not been taken in yet. For every frame.
     bool has_changes(double now_s);
-    /// What could not be taken in is tried again together with the next change.
-    Outcome take_in(Game& game);
+    /// What could not be taken in is tried again together with the next change. A game that an error has
+    /// ended goes on as well, if it says what to keep; one that cannot say it any more is to be started anew.
+    Outcome take_in(Game& game, bool has_failed = false);
     /// The game was started anew, from the files as they are.
     void forget() {
         changed_.clear();

@@ -110,7 +110,9 @@ class Session {
                                                    .plays_saves = is_repeatable()});
         recorded_.clear();
         next_event_ = 0;
-        return game_->load(machine_.main_path, options_.arguments);
+        Outcome error = game_->load(machine_.main_path, options_.arguments);
+        is_loaded_ = !error;
+        return error;
     }
 
     /// One update, with events from the recording or those given.
@@ -229,7 +231,7 @@ class Session {
                 report(*error);
                 // A run of fixed length is a test: there is nobody to press a key.
                 if (last_frame_ || !wait_at_error_screen(*error)) return false;
-                error = has_changes() && keeps_game_ ? take_in_changes() : start();
+                error = has_changes() && can_go_on() ? take_in_changes(!keeps_game_) : start();
                 step.reset();
                 then = platform.now_s();
                 continue;
@@ -293,12 +295,17 @@ class Session {
 
     bool has_changes() { return reload_ && reload_->has_changes(machine_.platform->now_s()); }
 
+    /// Whether the game that ended with an error may take in what was saved: the error was one of a file that
+    /// it has not taken in, or it says what to keep.
+    bool can_go_on() const { return keeps_game_ || (is_loaded_ && game_->can_reload()); }
+
     /// What was saved while the game runs. It goes on where it is, unless its scripts have to start anew.
-    Outcome take_in_changes() {
-        HotReload::Outcome taken = reload_->take_in(*game_);
+    Outcome take_in_changes(bool has_failed = false) {
+        HotReload::Outcome taken = reload_->take_in(*game_, has_failed);
         tools_.forget_past();
         if (taken.wants_restart) return start();
         keeps_game_ = taken.keeps_the_game;
+        if (taken.error && !keeps_game_) is_loaded_ = false;
         return std::move(taken.error);
     }
 
@@ -420,6 +427,7 @@ class Session {
     std::unique_ptr<engine::VideoWriter> video_;
     std::optional<HotReload>
         reload_;               ///< only of games that people play: a recording must not change its files
+    bool is_loaded_ = false;   ///< main.lua and cairn.load have run, if need be again, without an error
     bool keeps_game_ = false;  ///< the error at hand is one of a file that was saved; the game is whole
     std::vector<ReplayEvent> recorded_;
     std::size_t next_event_ = 0;

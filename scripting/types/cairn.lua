@@ -3388,7 +3388,7 @@ cairn.tween = {}
 ---@field yoyo? boolean every second run goes back
 ---@field done? function called at the end
 
----Moves number fields of a table to goals: `cairn.tween.to(menu, { y = 100, alpha = 1 }, 0.4)`. It starts from the values at its beginning. A newer tween of the same field takes it over.
+---Moves number fields of a table to goals: `cairn.tween.to(menu, { y = 100, alpha = 1 }, 0.4)`. It starts from the values at its beginning. A newer tween of the same field takes it over. A field that is no number any more ends it with an error.
 ---@param target table
 ---@param goals table
 ---@param seconds number [s] at least 0

@@ -121,6 +121,20 @@ TEST_CASE_METHOD(Scenes, "a callback that becomes something else later names the
           "test.lua:1: cairn.scene.pop: the scene's leave is true; expected a function");
 }
 
+TEST_CASE_METHOD(Scenes, "a scene whose enter raises an error does not stay") {
+    REQUIRE(run("cairn.scene.push(a)\nfunction b.enter() cairn.scene.push(c) error 'no key' end") == "");
+    CHECK(run("\ncairn.scene.push(b)") == "test.lua:2: no key");
+    // What it put on top itself is another matter.
+    CHECK(value("cairn.scene.count() == 2 and cairn.scene.current() == c") == "true");
+    REQUIRE(run("cairn.scene.pop() log = {}") == "");
+    frame();
+    CHECK(take() == "update, a.update " + value("1 / 60"));
+    CHECK(run("cairn.scene.switch(b)") == "test.lua:2: no key");
+    CHECK(value("cairn.scene.count() == 1 and cairn.scene.current() == c") == "true");
+    REQUIRE(run("cairn.scene.pop() function b.enter() end cairn.scene.push(b)") == "");
+    CHECK(value("cairn.scene.count() == 1 and cairn.scene.current() == b") == "true");
+}
+
 TEST_CASE_METHOD(Scenes, "an error in a scene names its line") {
     REQUIRE(run("cairn.scene.push{ update = function(self)\nself.missing.field = 1 end }") == "");
     const auto error = game().update({});

@@ -182,4 +182,27 @@ TEST_CASE("wrong tweens say what is wrong") {
               .find("10000 tweens are running already") != std::string::npos);
 }
 
+TEST_CASE("a field that is no number by the time a tween comes to it ends the tween with an error, once") {
+    LuaBench bench;
+    REQUIRE(bench.run("t = { x = 1, y = 1 }\n"
+                      "late = cairn.tween.to(t, { x = 2 }, 1, { delay = 0.1 })\n"
+                      "running = cairn.tween.to(t, { y = 2 }, 1)\n t.x = nil") == "");
+    std::vector<std::string> errors;
+    const auto run = [&](int frames) {
+        for (int i = 0; i < frames; ++i) {
+            if (const auto error = bench.game().update({})) errors.push_back(error->message);
+        }
+    };
+    run(20);
+    const std::string rest = " of the tween that is started here is ";
+    REQUIRE(errors.size() == 1);
+    CHECK(errors[0] == "test.lua:2: target.x" + rest + "nil by now; expected a number");
+    CHECK(bench.value("late:is_active()") == "false");
+    REQUIRE(bench.run("t.y = 'high'") == "");
+    run(20);
+    REQUIRE(errors.size() == 2);
+    CHECK(errors[1] == "test.lua:3: target.y" + rest + "\"high\" by now; expected a number");
+    CHECK(bench.value("t.y") == "high");
+}
+
 }  // namespace cairn::scripting::test

@@ -250,6 +250,48 @@ TEST_CASE("an error while the old scripts say what to keep is shown with their t
     CHECK(screen.excerpt[2].text == "function cairn.before_reload() error 'old' end");
 }
 
+TEST_CASE("a game that an error has ended goes on with its world by mended scripts, if it says what to keep") {
+    const auto script = [](const char* update, const char* before) {
+        return std::string("local world, ball\n"
+                           "function cairn.load() world = cairn.physics.new_world{} "
+                           "ball = world:add_circle{ radius = 1 } end\n") +
+               "function cairn.update(dt) world:step(dt) " + update + " end\nfunction cairn.before_reload() " +
+               before +
+               " return { world = world, ball = ball } end\n"
+               "function cairn.after_reload(kept) world, ball = kept.world, kept.ball end\n"
+               "function height() return select(2, ball:position()) end\n"
+               "function cairn.key_pressed(key) keys = (keys or '') .. key error 'no key' end\n";
+    };
+    Running run({{"main.lua", script("if select(2, ball:position()) < -0.1 then error 'too low' end", "")}});
+    std::optional<ScriptError> error;
+    for (int i = 0; i < 60 && !error; ++i) error = run.game->update({});
+    REQUIRE(error);
+    CHECK_THAT(error->message, Contains("too low"));
+    const std::string height = run.value("height()");
+
+    // Events of an update that failed are gone with it.
+    const engine::InputEvent key{.kind = engine::InputKind::KeyPressed, .key = engine::Key::A};
+    CHECK(run.game->update(std::vector{key, key}));
+    CHECK(run.value("keys") == "a");
+    CHECK(run.game->context().events.empty());
+
+    run.save("main.lua", script("", "error 'no way'"));
+    REQUIRE(run.look());
+    auto outcome = run.reload->take_in(*run.game, true);
+    if (outcome.error) FAIL(outcome.error->message);
+    CHECK_FALSE(outcome.wants_restart);
+    CHECK(run.value("height()") == height);
+    REQUIRE_FALSE(run.game->update({}));
+    CHECK(run.value("height()") != height);
+
+    // What cannot say any more what to keep starts anew.
+    run.save("main.lua", script("mended = true", ""));
+    REQUIRE(run.look());
+    outcome = run.reload->take_in(*run.game, true);
+    CHECK_FALSE(outcome.error);
+    CHECK(outcome.wants_restart);
+}
+
 TEST_CASE("images show what their files hold now; one that is damaged leaves the old picture") {
     const auto picture = [](int size) {
         engine::Image image;
