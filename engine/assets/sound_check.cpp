@@ -30,8 +30,27 @@ bool has_text(Bytes file, std::size_t at, std::string_view text) {
     return at + text.size() <= file.size() && std::memcmp(file.data() + at, text.data(), text.size()) == 0;
 }
 
+std::uint32_t half_word_at(Bytes file, std::size_t at) {
+    return std::to_integer<std::uint32_t>(file[at]) | std::to_integer<std::uint32_t>(file[at + 1]) << 8;
+}
+
+/// Of a WAV file: what SDL and its mixer play.
+Reason format_fault(Bytes format) {
+    constexpr std::uint32_t kMostChannels = 8, kMostRate_hz = 0x7fffffff;
+    const std::uint32_t channels = half_word_at(format, 2);
+    const std::uint32_t rate_hz = word_at(format, 4);
+    const auto states = [](std::uint32_t value, const std::string& what, const std::string& rule) {
+        return "has a header that states " + std::to_string(value) + what + "; must be " + rule;
+    };
+    if (channels < 1 || channels > kMostChannels)
+        return states(channels, " channels", "1 to " + std::to_string(kMostChannels));
+    if (rate_hz < 1 || rate_hz > kMostRate_hz)
+        return states(rate_hz, " samples a second", "1 to " + std::to_string(kMostRate_hz));
+    return {};
+}
+
 Reason wav_fault(Bytes file) {
-    constexpr std::size_t kRiffHeader = 12, kChunkHeader = 8;
+    constexpr std::size_t kRiffHeader = 12, kChunkHeader = 8, kFormat = 16;
     for (std::size_t chunk = kRiffHeader; chunk + kChunkHeader <= file.size();) {
         const std::size_t size = word_at(file, chunk + 4);
         const std::size_t present = file.size() - chunk - kChunkHeader;
@@ -39,6 +58,10 @@ Reason wav_fault(Bytes file) {
             const bool holds_samples = has_text(file, chunk, "data");
             return "is cut off: its " + std::string(holds_samples ? "samples" : "header") + " should take " +
                    std::to_string(size) + " bytes, and " + std::to_string(present) + " are there";
+        }
+        if (has_text(file, chunk, "fmt ") && size >= kFormat) {
+            Reason fault = format_fault(file.subspan(chunk + kChunkHeader, size));
+            if (!fault.empty()) return fault;
         }
         chunk += kChunkHeader + size + (size & 1);  // chunks start at even places
     }

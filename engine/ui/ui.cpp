@@ -111,18 +111,6 @@ float Ui::widget_width(const Row& row) const {
     return (row_width() - (count - 1) * style_.gap) / count;
 }
 
-void Ui::fit_text(const Renderer& renderer, FontId font, int place) {
-    // A little air, so that lines of neighbouring rows do not touch.
-    constexpr float kLinesPerRow = 1.2f;
-    style_.row_height = std::max(style_.row_height, kLinesPerRow * renderer.line_height(font));
-    const std::vector<Row> all = rows();
-    const Row& row = all[row_of(all, place)];
-    for (int i = row.first; i < row.first + row.count; ++i) {
-        Widget& w = widgets_[i];
-        if (w.kind == WidgetKind::Label) w.height = renderer.measure_text(font, w.text, widget_width(row)).y;
-    }
-}
-
 Rect Ui::panel() const {
     const float height = std::min(style_.max_height, rows_height() + title_height() + 2 * style_.padding);
     return {center_.x - 0.5f * style_.width, center_.y - 0.5f * height, style_.width, height};
@@ -283,9 +271,13 @@ void Ui::cancel() {
 }
 
 Rect Ui::slider_track(int place) const {
+    constexpr float kLeastTrack = 60;
     const Rect r = area(place);
-    const float inset = 0.5f * style_.row_height;
-    return {r.x + 0.5f * r.width, r.y, 0.5f * r.width - inset, r.height};
+    const float end = r.width - 0.5f * style_.row_height;
+    // Half of the row, or less where that leaves the text more room.
+    const float wanted = std::min(widgets_[place].text_width, end - kLeastTrack);
+    const float start = std::max(0.5f * r.width, wanted);
+    return {r.x + start, r.y, end - start, r.height};
 }
 
 void Ui::drag(Vec2 point) {

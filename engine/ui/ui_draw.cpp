@@ -52,6 +52,19 @@ std::string number_text(double value, double step) {
     return text;
 }
 
+/// Always as wide as the widest that it can show, so that the text beside it stays.
+float number_width(const Renderer& renderer, FontId font, const Widget& slider) {
+    const auto width_of = [&](double value) {
+        return renderer.measure_text(font, number_text(value, slider.step)).x;
+    };
+    return std::max({48.0f, width_of(slider.low), width_of(slider.high)});
+}
+
+/// On both sides of a widget.
+float margin_of(const UiStyle& style) {
+    return 0.35f * style.row_height;
+}
+
 /// Draws one widget; the functions share what is the same for all of them.
 class Painter {
   public:
@@ -88,7 +101,7 @@ class Painter {
         if (!w.is_enabled) fill = faded(fill, 0.5f);
         renderer_.fill_convex_polygon(rounded(r, kCornerRadius), fill);
         if (is_focused) renderer_.outline_polygon(rounded(r, kCornerRadius), 2, style_.accent);
-        const float margin = 0.35f * style_.row_height;
+        const float margin = margin_of(style_);
         const Rect inner = {r.x + margin, r.y, r.width - 2 * margin, r.height};
         const Rect right = {track.x, r.y, inner.x + inner.width - track.x, r.height};
         const Rect left = {inner.x, r.y, track.x - kTextGap - inner.x, r.height};
@@ -146,11 +159,7 @@ class Painter {
         renderer_.draw_line(left, {track.x + track.width, y}, 6, faded(style_.text, 0.25f));
         if (share > 0) renderer_.draw_line(left, knob, 6, style_.accent);
         renderer_.fill_circle(knob, 0.2f * style_.row_height, style_.text);
-        // Always as wide as the widest that it can show, so that the text beside it stays.
-        const auto width_of = [&](double value) {
-            return renderer_.measure_text(font_, number_text(value, w.step)).x;
-        };
-        const float width = std::min(room, std::max({48.0f, width_of(w.low), width_of(w.high)}));
+        const float width = std::min(room, number_width(renderer_, font_, w));
         text(number_text(w.value, w.step), {track.x - kTextGap - width, track.y, width, track.height},
              TextAlign::Right, faded(style_.text, 0.75f));
         return width + kTextGap;
@@ -169,6 +178,21 @@ class Painter {
 };
 
 }  // namespace
+
+void Ui::fit_text(const Renderer& renderer, FontId font, int place) {
+    // A little air, so that lines of neighbouring rows do not touch.
+    constexpr float kLinesPerRow = 1.2f;
+    style_.row_height = std::max(style_.row_height, kLinesPerRow * renderer.line_height(font));
+    const std::vector<Row> all = rows();
+    const Row& row = all[row_of(all, place)];
+    for (int i = row.first; i < row.first + row.count; ++i) {
+        Widget& w = widgets_[i];
+        if (w.kind == WidgetKind::Label) w.height = renderer.measure_text(font, w.text, widget_width(row)).y;
+        if (w.kind != WidgetKind::Slider) continue;
+        w.text_width = margin_of(style_) + renderer.measure_text(font, w.text).x + kTextGap +
+                       number_width(renderer, font, w) + kTextGap;
+    }
+}
 
 void Ui::draw(Renderer& renderer, FontId font) const {
     const Rect outer = panel();

@@ -74,7 +74,8 @@ void register_type(lua_State* L, ObjectTag tag, const Module& methods, lua_CFunc
     lua_createtable(L, 0, static_cast<int>(methods.functions.size()));
     fill_table(L, methods);
     lua_setfield(L, -2, "__index");
-    // A body has a metatable of its own, whose data has this one (physics_objects.cpp): fields of that are set.
+    // A body has a metatable of its own, whose data has this one (physics_objects.cpp): fields of that are
+    // set.
     if (tag != ObjectTag::Body) {
         lua_pushcfunction(L, refuse_field);
         lua_setfield(L, -2, "__newindex");

@@ -248,7 +248,9 @@ constexpr Function kFunctions[] = {
     function<&type_text>(
         "type_text", "text", "",
         "Enters text as a keyboard does, character by character (UTF-8): for `cairn.text_input` and "
-        "text fields. Keys such as \"backspace\" are pressed with `press`."),
+        "text fields. A text field takes it once it has been opened, as a player does: with the focus on it, "
+        "`press(\"return\")` and one frame, or a click. Keys such as \"backspace\" are pressed with "
+        "`press`."),
     function<&mouse_move>("mouse_move", "x [px], y [px]", "", ""),
     function<&mouse_press>("mouse_press", "x [px], y [px], button = \"left\"", "", ""),
     function<&mouse_release>("mouse_release", "x [px], y [px], button = \"left\"", "", ""),

@@ -130,8 +130,8 @@ HotReload::Outcome HotReload::take_in(Game& game, bool has_failed) {
     if (!game.can_reload()) return {.error = std::nullopt, .wants_restart = true, .keeps_the_game = false};
     Game::Reloaded reloaded = game.reload(machine_.main_path, arguments_);
     if (has_failed && reloaded.is_unchanged) {
-        engine::log(engine::LogLevel::Warning, "the game starts anew, because cairn.before_reload failed: " +
-                                                   reloaded.error->message);
+        engine::log(engine::LogLevel::Warning,
+                    "the game starts anew, because cairn.before_reload failed: " + reloaded.error->message);
         return {.error = std::nullopt, .wants_restart = true, .keeps_the_game = false};
     }
     return {.error = std::move(reloaded.error), .wants_restart = false, .keeps_the_game = false};

@@ -3588,7 +3588,7 @@ function cairn.test.press(key) end
 ---@param key string
 function cairn.test.release(key) end
 
----Enters text as a keyboard does, character by character (UTF-8): for `cairn.text_input` and text fields. Keys such as "backspace" are pressed with `press`.
+---Enters text as a keyboard does, character by character (UTF-8): for `cairn.text_input` and text fields. A text field takes it once it has been opened, as a player does: with the focus on it, `press("return")` and one frame, or a click. Keys such as "backspace" are pressed with `press`.
 ---@param text string
 function cairn.test.type_text(text) end
 

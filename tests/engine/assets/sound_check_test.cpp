@@ -65,6 +65,22 @@ TEST_CASE("a WAV file that ends before its samples do is cut off, wherever that 
     for (std::size_t length = 0; length < 44; ++length) CHECK_FALSE(fault(wav.substr(0, length)).empty());
 }
 
+TEST_CASE("a WAV file with numbers that no player takes is refused") {
+    const auto with = [](std::size_t at, std::uint64_t value, int bytes) {
+        std::string number;
+        append_little_endian(number, value, bytes);
+        return tone_wav(0.1).replace(at, number.size(), number);
+    };
+    constexpr std::size_t kChannels = 22, kRate = 24;
+    const std::string start = "sound 'a': has a header that states ";
+    CHECK(fault(with(kChannels, 0, 2)) == start + "0 channels; must be 1 to 8");
+    CHECK(fault(with(kChannels, 60000, 2)) == start + "60000 channels; must be 1 to 8");
+    CHECK(fault(with(kRate, 0, 4)) == start + "0 samples a second; must be 1 to 2147483647");
+    CHECK(fault(with(kRate, 0xffffffff, 4)) ==
+          start + "4294967295 samples a second; must be 1 to 2147483647");
+    CHECK(fault(with(kChannels, 8, 2)).empty());
+}
+
 TEST_CASE("an Ogg file that is cut off anywhere, or in which any bit differs, is refused") {
     const std::string ogg = vorbis();
     for (std::size_t length = 0; length < ogg.size(); ++length) {

@@ -258,6 +258,40 @@ TEST_CASE("a menu is drawn with its focus, and leaves scissor and transform as t
     d.renderer->end_frame();
 }
 
+TEST_CASE("the track of a slider gives way to its text, but stays long enough to be dragged") {
+    Drawing d({640, 480});
+    // By dragging: where the number starts to grow, and where it is largest.
+    const auto track_of = [&](const std::string& text) {
+        Ui ui({320, 240}, {.width = 420});
+        const int slider =
+            ui.add({.kind = WidgetKind::Slider, .text = text, .value = 0, .low = 0, .high = 1000, .step = 1});
+        ui.fit_text(*d.renderer, d.font(20), slider);
+        const Rect r = ui.area(slider);
+        const auto value_at = [&](float x) {
+            for (const InputKind kind : {InputKind::MousePressed, InputKind::MouseReleased})
+                ui.apply({.kind = kind, .button = MouseButton::Left, .position = {x, r.y + 0.5f * r.height}});
+            return ui.widgets()[slider].value;
+        };
+        float first = r.x + r.width;
+        float last = r.x;
+        for (float x = r.x; x < r.x + r.width; ++x) {
+            if (value_at(x) > 0) first = std::min(first, x);
+            if (value_at(x) < 1000) last = std::max(last, x);
+        }
+        return Rect{first - r.x, 0, last - first, 0};
+    };
+    const auto width_of = [&](const std::string& text) {
+        return d.renderer->measure_text(d.font(20), text).x;
+    };
+    const Rect usual = track_of("Sound");
+    CHECK(usual.x == Approx(0.5f * 380).margin(2));
+    const std::string longer = "How loud the music is";
+    const Rect shorter = track_of(longer);
+    CHECK(shorter.x > width_of(longer) + width_of("1000"));
+    CHECK(shorter.x + shorter.width == Approx(usual.x + usual.width).margin(2));
+    CHECK(track_of("How loud the music is that plays all day long").width == Approx(60).margin(3));
+}
+
 TEST_CASE(
     "a text that is too long for its place is shortened with an ellipsis, at the end that is asked for") {
     const Drawing d({64, 48}, false);

@@ -250,13 +250,15 @@ TEST_CASE("an error while the old scripts say what to keep is shown with their t
     CHECK(screen.excerpt[2].text == "function cairn.before_reload() error 'old' end");
 }
 
-TEST_CASE("a game that an error has ended goes on with its world by mended scripts, if it says what to keep") {
+TEST_CASE(
+    "a game that an error has ended goes on with its world by mended scripts, if it says what to keep") {
     const auto script = [](const char* update, const char* before) {
-        return std::string("local world, ball\n"
-                           "function cairn.load() world = cairn.physics.new_world{} "
-                           "ball = world:add_circle{ radius = 1 } end\n") +
-               "function cairn.update(dt) world:step(dt) " + update + " end\nfunction cairn.before_reload() " +
-               before +
+        return std::string(
+                   "local world, ball\n"
+                   "function cairn.load() world = cairn.physics.new_world{} "
+                   "ball = world:add_circle{ radius = 1 } end\n") +
+               "function cairn.update(dt) world:step(dt) " + update +
+               " end\nfunction cairn.before_reload() " + before +
                " return { world = world, ball = ball } end\n"
                "function cairn.after_reload(kept) world, ball = kept.world, kept.ball end\n"
                "function height() return select(2, ball:position()) end\n"

@@ -33,8 +33,9 @@ struct Widget {
     double step = 0.1;
     std::vector<std::string> choices;
     std::string entry;
-    int max_length = 32;  ///< of the entry, in characters
-    float height = 0;     ///< logical pixels that its row has at least; fit_text sets it for labels
+    int max_length = 32;   ///< of the entry, in characters
+    float height = 0;      ///< logical pixels that its row has at least; fit_text sets it for labels
+    float text_width = 0;  ///< what stands before the track of a slider, logical pixels; fit_text sets it
 };
 
 struct UiStyle {
@@ -73,9 +74,9 @@ class Ui {
     void set_entry(int place, std::string entry);
     void set_text(int place, std::string text) { widgets_[place].text = std::move(text); }
     void set_enabled(int place, bool enabled);
-    /// Makes rows high enough for a font, and the row of a widget for labels that take several lines. To be
-    /// called for what is new or has another text; other texts that are too long are shortened where they are
-    /// drawn.
+    /// Makes rows high enough for a font, the row of a widget for labels that take several lines, and the
+    /// tracks of sliders short enough for their texts. To be called for what is new or has another text;
+    /// other texts that are too long are shortened where they are drawn.
     void fit_text(const Renderer& renderer, FontId font, int place);
     /// Elsewhere, and no larger than that. Labels need fit_text again, and then scroll_to_focus.
     void fit_into(Vec2 center, float width, float max_height);
