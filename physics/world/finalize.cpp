@@ -41,6 +41,18 @@ bool is_finite(const Motions& motions, int row) {
                          motions.spin(row));
 }
 
+// m. What never goes further in a step does not leave the world in a year.
+constexpr float kFarStride_m = 1e3f;
+
+// Whether the body would be farther out than anything may be put.
+bool leaves_world(const BodyStore& bodies, const Motions& motions, int row) {
+    const Vec2 way = motions.pose[row].d;
+    if (std::fabs(way.x) + std::fabs(way.y) < kFarStride_m) return false;
+    const int body = bodies.rows(RowSet::Awake).body[static_cast<std::size_t>(row - 1)];
+    const Position end = bodies.places[static_cast<std::size_t>(body)].center + way;
+    return std::max(std::fabs(end.x), std::fabs(end.y)) > kFarthest_m;
+}
+
 // A body whose motion is no number any more is put back to where the step found it, and stopped. Its box
 // would be found by nobody otherwise, and what it touches would follow it.
 void halt(Motions& motions, int row) {
@@ -148,7 +160,7 @@ void renew_boxes(Stores& stores, int body, std::vector<int>& untold) {
 void halt_lost_bodies(const BodyStore& bodies, Motions& motions, std::vector<BodyId>& quarantined) {
     const BodyRows& awake = bodies.rows(RowSet::Awake);
     for (int row = 0; row < awake.size(); ++row) {
-        if (is_finite(motions, row + 1)) continue;
+        if (is_finite(motions, row + 1) && !leaves_world(bodies, motions, row + 1)) continue;
         halt(motions, row + 1);
         quarantined.push_back(bodies.slots.id(awake.body[row]));
     }

@@ -6,8 +6,8 @@
 
 namespace cairn::physics {
 
-/// Bodies whose motion became infinite or NaN are where they were, stand, and are noted in `quarantined`. For
-/// all stages from here on: events tell of places, and there is none at infinity.
+/// Bodies whose motion became infinite or NaN, or led beyond kFarthest_m, are where they were, stand, and are
+/// noted in `quarantined`. For all stages from here on: events tell of places, and there is none at infinity.
 void halt_lost_bodies(const BodyStore& bodies, Motions& motions, std::vector<BodyId>& quarantined);
 
 /// Stage: bodies take their new places. Those that were hurled so far that they could have passed through

@@ -44,9 +44,11 @@ void warn_of_quarantined(WorldRef world) {
         if (!body) continue;
         char place[64];
         std::snprintf(place, sizeof place, "(%.3g, %.3g)", body->position().x, body->position().y);
-        engine::log(engine::LogLevel::Warning,
-                    std::string("body at ") + place +
-                        " was halted: its motion became infinite; world:quarantined() lists such bodies");
+        engine::log(
+            engine::LogLevel::Warning,
+            std::string("body at ") + place +
+                " was halted: its motion became infinite, or led out of the world, which ends 1e12 m from "
+                "its origin; world:quarantined() lists such bodies");
     }
 }
 
@@ -318,10 +320,12 @@ constexpr Function kWorldFunctions[] = {
                               "A new list of all bodies, in a fixed order."),
     function<&read_transforms>("read_transforms", "transforms", "count",
                                "Writes the places of all bodies into a list in one pass, without garbage."),
-    function_pushing<&quarantined>("quarantined", "", "bodies", kReturnsTable,
-                                   "A new list of the bodies whose motion became infinite in the last step: "
-                                   "each was put back to where it was "
-                                   "and stopped. Empty unless forces beyond all measure act."),
+    function_pushing<&quarantined>(
+        "quarantined", "", "bodies", kReturnsTable,
+        "A new list of the bodies whose motion became infinite in the last step, or "
+        "led farther than 1e12 m from the origin: "
+        "each was put back to where it was "
+        "and stopped. Empty unless forces beyond all measure act."),
     function_pushing<&body_at>(
         "body_at", "x [m], y [m], filter = -1, ignored = nil", "body, shape", kReturnsBodyAndShape,
         "A body with a shape that contains the point, and that shape; of several the newest "

@@ -706,7 +706,7 @@ function World:bodies() end
 ---@return integer count
 function World:read_transforms(transforms) end
 
----A new list of the bodies whose motion became infinite in the last step: each was put back to where it was and stopped. Empty unless forces beyond all measure act.
+---A new list of the bodies whose motion became infinite in the last step, or led farther than 1e12 m from the origin: each was put back to where it was and stopped. Empty unless forces beyond all measure act.
 ---@return table bodies
 function World:quarantined() end
 

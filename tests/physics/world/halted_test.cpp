@@ -1,4 +1,5 @@
 // Bodies whose motion becomes infinite: they are halted and named, and nobody else notices.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <string>
@@ -113,6 +114,37 @@ TEST_CASE("what is pushed to infinity stands where it was, and the rest goes on 
         }
         REQUIRE(numbers_of(pushed.world, pushed.others) == numbers_of(calm.world, calm.others));
     }
+}
+
+TEST_CASE("what would leave the world stands before its end") {
+    World world({.gravity_m_s2 = {}});
+    const BodyId hurled = add(world, {.position_m = {3, 4}}, Circle{.radius_m = 0.5f});
+    const BodyId fast =
+        add(world, {.position_m = {0, 100}, .linear_velocity_m_s = {-8e12f, 8e12f}}, Circle{});
+    const BodyId slow = add(world, {.position_m = {0, -100}, .linear_velocity_m_s = {7e4f, 0}}, Circle{});
+    world.body(hurled)->apply_impulse_to_center({3e38f, 0}).value();
+    int halts_of_fast = 0;
+    for (int step = 0; step < 20; ++step) {
+        CAPTURE(step);
+        const Position before = world.body(fast)->position();
+        world.step(kStep_s).value();
+        const std::span<const BodyId> halted = world.quarantined();
+        const auto is_halted = [&](BodyId id) {
+            return std::find(halted.begin(), halted.end(), id) != halted.end();
+        };
+        CHECK(is_halted(hurled) == (step == 0));
+        CHECK_FALSE(is_halted(slow));
+        if (is_halted(fast)) {
+            ++halts_of_fast;
+            CHECK(world.body(fast)->position() == before);
+            CHECK(before.x - 8e12 / 60 < -kFarthest_m);
+        }
+        CHECK(world.body(fast)->position().x >= -kFarthest_m);
+    }
+    CHECK(halts_of_fast == 1);
+    CHECK(world.body(hurled)->position() == Position{3, 4});
+    CHECK(world.body(slow)->position().x == Approx(7e4 * 20 / 60));
+    CHECK(world.body(fast)->linear_velocity() == Vec2{});
 }
 
 TEST_CASE("what is spun beyond all measure stands") {

@@ -157,8 +157,9 @@ class World {
     /// still.
     Result<std::vector<ShapeId>> sensor_overlaps(ShapeId sensor) const;
 
-    /// Bodies whose motion became infinite or NaN in the last step. They were put back to where the step
-    /// found them, and stopped. Empty unless forces or impulses beyond all measure act.
+    /// Bodies whose motion became infinite or NaN in the last step, or led beyond kFarthest_m. They were put
+    /// back to where the step found them, and stopped. Empty unless forces or impulses beyond all measure
+    /// act.
     [[nodiscard]] std::span<const BodyId> quarantined() const;
 
     // Queries. Between steps any number of threads may ask at once, as long as none changes the world. Each
