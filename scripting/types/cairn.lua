@@ -3487,7 +3487,7 @@ function Level:clear() end
 ---@return boolean built
 function Level:is_built() end
 
----Reads the file again. Parts that say what they said keep their state, the others are made anew, and with a joint the bodies that it holds. With a fault in the file nothing changes but that the error is raised.
+---Reads the file again. Parts that say what they said keep their state, the others are made anew, and with a joint the bodies that it holds. A level that is not built is only read: 0, 0. With a fault in the file nothing changes but that the error is raised.
 ---@return integer kept
 ---@return integer made
 function Level:reload() end

@@ -369,6 +369,25 @@ TEST_CASE("reloading keeps what says the same and makes the rest anew") {
     CHECK(bench.value("swing:is_valid()") == "false");
     CHECK(bench.value("world:joint_count()") == "1");
 }
+TEST_CASE("reloading a level that is not built reads its file and tells that nothing was kept or made") {
+    LuaBench bench(
+        GameFiles{{"l.lua", "{ name = 'a', bodies = { { name = 'x', shape = 'circle', radius = 1 } } }"}});
+    const auto reloaded = [&] {
+        REQUIRE(bench.run("kept, made = level:reload()") == "");
+        return bench.value("kept .. ' ' .. made .. ' ' .. tostring(level:is_built())");
+    };
+    REQUIRE(bench.run("world = cairn.physics.new_world{} level = cairn.level.load 'l.lua'") == "");
+    CHECK(reloaded() == "0 0 false");
+    REQUIRE(bench.run("level:build(world)") == "");
+    CHECK(reloaded() == "1 0 true");
+    REQUIRE(bench.run("level:clear()") == "");
+    CHECK(reloaded() == "0 0 false");
+    REQUIRE(bench.run("level:build(world) world:destroy()") == "");
+    std::ofstream(*bench.machine().files->native_path("l.lua")) << "{ name = 'b' }";
+    CHECK(reloaded() == "0 0 false");
+    CHECK(bench.value("level:name()") == "b");
+}
+
 
 TEST_CASE("the level of the documentation is a good one") {
     std::ifstream file(CAIRN_SOURCE_DIR "/docs/examples/levels/yard.lua");
