@@ -244,7 +244,8 @@ constexpr auto kRagdollFields = fields_with<kRagdoll>();
 
 // ---- Brick wall
 constexpr Field kColumns = within(integer_field("columns", 6, "6", "bricks in a course"), 1, 1000);
-constexpr Field kCourses = within(integer_field("courses", 8, "8", ""), 1, 1000);
+constexpr Field kCourses =
+    within(integer_field("courses", 8, "8", "a wall has at most 10000 bricks"), 1, 1000);
 constexpr Field kBrickWidth = above(number_field("brick_width", 0.5, "0.5", "m"), 0.02);
 constexpr Field kBrickHeight = above(number_field("brick_height", 0.25, "0.25", "m"), 0.01);
 constexpr Field kMortar = above(number_field("mortar", 400, "400", "N/m: what a metre of mortar bears"), 0);

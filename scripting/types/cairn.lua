@@ -1912,7 +1912,7 @@ function cairn.prefab.ragdoll(world, fields) end
 ---@field x? number m
 ---@field y? number m
 ---@field columns? integer from 1 to 1000; bricks in a course
----@field courses? integer from 1 to 1000;
+---@field courses? integer from 1 to 1000; a wall has at most 10000 bricks
 ---@field brick_width? number above 0.02; m
 ---@field brick_height? number above 0.01; m
 ---@field mortar? number above 0; N/m: what a metre of mortar bears
