@@ -2037,7 +2037,7 @@ function cairn.prefab.windmill(world, fields) end
 ---@field density? number at least 0; kg/m^2
 ---@field friction? number at least 0; Coulomb coefficient
 ---@field restitution? number from 0 to 1; share of the approach speed given back
----@field floors? table a list of heights over y, m, ascending; absent: { 0, 3, 6 }
+---@field floors? table a list of heights over y, m, ascending, at least one; absent: { 0, 3, 6 }
 ---@field data? table becomes body.data of every body
 ---@field categories? integer bit set: what the shape is
 ---@field mask? integer bit set: what it collides with; -1 is everything
@@ -2065,7 +2065,7 @@ function cairn.prefab.elevator(world, fields) end
 ---@field density? number at least 0; kg/m^2
 ---@field friction? number at least 0; Coulomb coefficient
 ---@field restitution? number from 0 to 1; share of the approach speed given back
----@field radii? table a list of radii, m; absent: { 0.5, 1, 0.25 }
+---@field radii? table a list of radii, m, at least one; absent: { 0.5, 1, 0.25 }
 ---@field data? table becomes body.data of every body
 ---@field categories? integer bit set: what the shape is
 ---@field mask? integer bit set: what it collides with; -1 is everything
