@@ -28,17 +28,6 @@ Error path_error(std::string_view path, std::string_view reason) {
     return Error{"file '" + std::string(path) + "': " + std::string(reason)};
 }
 
-Result<void> check_identity(std::string_view identity) {
-    const bool plain = std::all_of(identity.begin(), identity.end(), [](char c) {
-        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
-               c == '_' || c == '.';
-    });
-    if (plain && !identity.starts_with('.') && identity.size() <= 64) return {};
-    return Error{"identity '" + std::string(identity) +
-                 "': names the save folder, so it must be at most 64 letters, digits, '-', '_' or '.', and "
-                 "not start with '.'"};
-}
-
 Result<std::string> default_save_root() {
 #ifdef __linux__
     if (const char* data = std::getenv("XDG_DATA_HOME"); data && *data == '/')
@@ -130,9 +119,18 @@ Result<Buffer> read_whole(std::string_view path, std::uint64_t max_bytes) {
 
 }  // namespace
 
+bool is_save_identity(std::string_view identity) {
+    const bool is_plain = std::all_of(identity.begin(), identity.end(), [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
+               c == '_' || c == '.';
+    });
+    return is_plain && !identity.starts_with('.') && identity.size() <= 64;
+}
+
 Result<std::unique_ptr<Files>> Files::create(const FilesDef& def) {
     if (PHYSFS_isInit()) return Error{"files: another Files object is alive; a process can have one"};
-    if (auto valid = check_identity(def.identity); !valid) return valid.error();
+    if (!is_save_identity(def.identity))
+        return Error{"identity '" + def.identity + "': " + std::string(kSaveIdentityRule)};
     if (!PHYSFS_init(def.program_path.empty() ? nullptr : def.program_path.c_str()))
         return Error{"files: PhysFS does not start: " + physfs_reason()};
     PHYSFS_permitSymbolicLinks(0);

@@ -25,7 +25,7 @@ Result<void> TileSet::check_image(Size image) const {
         const auto text = [](Size size) {
             return std::to_string(size.width) + " x " + std::to_string(size.height);
         };
-        return Error{place + '.' + field + " is " + std::to_string(value) + ", but must be at most " +
+        return Error{place + ": " + field + " is " + std::to_string(value) + ", but must be at most " +
                      std::to_string(most) + ": so many tiles of " + text(tile_size) +
                      " fit into the picture '" + image_path + "' of " + text(image)};
     };

@@ -29,34 +29,37 @@ Tile read_tile(std::uint32_t bits) {
 class MapReader {
   public:
     MapReader(const Files& files, std::string_view path)
-        : files_(files), path_(path), faults_("map '" + std::string(path) + "': ") {}
+        : files_(files), path_(path), faults_(std::string(path)) {}
 
     TileMapReading read() {
         faults_.attempt([&] {
             const Json json = read_tiled_file(files_, path_);
-            read_map(Node(json, ""));
+            const Node root(json);
+            reading_.is_map = true;
+            read_map(root);
         });
-        return {std::move(map_), faults_.take()};
+        reading_.faults = faults_.take();
+        return std::move(reading_);
     }
 
   private:
     void read_map(const Node& node) {
-        const bool has_cells = read_cells(node);
-        faults_.attempt([&] { map_.properties = read_tiled_properties(node); });
+        has_cells_ = read_cells(node);
+        map_.properties = read_tiled_properties(node, faults_, reading_.unreadable);
         faults_.attempt([&] { map_.background = read_tiled_color(node, "backgroundcolor"); });
         faults_.attempt([&] {
-            if (has_cells) editor_origin_ = editor_origin(node);
+            if (has_cells_) editor_origin_ = editor_origin(node);
             map_.parallax_origin = editor_origin_ + read_place(node, "parallaxorigin", 0);
         });
         const std::size_t faults_before = faults_.count();
         faults_.attempt([&] {
-            for (const Node& set : node.list("tilesets")) faults_.attempt([&] { add_set(set); });
+            for (const Node& set : node.list("tilesets"))
+                faults_.attempt([&] { add_set(called_by_name(set, "tile set")); });
         });
         knows_tiles_ = faults_.count() == faults_before;
-        faults_.attempt([&] {
+        reading_.lacks_objects |= !faults_.attempt([&] {
             if (!node.has("layers")) node.fail("layers", "must be a list");
-            // How many tiles a layer must have is not known otherwise.
-            if (has_cells) add_layers(node, "", {});
+            add_layers(node, "", {});
         });
     }
 
@@ -96,24 +99,36 @@ class MapReader {
                 node.whole("height", 1, kMaxSide)};
     }
 
+    static std::string name_of(const Node& node) {
+        const bool has_name = node.has("name") && node.at("name").is_string();
+        return has_name ? node.at("name").get<std::string>() : "";
+    }
+    static Node called_layer(const Node& node, const std::string& prefix) {
+        const std::string name = name_of(node);
+        return name.empty() ? node : node.called("layer \"" + prefix + name + '"');
+    }
+
     /// An infinite map is as large as what was drawn in it.
     void find_extent(const Node& map) {
         Chunk all{0, 0, 0, 0};  // the least corner, and behind the greatest
         bool has_any = false;
-        const std::function<void(const Node&)> add_layers = [&](const Node& parent) {
-            for (const Node& layer : parent.list("layers")) {
-                add_layers(layer);
-                for (const Node& node : layer.list("chunks")) {
-                    const Chunk chunk = read_chunk(node);
-                    const int right = chunk.column + chunk.columns, bottom = chunk.row + chunk.rows;
-                    all = has_any ? Chunk{std::min(all.column, chunk.column), std::min(all.row, chunk.row),
+        const std::function<void(const Node&, const std::string&)> add_layers =
+            [&](const Node& parent, const std::string& prefix) {
+                for (const Node& unnamed : parent.list("layers")) {
+                    const Node layer = called_layer(unnamed, prefix);
+                    add_layers(unnamed, prefix + name_of(unnamed) + '/');
+                    for (const Node& node : layer.list("chunks")) {
+                        const Chunk chunk = read_chunk(node);
+                        const int right = chunk.column + chunk.columns, bottom = chunk.row + chunk.rows;
+                        all = has_any
+                                  ? Chunk{std::min(all.column, chunk.column), std::min(all.row, chunk.row),
                                           std::max(all.columns, right), std::max(all.rows, bottom)}
                                   : Chunk{chunk.column, chunk.row, right, bottom};
-                    has_any = true;
+                        has_any = true;
+                    }
                 }
-            }
-        };
-        add_layers(map);
+            };
+        add_layers(map, "");
         if (!has_any) all = {0, 0, 1, 1};
         if (map_.grid == MapGrid::Staggered) {  // the same rows and columns stay moved
             all.column -= all.column & 1;
@@ -172,13 +187,14 @@ class MapReader {
             node.fail("firstgid", "must lie behind the tiles of the set before");
         if (!node.has("source")) return map_.sets.push_back(read_tile_set(node, first_id, path_, faults_));
         const std::string path = tiled_path_beside(path_, node.text("source"));
-        FaultList faults("the tile set '" + path + "': ");
+        const std::string place = faults_.start(node.line()) + "tile set '" + path + '\'';
+        FaultList faults(path);
         faults.attempt([&] {
             const Json json = read_tiled_file(files_, path);
-            map_.sets.push_back(read_tile_set(Node(json, ""), first_id, path, faults));
-            map_.sets.back().place = "the tile set '" + path + "'";
+            map_.sets.push_back(read_tile_set(Node(json), first_id, path, faults));
+            map_.sets.back().place = place;
         });
-        faults_.add(faults.take());
+        faults_.add(place + ": ", faults.take());
     }
 
     void check_tile(const Tile& tile, const Node& node) const {
@@ -206,39 +222,52 @@ class MapReader {
 
     /// `group` is what it inherits.
     void add_layers(const Node& parent, const std::string& prefix, const MapLayer& group) {
-        for (const Node& node : parent.list("layers"))
-            faults_.attempt([&] { add_layer(node, prefix, group); });
+        for (const Node& node : parent.list("layers")) add_layer(node, prefix, group);
     }
 
-    void add_layer(const Node& node, const std::string& prefix, const MapLayer& group) {
+    void add_layer(const Node& unnamed, const std::string& prefix, const MapLayer& group) {
         MapLayer layer;
-        layer.name = prefix + node.text("name");
-        layer.place = node.place();
-        layer.is_visible = group.is_visible && node.flag("visible", true);
-        const Color tint = read_tiled_color(node, "tintcolor").value_or(Color{});
-        const auto opacity = static_cast<float>(node.number("opacity", 1));
-        if (opacity < 0 || opacity > 1) node.fail("opacity", "must be from 0 to 1");
-        layer.color = {group.color.r * tint.r, group.color.g * tint.g, group.color.b * tint.b,
-                       group.color.a * tint.a * opacity};
-        layer.offset = group.offset + read_place(node, "offset", 0);
-        const Vec2 parallax = read_place(node, "parallax", 1);
-        layer.parallax = {group.parallax.x * parallax.x, group.parallax.y * parallax.y};
-        layer.properties = read_tiled_properties(node);
-        const std::string type = node.text("type");
-        if (type == "group") return add_layers(node, layer.name + '/', layer);
-        if (type == "tilelayer") {
-            read_tiles(node, layer);
-        } else if (type == "objectgroup") {
-            layer.kind = MapLayer::Kind::Objects;
-            if (!node.has("objects")) node.fail("objects", "must be a list");
-            for (const Node& object : node.list("objects"))
-                faults_.attempt([&] { layer.objects.push_back(read_object(object)); });
-        } else if (type == "imagelayer") {
-            read_image(node, layer);
-        } else {
-            node.fail("type", "must be a tilelayer, an objectgroup, a group or an imagelayer");
-        }
-        map_.layers.push_back(std::move(layer));
+        faults_.attempt([&] { layer.name = prefix + unnamed.text("name"); });
+        const Node node = called_layer(unnamed, prefix);
+        layer.place = faults_.start(node.line()) + node.place();
+        layer.line = node.line();
+        layer.color = group.color;
+        layer.offset = group.offset;
+        layer.parallax = group.parallax;
+        faults_.attempt([&] { layer.is_visible = group.is_visible && node.flag("visible", true); });
+        faults_.attempt([&] { tint(layer.color, read_tiled_color(node, "tintcolor").value_or(Color{})); });
+        faults_.attempt([&] {
+            const auto opacity = static_cast<float>(node.number("opacity", 1));
+            if (opacity < 0 || opacity > 1) node.fail("opacity", "must be from 0 to 1");
+            layer.color.a *= opacity;
+        });
+        faults_.attempt([&] { layer.offset = group.offset + read_place(node, "offset", 0); });
+        faults_.attempt([&] {
+            const Vec2 parallax = read_place(node, "parallax", 1);
+            layer.parallax = {group.parallax.x * parallax.x, group.parallax.y * parallax.y};
+        });
+        Names unreadable;
+        layer.properties = read_tiled_properties(node, faults_, unreadable);
+        std::string type;
+        reading_.lacks_objects |= !faults_.attempt([&] {
+            type = node.text("type");
+            if (type == "group") {
+                add_layers(node, layer.name + '/', layer);
+            } else if (type == "objectgroup") {
+                layer.kind = MapLayer::Kind::Objects;
+                if (!node.has("objects")) node.fail("objects", "must be a list");
+                for (const Node& object : node.list("objects")) layer.objects.push_back(read_object(object));
+            } else if (type != "tilelayer" && type != "imagelayer") {
+                node.fail("type", "must be a tilelayer, an objectgroup, a group or an imagelayer");
+            }
+        });
+        if (type == "tilelayer") faults_.attempt([&] { read_tiles(node, layer); });
+        if (type == "imagelayer") faults_.attempt([&] { read_image(node, layer); });
+        if (type != "group") map_.layers.push_back(std::move(layer));
+    }
+
+    static void tint(Color& color, const Color& by) {
+        color = {color.r * by.r, color.g * by.g, color.b * by.b, color.a * by.a};
     }
 
     void read_image(const Node& node, MapLayer& layer) {
@@ -285,6 +314,7 @@ class MapReader {
     }
 
     void read_tiles(const Node& node, MapLayer& layer) const {
+        if (!has_cells_) return;  // how many tiles there must be is not known
         std::vector<std::uint32_t> bits;
         if (is_infinite_) {
             bits.resize(cells());
@@ -312,20 +342,41 @@ class MapReader {
         }
     }
 
-    MapObject read_object(const Node& node) const {
-        if (node.has("template")) node.fail("template", "templates are not known; detach the object from it");
+    /// What is wrong with one thing of an object hides no other.
+    MapObject read_object(const Node& unnamed) {
+        const std::string& layer = unnamed.owner();
+        const Node node = called_by_name(unnamed, "object", layer.empty() ? "" : " in " + layer);
         MapObject object;
-        object.id = node.whole("id", 0, 1 << 30, 0);
-        object.name = node.text("name");
-        object.kind = node.text("class", node.text("type"));
-        object.position =
-            Vec2{static_cast<float>(node.number("x")), static_cast<float>(node.number("y"))} - first_place();
-        object.size = {static_cast<float>(node.number("width", 0)),
-                       static_cast<float>(node.number("height", 0))};
-        object.rotation_rad =
-            static_cast<float>(node.number("rotation", 0)) * std::numbers::pi_v<float> / 180;
-        object.is_visible = node.flag("visible", true);
-        object.properties = read_tiled_properties(node);
+        object.place = node.place();
+        object.line = node.line();
+        const auto read = [&](const char* what, const auto& take) {
+            if (!faults_.attempt(take)) object.unreadable.insert(what);
+        };
+        const auto read_number = [&](const char* field, float& to, bool is_required) {
+            read(field,
+                 [&] { to = static_cast<float>(is_required ? node.number(field) : node.number(field, 0)); });
+        };
+        read("template", [&] {
+            if (node.has("template"))
+                node.fail("template", "templates are not known; detach the object from it");
+        });
+        read("id", [&] { object.id = node.whole("id", 0, 1 << 30, 0); });
+        read("name", [&] { object.name = node.text("name"); });
+        read("class", [&] { object.kind = node.text("class", node.text("type")); });
+        read_number("x", object.position.x, true);
+        read_number("y", object.position.y, true);
+        object.position = object.position - first_place();
+        read_number("width", object.size.x, false);
+        read_number("height", object.size.y, false);
+        read_number("rotation", object.rotation_rad, false);
+        object.rotation_rad *= std::numbers::pi_v<float> / 180;
+        read("visible", [&] { object.is_visible = node.flag("visible", true); });
+        object.properties = read_tiled_properties(node, faults_, object.unreadable);
+        read("shape", [&] { read_shape(node, object); });
+        return object;
+    }
+
+    void read_shape(const Node& node, MapObject& object) const {
         if (node.flag("ellipse", false)) object.shape = MapShape::Ellipse;
         if (node.flag("point", false)) object.shape = MapShape::Point;
         for (const auto& [field, shape] :
@@ -343,15 +394,16 @@ class MapReader {
         }
         if (node.has("text")) {
             object.shape = MapShape::Text;
-            object.text = Node(node.at("text"), "text").text("text");
+            object.text = node.child("text").text("text");
         }
-        return object;
     }
 
     const Files& files_;
     std::string_view path_;
     FaultList faults_;
-    TileMap map_;
+    TileMapReading reading_;
+    TileMap& map_ = reading_.map;
+    bool has_cells_ = false;    ///< their number and size is known
     bool knows_tiles_ = false;  ///< all tile sets were read, so that other tiles are faults
     bool is_infinite_ = false;
     int first_column_ = 0;  ///< as the file counts, where the map's first cell is

@@ -33,26 +33,57 @@ Json read_tiled_file(const Files& files, std::string_view path) {
         if (!json) throw Fault{json.error().message};
         return std::move(*json);
     }
-    Result<Json> json = json_from_text(*text);
+    Result<Json> json = json_with_lines(*text);
     if (!json) throw Fault{json.error().message};
     return std::move(*json);
 }
 
-TileProperties read_tiled_properties(const Node& node) {
-    TileProperties properties;
-    for (const Node& property : node.list("properties")) {
-        const std::string name = property.text("name");
-        if (!property.has("value")) continue;
-        const Json& value = property.at("value");
-        if (value.is_boolean())
-            properties[name] = value.get<bool>();
-        else if (value.is_number())
-            properties[name] = value.get<double>();
-        else if (value.is_string())
-            properties[name] = value.get<std::string>();
-        else
-            property.fail("value", "must be a text, a number, true or false");
+Node called_by_name(const Node& node, const std::string& what, const std::string& where) {
+    std::string text = what;
+    if (node.has("id") && node.at("id").is_number()) {
+        const double id = node.at("id").get<double>();
+        if (id > 0 && id < (1 << 30)) text += ' ' + std::to_string(static_cast<int>(id));
     }
+    if (node.has("name") && node.at("name").is_string()) {
+        const std::string name = node.at("name").get<std::string>();
+        if (!name.empty()) text += " \"" + name + '"';
+    }
+    return text == what ? node : node.called(text + where);
+}
+
+namespace {
+
+/// `place` is what the property is called.
+TileProperty read_property(const Node& property, const std::string& place) {
+    const Json& value = property.at("value");
+    const std::string type = property.text("type", "");
+    const auto fail = [&](const std::string& rule) {
+        throw Fault{place + " is " + excerpt(value) + ", but must be " + rule, property.line()};
+    };
+    // What is of another type than the file says was no such thing there: "nan" is no number.
+    if ((type == "int" || type == "float") && !value.is_number()) fail("a number: its type is " + type);
+    if (type == "bool" && !value.is_boolean()) fail("true or false: its type is bool");
+    if (value.is_boolean()) return value.get<bool>();
+    if (value.is_number()) return value.get<double>();
+    if (!value.is_string()) fail("a text, a number, true or false");
+    return value.get<std::string>();
+}
+
+}  // namespace
+
+TileProperties read_tiled_properties(const Node& node, FaultList& faults, Names& unreadable) {
+    TileProperties properties;
+    const bool is_list = faults.attempt([&] {
+        for (const Node& property : node.list("properties")) {
+            std::string name;
+            if (!faults.attempt([&] { name = property.text("name"); }) || !property.has("value")) continue;
+            const std::string told = "property \"" + name + '"';
+            const std::string place = (node.place().empty() ? "" : node.place() + ": ") + told;
+            const bool is_good = faults.attempt([&] { properties[name] = read_property(property, place); });
+            if (!is_good) unreadable.insert("property " + name);
+        }
+    });
+    if (!is_list) unreadable.insert("properties");
     return properties;
 }
 
@@ -71,10 +102,11 @@ std::optional<Color> read_tiled_color(const Node& node, const char* field) {
 
 namespace {
 
-void read_kind_of_tile(const Node& tile, TileSet& set) {
+void read_kind_of_tile(const Node& tile, TileSet& set, FaultList& faults) {
     const std::uint32_t id =
         set.first_id + static_cast<std::uint32_t>(tile.whole("id", 0, set.tile_count - 1));
-    TileProperties properties = read_tiled_properties(tile);
+    Names unreadable;
+    TileProperties properties = read_tiled_properties(tile, faults, unreadable);
     const std::string kind = tile.text("class", tile.text("type"));
     if (!kind.empty()) properties.emplace("class", kind);
     if (!properties.empty()) set.properties[id] = std::move(properties);
@@ -89,7 +121,7 @@ void read_kind_of_tile(const Node& tile, TileSet& set) {
 TileSet read_tile_set(const Node& node, std::uint32_t first_id, std::string_view path, FaultList& faults) {
     TileSet set;
     set.first_id = first_id;
-    set.place = node.place();
+    set.place = faults.start(node.line()) + node.place();
     faults.attempt([&] { set.name = node.text("name"); });
     faults.attempt([&] {
         if (!node.has("image"))
@@ -109,7 +141,8 @@ TileSet read_tile_set(const Node& node, std::uint32_t first_id, std::string_view
     faults.attempt([&] { set.spacing = node.whole("spacing", 0, 4096, 0); });
     if (set.tile_count < 1) return set;  // then no tile can be of it
     faults.attempt([&] {
-        for (const Node& tile : node.list("tiles")) faults.attempt([&] { read_kind_of_tile(tile, set); });
+        for (const Node& tile : node.list("tiles"))
+            faults.attempt([&] { read_kind_of_tile(tile, set, faults); });
     });
     return set;
 }

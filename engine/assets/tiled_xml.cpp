@@ -1,10 +1,13 @@
 // The rewriting. Source: the pages "TMX Map Format" and "JSON Map Format" of Tiled's manual.
 #include "assets/tiled_xml.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <pugixml.hpp>
 #include <string>
+#include <vector>
 
 #include "assets/json_text.h"
 
@@ -23,41 +26,17 @@ bool is_text(std::string_view name) {
     return false;
 }
 
+/// Words like "nan" and "inf" are read as numbers, but no JSON can say them.
 Json number_or_text(std::string_view text) {
     double value = 0;
     const auto end = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (end.ec == std::errc{} && end.ptr == text.data() + text.size()) return value;
+    if (end.ec == std::errc{} && end.ptr == text.data() + text.size() && std::isfinite(value)) return value;
     return std::string(text);
 }
 
-Json attributes(const pugi::xml_node& node) {
-    Json json = Json::object();
-    for (const pugi::xml_attribute& attribute : node.attributes()) {
-        const std::string_view name = attribute.name();
-        json[std::string(name)] = is_text(name) ? Json(attribute.value()) : number_or_text(attribute.value());
-    }
-    // XML says 0 and 1 where JSON says false and true.
-    if (json.contains("visible")) json["visible"] = json["visible"] != 0;
-    return json;
-}
-
-Json properties(const pugi::xml_node& node) {
-    Json list = Json::array();
-    for (const pugi::xml_node& property : node.child("properties").children("property")) {
-        Json entry = attributes(property);
-        // A text of several lines stands inside.
-        const std::string value =
-            property.attribute("value") ? property.attribute("value").value() : property.child_value();
-        const std::string type = entry.value("type", "string");
-        if (type == "bool")
-            entry["value"] = value == "true";
-        else if (type == "int" || type == "float" || type == "object")
-            entry["value"] = number_or_text(value);
-        else
-            entry["value"] = value;
-        list.push_back(std::move(entry));
-    }
-    return list;
+Json flag_or_text(std::string_view text) {
+    if (text == "true" || text == "false") return text == "true";
+    return std::string(text);
 }
 
 /// "x,y x,y ..." as [{"x": .., "y": ..}, ...].
@@ -74,47 +53,8 @@ Json points(std::string_view text) {
     return list;
 }
 
-Json object(const pugi::xml_node& node) {
-    Json json = attributes(node);
-    json["properties"] = properties(node);
-    if (node.child("ellipse")) json["ellipse"] = true;
-    if (node.child("point")) json["point"] = true;
-    if (const pugi::xml_node text = node.child("text")) json["text"] = {{"text", text.child_value()}};
-    for (const char* name : {"polygon", "polyline"})
-        if (const pugi::xml_node shape = node.child(name))
-            json[name] = points(shape.attribute("points").value());
-    return json;
-}
-
 void read_transparent_color(const pugi::xml_node& image, Json& json) {
     if (image.attribute("trans")) json["transparentcolor"] = image.attribute("trans").value();
-}
-
-Json tile_set(const pugi::xml_node& node) {
-    Json json = attributes(node);
-    json["properties"] = properties(node);
-    if (const pugi::xml_node image = node.child("image")) {
-        json["image"] = image.attribute("source").value();
-        json["imagewidth"] = number_or_text(image.attribute("width").value());
-        json["imageheight"] = number_or_text(image.attribute("height").value());
-        read_transparent_color(image, json);
-    }
-    Json tiles = Json::array();
-    for (const pugi::xml_node& tile : node.children("tile")) {
-        Json entry = attributes(tile);
-        entry["properties"] = properties(tile);
-        if (const pugi::xml_node image = tile.child("image"))
-            entry["image"] = image.attribute("source").value();
-        if (const pugi::xml_node animation = tile.child("animation")) {
-            Json frames = Json::array();
-            for (const pugi::xml_node& frame : animation.children("frame"))
-                frames.push_back(attributes(frame));
-            entry["animation"] = std::move(frames);
-        }
-        tiles.push_back(std::move(entry));
-    }
-    json["tiles"] = std::move(tiles);
-    return json;
 }
 
 /// The tiles of a layer or of a chunk: text in some encoding, or an element for each, without `gid` where the
@@ -141,36 +81,141 @@ void read_image(const pugi::xml_node& layer, Json& json) {
         if (json.contains(field)) json[field] = json[field] != 0;
 }
 
-Json layers(const pugi::xml_node& parent) {
-    Json list = Json::array();
-    for (const pugi::xml_node& node : parent.children()) {
-        const std::string_view name = node.name();
-        if (name != "layer" && name != "objectgroup" && name != "group" && name != "imagelayer") continue;
+/// With the line of each element.
+class Rewriter {
+  public:
+    explicit Rewriter(std::string_view xml) {
+        for (std::size_t end = xml.find('\n'); end != std::string_view::npos; end = xml.find('\n', end + 1))
+            line_ends_.push_back(end);
+    }
+
+    [[nodiscard]] int line_at(std::ptrdiff_t byte) const {
+        const auto ends =
+            std::lower_bound(line_ends_.begin(), line_ends_.end(), static_cast<std::size_t>(byte));
+        return static_cast<int>(ends - line_ends_.begin()) + 1;
+    }
+
+    Json map(const pugi::xml_node& map) const {
+        Json json = attributes(map);
+        // What stays a text in JSON too.
+        json["infinite"] = map.attribute("infinite").as_int() != 0;
+        if (const pugi::xml_attribute color = map.attribute("backgroundcolor"))
+            json["backgroundcolor"] = color.value();
+        json["properties"] = properties(map);
+        Json sets = Json::array();
+        for (const pugi::xml_node& set : map.children("tileset")) sets.push_back(tile_set(set));
+        json["tilesets"] = std::move(sets);
+        json["layers"] = layers(map);
+        return json;
+    }
+
+    Json tile_set(const pugi::xml_node& node) const {
         Json json = attributes(node);
         json["properties"] = properties(node);
-        json["type"] = name == "layer" ? "tilelayer" : std::string(name);
-        if (name == "group") json["layers"] = layers(node);
-        if (name == "imagelayer") read_image(node, json);
-        if (name == "layer") {
-            const pugi::xml_node data = node.child("data");
-            for (const char* field : {"encoding", "compression"})
-                if (data.attribute(field)) json[field] = data.attribute(field).value();
-            json["data"] = tiles(data);
-            for (const pugi::xml_node& part : data.children("chunk")) {
-                Json chunk = attributes(part);
-                chunk["data"] = tiles(part);
-                json["chunks"].push_back(std::move(chunk));
+        if (const pugi::xml_node image = node.child("image")) {
+            json["image"] = image.attribute("source").value();
+            json["imagewidth"] = number_or_text(image.attribute("width").value());
+            json["imageheight"] = number_or_text(image.attribute("height").value());
+            read_transparent_color(image, json);
+        }
+        Json tiles = Json::array();
+        for (const pugi::xml_node& tile : node.children("tile")) {
+            Json entry = attributes(tile);
+            entry["properties"] = properties(tile);
+            if (const pugi::xml_node image = tile.child("image"))
+                entry["image"] = image.attribute("source").value();
+            if (const pugi::xml_node animation = tile.child("animation")) {
+                Json frames = Json::array();
+                for (const pugi::xml_node& frame : animation.children("frame"))
+                    frames.push_back(attributes(frame));
+                entry["animation"] = std::move(frames);
             }
+            tiles.push_back(std::move(entry));
         }
-        if (name == "objectgroup") {
-            Json objects = Json::array();
-            for (const pugi::xml_node& child : node.children("object")) objects.push_back(object(child));
-            json["objects"] = std::move(objects);
-        }
-        list.push_back(std::move(json));
+        json["tiles"] = std::move(tiles);
+        return json;
     }
-    return list;
-}
+
+  private:
+    [[nodiscard]] int line_of(const pugi::xml_node& node) const { return line_at(node.offset_debug()); }
+
+    Json attributes(const pugi::xml_node& node) const {
+        Json json = Json::object();
+        json[kLineMember] = line_of(node);
+        for (const pugi::xml_attribute& attribute : node.attributes()) {
+            const std::string_view name = attribute.name();
+            json[std::string(name)] =
+                is_text(name) ? Json(attribute.value()) : number_or_text(attribute.value());
+        }
+        // XML says 0 and 1 where JSON says false and true.
+        if (json.contains("visible")) json["visible"] = json["visible"] != 0;
+        return json;
+    }
+
+    Json properties(const pugi::xml_node& node) const {
+        Json list = Json::array();
+        for (const pugi::xml_node& property : node.child("properties").children("property")) {
+            Json entry = attributes(property);
+            // A text of several lines stands inside.
+            const std::string value =
+                property.attribute("value") ? property.attribute("value").value() : property.child_value();
+            const std::string type = entry.value("type", "string");
+            if (type == "bool")
+                entry["value"] = flag_or_text(value);
+            else if (type == "int" || type == "float" || type == "object")
+                entry["value"] = number_or_text(value);
+            else
+                entry["value"] = value;
+            list.push_back(std::move(entry));
+        }
+        return list;
+    }
+
+    Json object(const pugi::xml_node& node) const {
+        Json json = attributes(node);
+        json["properties"] = properties(node);
+        if (node.child("ellipse")) json["ellipse"] = true;
+        if (node.child("point")) json["point"] = true;
+        if (const pugi::xml_node text = node.child("text")) json["text"] = {{"text", text.child_value()}};
+        for (const char* name : {"polygon", "polyline"})
+            if (const pugi::xml_node shape = node.child(name))
+                json[name] = points(shape.attribute("points").value());
+        return json;
+    }
+
+    Json layers(const pugi::xml_node& parent) const {
+        Json list = Json::array();
+        for (const pugi::xml_node& node : parent.children()) {
+            const std::string_view name = node.name();
+            if (name != "layer" && name != "objectgroup" && name != "group" && name != "imagelayer") continue;
+            Json json = attributes(node);
+            json["properties"] = properties(node);
+            json["type"] = name == "layer" ? "tilelayer" : std::string(name);
+            if (name == "group") json["layers"] = layers(node);
+            if (name == "imagelayer") read_image(node, json);
+            if (name == "layer") {
+                const pugi::xml_node data = node.child("data");
+                for (const char* field : {"encoding", "compression"})
+                    if (data.attribute(field)) json[field] = data.attribute(field).value();
+                json["data"] = tiles(data);
+                for (const pugi::xml_node& part : data.children("chunk")) {
+                    Json chunk = attributes(part);
+                    chunk["data"] = tiles(part);
+                    json["chunks"].push_back(std::move(chunk));
+                }
+            }
+            if (name == "objectgroup") {
+                Json objects = Json::array();
+                for (const pugi::xml_node& child : node.children("object")) objects.push_back(object(child));
+                json["objects"] = std::move(objects);
+            }
+            list.push_back(std::move(json));
+        }
+        return list;
+    }
+
+    std::vector<std::size_t> line_ends_;
+};
 
 /// Walks without a stack of its own.
 struct NestingCheck : pugi::xml_tree_walker {
@@ -180,28 +225,19 @@ struct NestingCheck : pugi::xml_tree_walker {
 }  // namespace
 
 Result<Json> tiled_json_from_xml(std::string_view xml) {
+    const Rewriter rewriter(xml);
     pugi::xml_document document;
     const pugi::xml_parse_result parsed = document.load_buffer(xml.data(), xml.size());
     if (!parsed)
-        return Error{std::string("the XML is broken at byte ") + std::to_string(parsed.offset) + ": " +
+        return Error{"the XML is broken in line " + std::to_string(rewriter.line_at(parsed.offset)) + ": " +
                      parsed.description()};
     NestingCheck check;
     if (!document.traverse(check))
         return Error{"the XML is nested more than " + std::to_string(kMaxNesting) + " deep"};
-    if (const pugi::xml_node set = document.child("tileset")) return tile_set(set);
+    if (const pugi::xml_node set = document.child("tileset")) return rewriter.tile_set(set);
     const pugi::xml_node map = document.child("map");
     if (!map) return Error{"it holds neither a <map> nor a <tileset>"};
-    Json json = attributes(map);
-    // What stays a text in JSON too.
-    json["infinite"] = map.attribute("infinite").as_int() != 0;
-    if (const pugi::xml_attribute color = map.attribute("backgroundcolor"))
-        json["backgroundcolor"] = color.value();
-    json["properties"] = properties(map);
-    Json sets = Json::array();
-    for (const pugi::xml_node& set : map.children("tileset")) sets.push_back(tile_set(set));
-    json["tilesets"] = std::move(sets);
-    json["layers"] = layers(map);
-    return json;
+    return rewriter.map(map);
 }
 
 }  // namespace cairn::engine

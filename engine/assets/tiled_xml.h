@@ -9,7 +9,8 @@
 
 namespace cairn::engine {
 
-/// Of a map (.tmx) or a tile set (.tsx). The error says at which byte the XML is broken.
+/// Of a map (.tmx) or a tile set (.tsx). Objects keep their line as those of
+/// `json_with_lines` do. The error says in which line the XML is broken.
 Result<nlohmann::ordered_json> tiled_json_from_xml(std::string_view xml);
 
 }  // namespace cairn::engine

@@ -1,5 +1,7 @@
 // A joint of mortar between two bricks bears the force of its length, and the torque that the same stress has
 // about its middle when it bends: a quarter of force times length.
+#include <string>
+
 #include <cairn/physics/prefabs/brick_wall.h>
 
 #include "prefabs/builder.h"
@@ -82,6 +84,16 @@ Result<BrickWall> create_brick_wall(World& world, const BrickWallDef& def) {
                        "finite and greater than 0.01 m"),
         check::positive("brick_wall.mortar_n_m", as_double(def.mortar_n_m)),
     });
+    const bool has_counts =
+        def.columns >= 1 && def.columns <= 1000 && def.courses >= 1 && def.courses <= 1000;
+    if (has_counts) {
+        const int most = kMaxBricks / def.columns;
+        const std::string rule = "at most " + std::to_string(most) + " where columns is " +
+                                 std::to_string(def.columns) + ": a wall has at most " +
+                                 std::to_string(kMaxBricks) + " bricks";
+        builder.require(
+            {check::require(def.courses <= most, "brick_wall.courses", def.courses, rule.c_str())});
+    }
     Mason mason(builder, def);
     std::vector<Brick> below;
     for (int course = 0; builder.good() && course < def.courses; ++course) {

@@ -185,12 +185,12 @@ std::tuple<std::int64_t, std::int64_t> reload(lua_State* L, LevelObject* self) {
     LevelReading reading = read_and_try(L, self->level.path, self->import);
     if (!reading.faults.empty()) raise_faults(L, reading.faults);
     self->has_images = false;
-    const auto count = static_cast<std::int64_t>(reading.level.parts.size());
     lua_settop(L, 1);
     if (!push_build(L, 1)) {
         self->level = std::move(reading.level);
-        return {0, count};
+        return {0, 0};
     }
+    const auto count = static_cast<std::int64_t>(reading.level.parts.size());
     constexpr int kWorld = 2;
     constexpr int kOld = 3;
     constexpr int kNew = 4;
@@ -389,8 +389,8 @@ constexpr Function kMethods[] = {
     function<&reload>(
         "reload", "", "kept, made",
         "Reads the file again. Parts that say what they said keep their state, the others are "
-        "made anew, and with a joint the bodies that it holds. With a fault in the file nothing "
-        "changes but that the error is raised."),
+        "made anew, and with a joint the bodies that it holds. A level that is not built is only read: "
+        "0, 0. With a fault in the file nothing changes but that the error is raised."),
     function_pushing<&named<PartKind::Body>>(
         "body", "name", "body", kReturnsBody,
         "An unknown name is an error. The body may be destroyed by now."),

@@ -4,6 +4,7 @@
 #include "bind/fields.h"
 #include "bind/modules.h"
 #include "bind/physics_objects.h"
+#include "level/check.h"
 #include "lua/state.h"
 
 namespace cairn::scripting {
@@ -13,32 +14,46 @@ namespace {
 struct Making {
     const Level& level;
     std::size_t part;
+    /// Of references that lead nowhere; the call fails without a message of its own then.
+    std::vector<std::string> faults;
 };
 
-void push_made(lua_State* L, const Making& making, int objects, const std::string& reference) {
-    const PartName name = split_part_name(reference);
+/// Pushes what the reference names, or nil after adding its fault.
+void push_made(lua_State* L, Making& making, int objects, const PartReference& reference) {
+    const PartName name = split_part_name(reference.name);
     const auto part = making.level.find(name.name);
-    if (!part || lua_rawgeti(L, objects, static_cast<lua_Integer>(*part + 1)) == LUA_TNIL)
-        raise(L, '"' + name.name + "\" was not made");
+    if (part) {
+        lua_rawgeti(L, objects, static_cast<lua_Integer>(*part + 1));
+    } else {
+        lua_pushnil(L);
+    }
+    if (lua_isnil(L, -1)) {
+        making.faults.push_back(reference.place + '"' + name.name + "\" was not made");
+        return;
+    }
     if (name.index == 0) return;
     push_function(L, kPrefabMethods, "bodies");
     lua_insert(L, -2);
     lua_call(L, 1, 1);
     const auto count = static_cast<int>(lua_rawlen(L, -1));
     if (lua_rawgeti(L, -1, name.index) == LUA_TNIL) {
-        raise(L, '"' + reference + "\": there is no such body; \"" + name.name + "\" has " +
-                     std::to_string(count));
+        making.faults.push_back(reference.place + "there is no such body; \"" + name.name + "\" has " +
+                                std::to_string(count) + (count == 1 ? " body" : " bodies"));
     }
     lua_remove(L, -2);
 }
 
 /// Pushes the table that the part's function takes.
-void push_fields(lua_State* L, const Making& making, int world, int objects) {
+void push_fields(lua_State* L, Making& making, int world, int objects) {
     const LevelPart& part = making.level.parts[making.part];
     push_value(L, part.fields);
     for (const PartReference& reference : part.references) {
-        push_made(L, making, objects, reference.name);
+        push_made(L, making, objects, reference);
         lua_setfield(L, -2, reference.field.c_str());
+    }
+    if (!making.faults.empty()) {
+        lua_pushnil(L);
+        lua_error(L);
     }
     if (part.kind == PartKind::Trigger) {
         lua_pushliteral(L, "static");
@@ -58,7 +73,7 @@ void push_fields(lua_State* L, const Making& making, int world, int objects) {
 
 /// (making, world, objects) -> Body, Joint or Prefab.
 int run_make(lua_State* L) {
-    const Making& making = *static_cast<const Making*>(lua_touserdata(L, 1));
+    Making& making = *static_cast<Making*>(lua_touserdata(L, 1));
     const LevelPart& part = making.level.parts[making.part];
     constexpr int kWorld = 2;
     constexpr int kObjects = 3;
@@ -105,6 +120,19 @@ void take_faults(lua_State* L, const std::string& place, std::vector<std::string
     }
 }
 
+/// "PLACE: FIELD = ...", of a field of the part's own, with the place of that field.
+std::string placed_at_field(const Level& level, const LevelPart& part, std::string fault) {
+    if (part.kind != PartKind::Prefab && part.kind != PartKind::Joint) return fault;
+    const std::size_t start = part.place.size() + 2;
+    const std::size_t end = fault.find_first_of(" [", start);
+    if (end == std::string::npos || (fault[end] == ' ' && !fault.substr(end).starts_with(" = ")))
+        return fault;
+    const std::string field = fault.substr(start, end - start);
+    const Value* value = part.fields.find(field);
+    if (value == nullptr) return fault;
+    return place_of({&part.fields, part.path, level.path}, *value, field) + fault.substr(end);
+}
+
 const Module& methods_of(PartKind kind) {
     switch (kind) {
         case PartKind::Body:
@@ -147,7 +175,7 @@ void unmake_part(lua_State* L, const Level& level, std::size_t part, int objects
 std::vector<std::string> make_part(lua_State* L, const Level& level, std::size_t number, int world,
                                    int objects) {
     const LevelPart& part = level.parts[number];
-    Making making{level, number};
+    Making making{level, number, {}};
     luaL_checkstack(L, LUA_MINSTACK, "parts of a level");
     lua_pushcfunction(L, run_make);
     lua_pushlightuserdata(L, &making);
@@ -155,7 +183,12 @@ std::vector<std::string> make_part(lua_State* L, const Level& level, std::size_t
     lua_pushvalue(L, objects);
     std::vector<std::string> faults;
     if (lua_pcall(L, 3, 1, 0) != LUA_OK) {
+        if (!making.faults.empty()) {
+            lua_pop(L, 1);
+            return making.faults;
+        }
         take_faults(L, part.place, faults);
+        for (std::string& fault : faults) fault = placed_at_field(level, part, std::move(fault));
         return faults;
     }
     for (const ShapePart& shape : part.shapes) {

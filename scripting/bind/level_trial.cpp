@@ -47,6 +47,18 @@ void push_scratch_world(lua_State* L) {
     lua_call(L, 1, 1);
 }
 
+/// Far more than a level needs; prefabs could make so many that there is no memory for them.
+constexpr lua_Integer kMaxBodies = 100'000;
+
+lua_Integer count_bodies(lua_State* L, int world) {
+    push_function(L, kWorldMethods, "body_count");
+    lua_pushvalue(L, world);
+    lua_call(L, 1, 1);
+    const lua_Integer count = lua_tointeger(L, -1);
+    lua_pop(L, 1);
+    return count;
+}
+
 // ---- Faulty parts
 
 constexpr int kTrialValues = 3;
@@ -147,6 +159,11 @@ std::vector<std::string> faults_of_building(lua_State* L, const Level& level) {
         const std::vector<std::string> found = make_part(L, level, part, top + 1, top + 2);
         is_made[part] = found.empty() && !level.parts[part].has_faulty_shape;
         faults.insert(faults.end(), found.begin(), found.end());
+        if (const lua_Integer count = count_bodies(L, top + 1); count > kMaxBodies) {
+            faults.push_back(level.parts[part].place + ": with it the level has " + std::to_string(count) +
+                             " bodies, but must have at most " + std::to_string(kMaxBodies));
+            break;
+        }
     }
     push_function(L, kWorldMethods, "destroy");
     lua_pushvalue(L, top + 1);

@@ -48,25 +48,34 @@ void read_end(lua_State* L, const FieldReader& reader, const Field& held, const 
     lua_pop(L, 1);
 }
 
-/// Calls `read` with each entry of a list on top of the stack.
-void read_list(lua_State* L, const FieldReader& reader, const Field& field, int type, const auto& read) {
+/// Calls `read(path)` with each entry of a list on top of the stack. `what` is one of them, of a list that
+/// must hold some; else null.
+void read_list(lua_State* L, const FieldReader& reader, const Field& field, int type, const char* what,
+               const auto& read) {
     reader.push(field);
     const auto count = static_cast<lua_Integer>(lua_rawlen(L, -1));
+    if (count == 0 && what != nullptr)
+        call_error(L, std::string(field.name) + " = {}: must hold at least one " + what);
     for (lua_Integer i = 1; i <= count; ++i) {
+        const std::string path = std::string(field.name) + "[" + std::to_string(i) + "]";
         if (lua_rawgeti(L, -1, i) != type)
-            call_error(L, std::string(field.name) + "[" + std::to_string(i) + "] is " +
-                              describe_value(L, -1) + "; expected a " + lua_typename(L, type));
-        read();
+            call_error(L, path + " = " + describe_value(L, -1) + ": must be a " + lua_typename(L, type));
+        read(path);
         lua_pop(L, 1);
     }
     lua_pop(L, 1);
 }
 
-/// { 1, 2, ... }
-std::vector<float> read_numbers(lua_State* L, const FieldReader& reader, const Field& field) {
+/// { 1, 2, ... }, each of them in a range.
+std::vector<float> read_numbers(lua_State* L, const FieldReader& reader, const Field& field, const char* what,
+                                const Field& each) {
     std::vector<float> numbers;
-    read_list(L, reader, field, LUA_TNUMBER,
-              [&] { numbers.push_back(static_cast<float>(lua_tonumber(L, -1))); });
+    read_list(L, reader, field, LUA_TNUMBER, what, [&](const std::string& path) {
+        const double number = lua_tonumber(L, -1);
+        if (!is_in_range(each, number))
+            call_error(L, path + " = " + describe_value(L, -1) + ": " + range_rule(each));
+        numbers.push_back(static_cast<float>(number));
+    });
     return numbers;
 }
 
@@ -206,7 +215,7 @@ constexpr FieldSet kWheelFields{kWheelOwn};
 
 std::vector<VehicleWheelDef> read_wheels(lua_State* L, const FieldReader& reader) {
     std::vector<VehicleWheelDef> wheels;
-    read_list(L, reader, kWheels, LUA_TTABLE, [&] {
+    read_list(L, reader, kWheels, LUA_TTABLE, nullptr, [&](const std::string&) {
         const FieldReader wheel(L, -1, kWheelFields);
         wheels.push_back({.place_m = {wheel.real(kX), wheel.real(kY)},
                           .radius_m = wheel.real(kWheelRadius),
@@ -244,7 +253,8 @@ constexpr auto kRagdollFields = fields_with<kRagdoll>();
 
 // ---- Brick wall
 constexpr Field kColumns = within(integer_field("columns", 6, "6", "bricks in a course"), 1, 1000);
-constexpr Field kCourses = within(integer_field("courses", 8, "8", ""), 1, 1000);
+constexpr Field kCourses =
+    within(integer_field("courses", 8, "8", "a wall has at most 10000 bricks"), 1, 1000);
 constexpr Field kBrickWidth = above(number_field("brick_width", 0.5, "0.5", "m"), 0.02);
 constexpr Field kBrickHeight = above(number_field("brick_height", 0.25, "0.25", "m"), 0.01);
 constexpr Field kMortar = above(number_field("mortar", 400, "400", "N/m: what a metre of mortar bears"), 0);
@@ -325,8 +335,9 @@ constexpr auto kWindmillFields =
     fields_with<kWindmill>(std::array<const Field*, 2>{&kHoldStart, &kStartBody});
 
 // ---- Elevator
-constexpr Field kFloors =
-    optional_field("floors", FieldType::Table, "a list of heights over y, m, ascending; absent: { 0, 3, 6 }");
+constexpr Field kFloors = optional_field(
+    "floors", FieldType::Table, "a list of heights over y, m, ascending, at least one; absent: { 0, 3, 6 }");
+constexpr Field kFloor = number_field("floor", 0, "0", "m");
 constexpr Field kPlatformWidth = above(number_field("width", 2, "2", "m, of the platform"), 0);
 constexpr Field kPlatformThickness = above(number_field("thickness", 0.2, "0.2", "m"), 0);
 constexpr Field kSpeed = above(number_field("speed", 1.5, "1.5", "m/s"), 0);
@@ -348,7 +359,8 @@ constexpr auto kElevatorFields = fields_with<kElevator>(std::array<const Field*,
 
 // ---- Gear train
 constexpr Field kRadii =
-    optional_field("radii", FieldType::Table, "a list of radii, m; absent: { 0.5, 1, 0.25 }");
+    optional_field("radii", FieldType::Table, "a list of radii, m, at least one; absent: { 0.5, 1, 0.25 }");
+constexpr Field kRadius = above(number_field("radius", 1, "1", "m"), 0);
 constexpr Field kAlongX = number_field("direction_x", 1, "1", "of the row, of any length");
 constexpr Field kAlongY = number_field("direction_y", 0, "0", "");
 constexpr Field kGearSpeed = number_field("motor_speed", 1, "1", "rad/s, of the first wheel");
@@ -454,12 +466,12 @@ WindmillDef PrefabReader<WindmillDef>::read(lua_State* L, const FieldReader& rea
 }
 ElevatorDef PrefabReader<ElevatorDef>::read(lua_State* L, const FieldReader& reader) {
     auto def = read_common<ElevatorDef>(reader, kElevator);
-    if (reader.has(kFloors)) def.floors_m = read_numbers(L, reader, kFloors);
+    if (reader.has(kFloors)) def.floors_m = read_numbers(L, reader, kFloors, "height", kFloor);
     return def;
 }
 GearTrainDef PrefabReader<GearTrainDef>::read(lua_State* L, const FieldReader& reader) {
     auto def = read_common<GearTrainDef>(reader, kGears);
-    if (reader.has(kRadii)) def.radii_m = read_numbers(L, reader, kRadii);
+    if (reader.has(kRadii)) def.radii_m = read_numbers(L, reader, kRadii, "radius", kRadius);
     return def;
 }
 PulleyLiftDef PrefabReader<PulleyLiftDef>::read(lua_State*, const FieldReader& reader) {

@@ -38,7 +38,6 @@ Pushed load(lua_State* L, std::string_view path, std::optional<TableArgument> fi
     const std::string_view filter = reader.text(kFilter);
     if (filter != "linear" && filter != "nearest") reader.fail(kFilter, "must be \"linear\" or \"nearest\"");
     const bool is_nearest = filter == "nearest";
-    const auto start = [&] { return "map '" + std::string(path) + "': "; };
     // Of a tile set or of a layer.
     const auto texture = [&](const auto& of) {
         const std::string& image = of.image_path;
@@ -46,15 +45,14 @@ Pushed load(lua_State* L, std::string_view path, std::optional<TableArgument> fi
         const auto loaded = services.renderer.load_texture(
             image, is_nearest ? engine::TextureFilter::Nearest : engine::TextureFilter::Linear,
             of.transparent);
-        if (!loaded)
-            call_error(L, start() + place + ".image is \"" + image + "\", but " + loaded.error().message);
+        if (!loaded) call_error(L, place + ": image is \"" + image + "\", but " + loaded.error().message);
         return *loaded;
     };
     std::vector<engine::TextureId> textures;
     for (const engine::TileSet& set : map.sets) {
         textures.push_back(texture(set));
         const engine::Size size = services.renderer.texture_size(textures.back());
-        if (const auto fits = set.check_image(size); !fits) call_error(L, start() + fits.error().message);
+        if (const auto fits = set.check_image(size); !fits) call_error(L, fits.error().message);
     }
     std::vector<engine::TextureId> images;
     for (const MapLayer& layer : map.layers)

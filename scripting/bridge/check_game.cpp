@@ -144,18 +144,18 @@ class Inspector {
         for (const engine::MapLayer& layer : reading.map.layers) {
             if (layer.image_path.empty()) continue;
             if (const auto texture = machine_.renderer->load_texture(layer.image_path); !texture)
-                tell(path, "map '" + path + "': " + layer.place + ".image is \"" + layer.image_path +
-                               "\", but " + texture.error().message);
+                tell(path,
+                     layer.place + ": image is \"" + layer.image_path + "\", but " + texture.error().message);
         }
         for (const engine::TileSet& set : reading.map.sets) {
             if (set.image_path.empty()) continue;  // a fault, told above
             const auto texture = machine_.renderer->load_texture(set.image_path);
-            const std::string start = "map '" + path + "': " + set.place + ".";
             if (!texture) {
-                tell(path, start + "image is \"" + set.image_path + "\", but " + texture.error().message);
+                tell(path,
+                     set.place + ": image is \"" + set.image_path + "\", but " + texture.error().message);
             } else if (reading.faults.empty()) {
                 const auto fits = set.check_image(machine_.renderer->texture_size(*texture));
-                if (!fits) tell(path, "map '" + path + "': " + fits.error().message);
+                if (!fits) tell(path, fits.error().message);
             }
         }
     }

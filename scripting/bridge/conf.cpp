@@ -1,6 +1,8 @@
 // conf.lua by a schema, like any other data file.
 #include "bridge/conf.h"
 
+#include <cairn/engine/files.h>
+
 #include "data/schema.h"
 #include "data/table_parser.h"
 
@@ -29,6 +31,10 @@ Schema conf_schema() {
     color.items = std::make_unique<Schema>(std::move(part));
     Schema identity = schema_of(SchemaType::String);
     identity.min_length = 1;
+    identity.check = [](const Value& value) -> std::optional<std::string> {
+        if (engine::is_save_identity(value.text())) return std::nullopt;
+        return std::string(engine::kSaveIdentityRule);
+    };
     Schema scaling = schema_of(SchemaType::String);
     scaling.what = "scaling";
     scaling.one_of = {"fit", "follow"};

@@ -66,7 +66,8 @@ return {
 What is made is what a script would make with the same fields: `world:add_box{...}`, `world:add_revolute_joint{...}`,
 `cairn.prefab.rope(world, {...})`. In the world it has the order of the file: bodies, triggers, prefabs, joints. A body's `data`
 gets `name` and `material`, unless it says them itself.
-A field of the type Body or Joint holds the name of one.
+A field of the type Body or Joint holds the name of one; `"bridge.3"` is the third body of a prefab that stands before. A level has
+at most 100000 bodies.
 )";
 
 constexpr const char* kTiled = R"(
@@ -87,6 +88,13 @@ wide unless `scale` says otherwise; the map's bottom left is (0, 0), y points up
   these at the object's place, with the properties as fields. Any other class is the name of a template.
 - **Properties of the map**: `name`, `gravity_x`, `gravity_y`; `includes` names a file with materials and templates; the others become
   the level's `data`.
+
+Faults have the line of the object in the file, what the object and its layer are called in the editor, and the value in the unit
+that it has there; all that is wrong with a map, as a map and as a level, is told at once:
+
+    levels/one.tmx:12: object 3 "crate" in layer "things": width = -16 pixels: must be above 0 and at most 32000000 pixels
+    levels/one.tmx:13: object 4 in layer "things": class = "triger": no such class or template; did you mean "trigger"? (...)
+    levels/one.tmx:14: object 5 "ball" in layer "things": x is "nan", but must be a number
 )";
 
 /// Without those that stand in `known`.

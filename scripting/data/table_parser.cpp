@@ -3,6 +3,7 @@
 #include "data/table_parser.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <set>
 #include <string>
@@ -67,7 +68,7 @@ class Parser : private TableScanner {
             out.content = std::move(text);
             return true;
         }
-        if (is_digit(c) || c == '-' || c == '.') return number(out);
+        if (is_digit(c) || c == '-' || c == '.') return finite_number(out);
         const std::string_view word = word_ahead();
         if (word == "true" || word == "false") {
             out.content = word == "true";
@@ -83,6 +84,29 @@ class Parser : private TableScanner {
                         std::string(word) + "\" in quotes, true, false or a table");
         }
         return fail("expected a value (a number, a string, true, false or a table), found " + found());
+    }
+
+    bool finite_number(Value& out) {
+        const std::size_t start = position_;
+        if (!number(out)) return false;
+        const auto* real = std::get_if<double>(&out.content);
+        if (real == nullptr || std::isfinite(*real)) return true;
+        is_passable_ = true;
+        return fail_at(start, path() + " = " + std::string(text_.substr(start, position_ - start)) +
+                                  ": is too large for a number");
+    }
+
+    /// Of the value that is read: "bodies[3].radius".
+    [[nodiscard]] std::string path() const {
+        std::string path;
+        for (const Key* key : keys_) {
+            if (const auto* name = std::get_if<std::string>(key)) {
+                path += (path.empty() ? "" : ".") + *name;
+            } else {
+                path += '[' + std::to_string(std::get<std::int64_t>(*key)) + ']';
+            }
+        }
+        return path;
     }
 
     bool table(Value& out, int depth) {
@@ -102,7 +126,10 @@ class Parser : private TableScanner {
             const std::size_t entry_start = position_;
             Entry entry;
             if (!key(entry.key, next_index)) return is_passable_ = false;
-            if (!value(entry.value, depth + 1) && !pass_over(entry.value)) return false;
+            keys_.push_back(&entry.key);
+            const bool is_read = value(entry.value, depth + 1);
+            keys_.pop_back();
+            if (!is_read && !pass_over(entry.value)) return false;
             if (!keys.insert(entry.key).second)
                 return fail_at(entry_start, key_name(entry.key) + " is given twice");
             entries.push_back(std::move(entry));
@@ -206,6 +233,7 @@ class Parser : private TableScanner {
     }
 
     std::vector<std::string>* faults_;
+    std::vector<const Key*> keys_;  ///< of the tables around the value that is read, and its own
 };
 
 }  // namespace

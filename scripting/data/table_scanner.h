@@ -37,6 +37,7 @@ class TableScanner {
     /// The number of = in [==[ at the position, if one opens there.
     std::optional<std::size_t> long_bracket_level() const;
     bool long_text(std::string& out, std::size_t start, const char* what);
+    /// Infinite when it is too large for a float.
     bool number(Value& out);
     bool quoted(std::string& out);
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -14,6 +15,17 @@ namespace cairn::scripting {
 struct Entry;
 using Entries = std::vector<Entry>;
 
+/// Of a value that was made out of another file than one of table text: what its author sees, for messages.
+struct ValueOrigin {
+    std::string thing;    ///< `object 3 "crate" in layer "things"`
+    std::string member;   ///< "width", `property "radius"`; empty: the thing itself
+    std::string written;  ///< "-16 pixels"; empty: nothing that could be shown
+    /// Of a number in another unit: value = offset + per_unit * what is written.
+    std::string_view unit = {};
+    double offset = 0;
+    double per_unit = 1;
+};
+
 struct Value {
     /// In the order of the variant's alternatives.
     enum class Kind { Boolean, Integer, Number, String, Table };
@@ -23,6 +35,7 @@ struct Value {
     int column = 0;
     bool is_unreadable =
         false;  ///< stands for what was no data, which is told already; only for finding more faults
+    std::shared_ptr<const ValueOrigin> origin = {};  ///< null: it was written as it is
 
     [[nodiscard]] Kind kind() const { return static_cast<Kind>(content.index()); }
     [[nodiscard]] bool is_number() const { return kind() == Kind::Integer || kind() == Kind::Number; }

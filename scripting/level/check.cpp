@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <tuple>
+#include <utility>
 
 #include "data/nearest.h"
 
@@ -11,12 +12,25 @@ namespace {
 
 std::string with_place(const std::string& file, const Value& value) {
     if (value.line == 0) return file + ": ";
+    if (value.column == 0) return file + ':' + std::to_string(value.line) + ": ";
     return file + ':' + std::to_string(value.line) + ':' + std::to_string(value.column) + ": ";
 }
 
 std::string joined_path(const std::string& path, const std::string& field) {
     if (path.empty() || field.empty() || field[0] == '[') return path + field;
     return path + '.' + field;
+}
+
+/// The rule of a range in the unit in which the value was written.
+std::string range_rule_of(const Value& value, const Field& field) {
+    if (value.origin == nullptr || value.origin->unit.empty()) return range_rule(field);
+    const ValueOrigin& origin = *value.origin;
+    const auto written = [&](double end) { return (end - origin.offset) / origin.per_unit; };
+    Range range = field.range;
+    if (range.has_low()) range.low = written(field.range.low);
+    if (range.has_high()) range.high = written(field.range.high);
+    if (origin.per_unit < 0) std::swap(range.low, range.high);
+    return range_rule(within(field, range)) + ' ' + std::string(origin.unit);
 }
 
 bool has_type(const Value& value, FieldType type) {
@@ -49,6 +63,28 @@ std::string expected(FieldType type) {
 
 }  // namespace
 
+std::string as_written(const Value& value) {
+    if (value.origin != nullptr) return value.origin->written;
+    return value.kind() == Value::Kind::Table ? "" : to_short_text(value);
+}
+
+std::string told_name(const Layer& entry) {
+    return entry.table->origin != nullptr ? entry.table->origin->thing : entry.path;
+}
+
+std::string place_of(const Layer& entry) {
+    return place_of(entry, *entry.table, "");
+}
+
+std::string place_of(const Layer& entry, const Value& value, const std::string& field) {
+    const std::string start = with_place(entry.file, value);
+    if (value.origin != nullptr) {
+        const ValueOrigin& origin = *value.origin;
+        return start + origin.thing + (origin.member.empty() ? "" : ": ") + origin.member;
+    }
+    return start + joined_path(entry.path, field);
+}
+
 std::string item_path(const std::string& list, std::size_t index) {
     return list + '[' + std::to_string(index + 1) + ']';
 }
@@ -72,6 +108,18 @@ void LevelChecker::fault_of_file(const std::string& file, const std::string& mes
     // Messages of the parser begin with the place, and those of maps name their file.
     const bool names_file = message.find(file) != std::string::npos;
     add(file, {}, names_file ? message : file + ": " + message);
+}
+
+void LevelChecker::fault_of_line(const std::string& file, int line, const std::string& message) {
+    Value place;
+    place.line = line;
+    add(file, place, with_place(file, place) + message);
+}
+
+void LevelChecker::missing(const Layer& where, std::string_view field, const std::string& rest) {
+    // Of what an object of Tiled has, all is there but its name and its properties.
+    const bool is_property = where.table->origin != nullptr && field != "name";
+    fault(where, (is_property ? "the property \"" : "\"") + std::string(field) + "\" is missing" + rest);
 }
 
 void LevelChecker::add(const std::string& file, const Value& place, std::string text) {
@@ -101,9 +149,9 @@ void LevelChecker::fault(const Layer& where, const Value& value, const std::stri
         ++told_;  // when the file was read
         return;
     }
-    std::string text = with_place(where.file, value) + joined_path(where.path, field);
-    if (value.kind() != Value::Kind::Table) text += " = " + to_short_text(value);
-    add(where.file, value, text + ": " + rule);
+    const std::string written = as_written(value);
+    add(where.file, value,
+        place_of(where, value, field) + (written.empty() ? "" : " = ") + written + ": " + rule);
 }
 
 void LevelChecker::fault(const Layer& where, const std::string& rule) {
@@ -144,7 +192,7 @@ void LevelChecker::check_value(const Layer& layer, const Value& value, const Fie
     }
     if (field.type == FieldType::Number || field.type == FieldType::Integer) {
         if (!is_in_range(field, value.number())) {
-            fault(layer, value, field.name, range_rule(field));
+            fault(layer, value, field.name, range_rule_of(value, field));
         } else if (field.type == FieldType::Number && is_beyond_float(value.number())) {
             fault(layer, value, field.name, std::string("must be ") + kWithinFloat);
         }
@@ -179,8 +227,7 @@ void LevelChecker::check_missing(std::span<const Layer> layers, std::span<const 
         if (field->default_text != nullptr || field->name == exempt) continue;
         if (find_in(layers, field->name) != nullptr) continue;
         const std::string unit = *field->doc == '\0' ? "" : " (" + std::string(field->doc) + ')';
-        fault(layers.front(),
-              '"' + std::string(field->name) + "\" is missing; it must be " + expected(field->type) + unit);
+        missing(layers.front(), field->name, "; it must be " + expected(field->type) + unit);
     }
 }
 

@@ -20,13 +20,25 @@ struct Layer {
     std::string file;
 };
 
+/// "levels/one.lua:12:5: bodies[3]"; of what Tiled has made `levels/one.tmx:9: object 3 "crate" in layer
+/// "a"`.
+std::string place_of(const Layer& entry);
+/// "levels/one.lua:12:9: bodies[3].radius"; `levels/one.tmx:9: object 3 "crate" in layer "a": width`.
+std::string place_of(const Layer& entry, const Value& value, const std::string& field);
+/// The entry as others are told of it: "bodies[3]", `object 3 "crate" in layer "a"`.
+std::string told_name(const Layer& entry);
+/// The value as its author wrote it: -1, "-16 pixels"; empty for tables.
+std::string as_written(const Value& value);
+
 class LevelChecker {
   public:
-    /// "FILE:LINE:COLUMN: PATH = VALUE: RULE". The value is left out for tables.
+    /// "PLACE = VALUE: RULE". The value is left out for tables.
     void fault(const Layer& where, const Value& value, const std::string& field, const std::string& rule);
     /// Of the entry as a whole.
     void fault(const Layer& where, const std::string& rule);
     void fault_of_file(const std::string& file, const std::string& message);
+    /// Of a line of the file.
+    void fault_of_line(const std::string& file, int line, const std::string& message);
     /// The file whose faults come first.
     void begin(const std::string& file) { files_ = {file}; }
 
@@ -34,6 +46,8 @@ class LevelChecker {
     void check_fields(const Layer& layer, std::span<const Field* const> fields);
     /// The same, but for names: the table may have other fields too.
     void check_known_fields(const Layer& layer, std::span<const Field* const> fields);
+    /// `"FIELD" is missing`, and the rest of the sentence.
+    void missing(const Layer& where, std::string_view field, const std::string& rest);
     /// Required fields that none of the layers has. `exempt`: a field that may be absent nevertheless.
     void check_missing(std::span<const Layer> layers, std::span<const Field* const> fields,
                        std::string_view exempt = {});

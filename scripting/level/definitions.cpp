@@ -27,9 +27,15 @@ bool LevelDefinitions::read(const std::string& path, Value& level, std::vector<s
 bool LevelDefinitions::read_table(const std::string& path, Value& out) {
     paths_.push_back(path);
     if (is_tiled_file(path)) {
-        std::vector<std::string> faults;
+        std::vector<TiledFault> faults;
         auto level = tiled_level(files_, path, import_.scale, faults);
-        for (const std::string& fault : faults) check_.fault_of_file(path, fault);
+        for (const TiledFault& fault : faults) {
+            if (fault.line > 0) {
+                check_.fault_of_line(path, fault.line, fault.text);
+            } else {
+                check_.fault_of_file(path, fault.text);
+            }
+        }
         if (!level) return false;
         out = *std::move(level);
         return true;

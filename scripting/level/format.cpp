@@ -29,10 +29,11 @@ constexpr Field kShape =
 constexpr Field kShapeOfTrigger =
     required_field("shape", FieldType::String,
                    "\"box\", \"circle\", \"capsule\" or \"polygon\", with the fields of that shape");
-constexpr Field kShapes = optional_field(level_fields::kShapes, FieldType::Table,
-                                         "of a body with several: a list; each has `shape`, the fields of "
-                                         "that shape, `x`, `y`, `angle` in the body, "
-                                         "and `material`");
+constexpr Field kShapes =
+    optional_field(level_fields::kShapes, FieldType::Table,
+                   "of a body with several: a list of at least one; each has `shape`, the fields of "
+                   "that shape, `x`, `y`, `angle` in the body, "
+                   "and `material`");
 constexpr Field kJoint = required_field("joint", FieldType::String, "the kind: \"revolute\", \"weld\", ...");
 constexpr Field kPrefab = required_field("prefab", FieldType::String, "the kind: \"rope\", \"vehicle\", ...");
 

@@ -12,6 +12,8 @@
 #include "data/nearest.h"
 #include "level/check.h"
 #include "level/definitions.h"
+#include "level/references.h"
+#include "level/tiled_level.h"
 
 namespace cairn::scripting {
 namespace {
@@ -33,14 +35,6 @@ std::string member_path(const std::string& list, const Key& key) {
     return list + '[' + std::to_string(std::get<std::int64_t>(key)) + ']';
 }
 
-/// "levels/one.lua:12:5: bodies[3]"; without line and column in what was no text.
-std::string place_of_entry(const Layer& entry) {
-    const Value& table = *entry.table;
-    const std::string at =
-        table.line > 0 ? ':' + std::to_string(table.line) + ':' + std::to_string(table.column) : "";
-    return entry.file + at + ": " + entry.path;
-}
-
 class Reader {
   public:
     Reader(const engine::Files& files, const TiledImport& import)
@@ -54,7 +48,7 @@ class Reader {
             for (int kind = 0; kind < kPartKinds; ++kind) read_parts(static_cast<PartKind>(kind));
             read_spawns();
             read_decorations();
-            check_references();
+            references_.check(level_, check_);
         }
         return {std::move(level_), check_.faults()};
     }
@@ -107,9 +101,14 @@ class Reader {
         const Value* least = bounds->find(low);
         const Value* most = bounds->find(high);
         if (least == nullptr || most == nullptr || !least->is_number() || !most->is_number()) return;
-        if (most->number() <= least->number()) {
-            check_.fault({bounds, "bounds", level_.path}, *most, high,
+        if (most->number() > least->number()) return;
+        const Layer layer{bounds, "bounds", level_.path};
+        if (most->origin == nullptr) {
+            check_.fault(layer, *most, high,
                          std::string("must be above ") + low + ", which is " + to_short_text(*least));
+        } else {  // of a rectangle of Tiled, which has a corner and a size
+            const bool is_size = most->origin->member != "y";
+            check_.fault(layer, is_size ? *most : *least, high, "must be above 0");
         }
     }
 
@@ -157,14 +156,14 @@ class Reader {
 
     /// The text of a name that is good and new; else a fault, and nothing.
     std::string take_name(const Layer& layer, const Value& name) {
-        if (name.is_unreadable) lacks_names_ = true;
+        if (name.is_unreadable) references_.note_lost_name();
         if (name.kind() != Value::Kind::String) return "";
         if (!is_part_name(name.text())) {
-            refused_names_.insert(name.text());
+            references_.note_refused_name(name.text());
             check_.fault(layer, name, kName, "must be letters, digits, _ and -, and not empty");
             return "";
         }
-        if (const auto [known, is_new] = names_.try_emplace(name.text(), layer.path); !is_new) {
+        if (const auto [known, is_new] = names_.try_emplace(name.text(), told_name(layer)); !is_new) {
             check_.fault(layer, name, kName, "is the name of " + known->second + " already");
             return "";
         }
@@ -188,7 +187,8 @@ class Reader {
     void read_part(PartKind kind, const Layer& entry) {
         LevelPart part;
         part.kind = kind;
-        part.place = place_of_entry(entry);
+        part.place = place_of(entry);
+        part.path = entry.path;
         if (const Value* name = entry.table->find(kName)) part.name = take_name(entry, *name);
         std::vector<Layer> layers = {entry};
         const bool has_all_layers =
@@ -198,7 +198,7 @@ class Reader {
             part.is_faulty = true;
             const std::vector<const Field*> fields = undisputed_fields(kind);
             check_.check_known_fields(entry, fields);
-            note_references(part, entry, fields);
+            references_.note(part, level_.parts.size(), entry, fields);
             level_.parts.push_back(std::move(part));
             return;
         }
@@ -227,7 +227,7 @@ class Reader {
         if (part.is_faulty && is_shape(kind, part.variant)) note_outline(part, part.variant, layers);
         if (kind == PartKind::Body) read_shapes(part, layers);
         note_names(part, layers);
-        note_references(part, entry, fields);
+        references_.note(part, level_.parts.size(), entry, fields);
         level_.parts.push_back(std::move(part));
     }
 
@@ -238,8 +238,7 @@ class Reader {
         const Value* variant = find_in(layers, section.variant, &layer);
         if (variant == nullptr) {
             if (part.kind == PartKind::Body) return true;
-            check_.fault(layers.front(), '"' + std::string(section.variant) + "\" is missing" +
-                                             suggestion("", variants_of(part.kind)));
+            check_.missing(layers.front(), section.variant, suggestion("", variants_of(part.kind)));
             return false;
         }
         if (variant->kind() != Value::Kind::String) {
@@ -256,17 +255,6 @@ class Reader {
         return !is_unknown;
     }
 
-    /// Bodies and joints that it names; those must be known by then.
-    void note_references(LevelPart& part, const Layer& entry, std::span<const Field* const> fields) {
-        for (const Field* field : fields) {
-            if (field->type != FieldType::Body && field->type != FieldType::Joint) continue;
-            const Value* name = entry.table->find(field->name);
-            if (name == nullptr || name->kind() != Value::Kind::String) continue;
-            part.references.push_back({field->name, name->text()});
-            waiting_.push_back({entry, field, *name, level_.parts.size()});
-        }
-    }
-
     /// Adds the template or material that the layers name. False when they name one that there is not.
     bool add_named(std::vector<Layer>& layers, const char* field, const std::string& what,
                    const std::map<std::string, Layer>& known) {
@@ -278,7 +266,10 @@ class Reader {
         if (found != known.end()) {
             layers.push_back(found->second);
         } else if (!definitions_.are_incomplete()) {
-            check_.check_one_of(*layer, *name, field, what, LevelDefinitions::names_of(known));
+            std::vector<std::string> names = LevelDefinitions::names_of(known);
+            const bool is_class = name->origin != nullptr && name->origin->member == kTiledClass;
+            if (is_class) names.insert(names.end(), tiled_classes().begin(), tiled_classes().end());
+            check_.check_one_of(*layer, *name, field, is_class ? "class or template" : what, names);
         }
         return found != known.end();
     }
@@ -312,7 +303,7 @@ class Reader {
             const bool is_missing = value == nullptr && field->default_text == nullptr;
             if (is_missing || (value != nullptr && check_.is_faulty(*value))) return;
         }
-        part.outlines.push_back({variant, merged(layers, fields), place_of_entry(layers.front())});
+        part.outlines.push_back({variant, merged(layers, fields), place_of(layers.front())});
     }
 
     /// One table of all layers, without what only levels know. In the order of the fields, so that equal
@@ -334,10 +325,12 @@ class Reader {
         const Value* list = find_in(layers, kShapes, &layer);
         if (list == nullptr || list->kind() != Value::Kind::Table) {
             if (part.variant.empty()) {
-                // Its template, of which nothing is known, may have been to give it one.
-                const bool lacks_template =
-                    layers.front().table->find(kTemplate) != nullptr && layers.size() == 1;
-                if (!lacks_template)
+                // Its template may have been to give it one: one that is not there, or that hopes to have
+                // it from another, which is told.
+                const bool has_template = layers.front().table->find(kTemplate) != nullptr;
+                const bool has_lost_it =
+                    has_template && (layers.size() == 1 || layers[1].table->find(kTemplate) != nullptr);
+                if (!has_lost_it)
                     check_.fault(layers.front(),
                                  "has neither \"shape\" nor \"shapes\"; one of them is expected" +
                                      suggestion("", variants_of(PartKind::Body)));
@@ -352,6 +345,8 @@ class Reader {
             check_.fault(*layer, *list, kShapes, "must be a list: { { ... }, { ... } }");
             return;
         }
+        if (list->entries().empty())
+            check_.fault(*layer, *list, kShapes + std::string(" = {}"), "must hold at least one shape");
         for (std::size_t i = 0; i < list->entries().size(); ++i) {
             const Value& shape = list->entries()[i].value;
             const std::string path = item_path(kShapes, i);
@@ -389,8 +384,7 @@ class Reader {
         }
         is_faulty |= tells([&] { check_.check_missing(layers, fields); });
         is_faulty |= tells([&] { check_outline(variant->text(), layers); });
-        if (!is_faulty)
-            part.shapes.push_back({variant->text(), merged(layers, fields), place_of_entry(entry)});
+        if (!is_faulty) part.shapes.push_back({variant->text(), merged(layers, fields), place_of(entry)});
         if (is_faulty || part.is_faulty) note_outline(part, variant->text(), layers);
     }
 
@@ -421,72 +415,14 @@ class Reader {
         if (has_material) note(kMaterial, material->text());
     }
 
-    // ---- References
-
-    struct Waiting {
-        Layer layer;
-        const Field* field;
-        Value name;
-        std::size_t part;
-    };
-
-    void check_references() {
-        for (const Waiting& waiting : waiting_) {
-            const PartName name = split_part_name(waiting.name.text());
-            // A name that was refused is told where it is given.
-            const bool is_wrong =
-                refused_names_.contains(name.name) || tells([&] { check_reference(waiting, name); });
-            if (is_wrong) refuse(waiting);
-        }
-    }
-
-    void refuse(const Waiting& waiting) {
-        LevelPart& part = level_.parts[waiting.part];
-        part.is_faulty = true;
-        if (std::find(part.faulty_fields.begin(), part.faulty_fields.end(), waiting.field) ==
-            part.faulty_fields.end())
-            part.faulty_fields.push_back(waiting.field);
-    }
-
-    void check_reference(const Waiting& waiting, const PartName& name) {
-        if (waiting.field->type == FieldType::Joint) {
-            const auto found = level_.find(PartKind::Joint, name.name);
-            if (!found) {
-                check_name(waiting, "joint", level_.names(PartKind::Joint));
-            } else if (*found >= waiting.part) {
-                check_.fault(waiting.layer, waiting.name, waiting.field->name,
-                             "must be a joint that stands before this one");
-            }
-            return;
-        }
-        if (name.index > 0 && level_.find(PartKind::Prefab, name.name)) return;
-        if (level_.find(PartKind::Body, name.name) || level_.find(PartKind::Trigger, name.name)) return;
-        if (level_.find(PartKind::Prefab, name.name)) {
-            check_.fault(waiting.layer, waiting.name, waiting.field->name,
-                         "is a prefab; \"" + name.name + ".1\" is its first body");
-            return;
-        }
-        std::vector<std::string> names = level_.names(PartKind::Body);
-        for (const std::string& trigger : level_.names(PartKind::Trigger)) names.push_back(trigger);
-        check_name(waiting, "body", names);
-    }
-
-    /// Of what is not among the names.
-    void check_name(const Waiting& waiting, const char* what, std::span<const std::string> names) {
-        refuse(waiting);
-        if (!lacks_names_) check_.check_one_of(waiting.layer, waiting.name, waiting.field->name, what, names);
-    }
-
     const engine::Files& files_;
     Level level_;
     LevelChecker check_;
     LevelDefinitions definitions_;
     Layer root_;
-    std::map<std::string, std::string> names_;  ///< name -> path of what has it
-    std::set<std::string> refused_names_;
-    bool lacks_names_ = false;                     ///< the name of a part could not be read, which is told
+    std::map<std::string, std::string> names_;     ///< name -> path of what has it
     std::map<std::string, std::string> pictures_;  ///< path -> its fault, or empty
-    std::vector<Waiting> waiting_;
+    PartReferences references_;
 };
 
 }  // namespace

@@ -25,7 +25,8 @@ struct ShapePart {
 /// A field that names another part of the level.
 struct PartReference {
     std::string field;
-    std::string name;  ///< "crate", or "rope.3": the third body of a prefab
+    std::string name;   ///< "crate", or "rope.3": the third body of a prefab
+    std::string place;  ///< `levels/one.lua:12:30: joints[1].body_b = "crate": `, for messages
 };
 
 /// What a level makes in a world.
@@ -39,6 +40,7 @@ struct LevelPart {
     std::vector<ShapePart> outlines;
     std::vector<PartReference> references;
     std::string place;       ///< "levels/one.lua:12:5: bodies[3]": for messages
+    std::string path;        ///< "bodies[3]"
     bool is_faulty = false;  ///< it cannot be tried out as it is
     /// Those whose values are faulty: what does not depend on them can still be tried out.
     std::vector<const Field*> faulty_fields;

@@ -1,12 +1,16 @@
-// Source of the outlines: each cell's border runs anticlockwise; what two solid cells share cancels, and the
-// rest is linked end to end, by the leftmost turn where there is a choice.
+// An object's class says what is made of it; what its values are called there stands in their origins.
 #include "level/tiled_level.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <numbers>
+#include <set>
 #include <utility>
 
+#include "level/cell_outlines.h"
 #include "level/format.h"
+#include "level/tiled_values.h"
 
 namespace cairn::scripting {
 namespace {
@@ -15,50 +19,6 @@ using engine::MapLayer;
 using engine::MapObject;
 using engine::MapShape;
 using engine::Vec2;
-
-Value to_value(double number) {
-    Value value;
-    // The editor does not tell 1 from 1.0; bit sets and counts are integers here.
-    if (std::abs(number) < 1e15 && number == std::floor(number)) {
-        value.content = static_cast<std::int64_t>(number);
-    } else {
-        value.content = number;
-    }
-    return value;
-}
-Value to_value(const std::string& text) {
-    Value value;
-    value.content = text;
-    return value;
-}
-Value to_value(bool is_true) {
-    Value value;
-    value.content = is_true;
-    return value;
-}
-Value new_table() {
-    Value value;
-    value.content = Entries{};
-    return value;
-}
-Value to_value(const engine::TileProperty& property) {
-    return std::visit([](const auto& content) { return to_value(content); }, property);
-}
-
-bool is_field(const std::vector<const Field*>& fields, std::string_view name) {
-    return std::any_of(fields.begin(), fields.end(), [&](const Field* field) { return name == field->name; });
-}
-
-/// Those that are fields; the others go into `data`.
-void set_properties(Value& table, const engine::TileProperties& properties,
-                    const std::vector<const Field*>& fields) {
-    Value data = new_table();
-    for (const auto& [name, property] : properties) {
-        const bool is_known = is_field(fields, name) && name != "data";
-        if (table.find(name) == nullptr) add_entry(is_known ? table : data, name, to_value(property));
-    }
-    if (!data.entries().empty() && is_field(fields, "data")) add_entry(table, "data", std::move(data));
-}
 
 /// Twice the area to the left of the outline.
 float signed_area(const std::vector<Vec2>& points) {
@@ -86,8 +46,12 @@ bool is_convex(const std::vector<Vec2>& points) {
 class MapReader {
   public:
     /// Objects that cannot be what their class says are told in `faults`.
-    MapReader(const engine::TileMap& map, double scale, std::vector<std::string>& faults)
-        : map_(map), scale_(scale), faults_(faults) {}
+    MapReader(const engine::TileMapReading& reading, double scale, std::vector<TiledFault>& faults)
+        : map_(reading.map),
+          map_thing_{"the map", 0, &reading.unreadable},
+          lacks_objects_(reading.lacks_objects),
+          scale_(scale),
+          faults_(faults) {}
 
     Value read() {
         for (auto& [name, list] : lists_) list = new_table();
@@ -98,6 +62,7 @@ class MapReader {
                 for (const MapObject& object : layer.objects) read_object(object);
             }
         }
+        if (lacks_objects_) add_unknown();
         Value level = new_table();
         read_own(level);
         for (auto& [name, list] : lists_) {
@@ -111,17 +76,69 @@ class MapReader {
         static const std::vector<const Field*> fields = fields_of_any_body();
         return fields;
     }
+    static TiledThing thing_of(const MapObject& object) {
+        return {object.place, object.line, &object.unreadable};
+    }
 
     Value& list(std::string_view name) {
         return std::find_if(std::begin(lists_), std::end(lists_),
                             [&](const auto& l) { return l.first == name; })
             ->second;
     }
+    /// Whatever it is, it may have any name.
+    void add_unknown() {
+        Value body = new_table();
+        add_entry(body, "name", unreadable_value());
+        add_entry(body, "shape", unreadable_value());
+        add_item(list("bodies"), std::move(body));
+    }
 
     double height_m() const { return map_.rows * map_.tile_size.height * scale_; }
-    Value x_value(float x) const { return to_value(static_cast<double>(x) * scale_); }
-    Value y_value(float y) const { return to_value(height_m() - static_cast<double>(y) * scale_); }
-    Value length_value(float length) const { return to_value(static_cast<double>(length) * scale_); }
+    double x_m(float x) const { return static_cast<double>(x) * scale_; }
+    double y_m(float y) const { return height_m() - static_cast<double>(y) * scale_; }
+
+    /// What follows from a number of pixels that the object has: value = offset + per_pixel * pixels.
+    Value from_pixels(const MapObject& object, const char* member, float pixels, double value,
+                      double per_pixel) const {
+        return value_of(thing_of(object), to_value(value),
+                        {.member = member,
+                         .written = written_number(pixels, kPixels),
+                         .unit = kPixels,
+                         .offset = value - per_pixel * static_cast<double>(pixels),
+                         .per_unit = per_pixel});
+    }
+    Value length_value(const MapObject& object, const char* member, float pixels, double per_pixel) const {
+        if (thing_of(object).lacks(member)) return unreadable_value();
+        return from_pixels(object, member, pixels, per_pixel * static_cast<double>(pixels), per_pixel);
+    }
+    void set_size(Value& table, const MapObject& object) const {
+        add_entry(table, "width", length_value(object, "width", object.size.x, scale_));
+        add_entry(table, "height", length_value(object, "height", object.size.y, scale_));
+    }
+    /// A place that follows from the object's own and the other attributes.
+    void set_place(Value& table, const MapObject& object, Vec2 place,
+                   std::initializer_list<std::string_view> others) const {
+        const TiledThing thing = thing_of(object);
+        const bool is_lost = thing.lacks_any(others);
+        add_entry(table, "x",
+                  is_lost || thing.lacks("x")
+                      ? unreadable_value()
+                      : from_pixels(object, "x", object.position.x, x_m(place.x), scale_));
+        add_entry(table, "y",
+                  is_lost || thing.lacks("y")
+                      ? unreadable_value()
+                      : from_pixels(object, "y", object.position.y, y_m(place.y), -scale_));
+    }
+    void set_angle(Value& table, const MapObject& object) const {
+        if (thing_of(object).lacks("rotation")) return add_entry(table, "angle", unreadable_value());
+        constexpr float kDegrees = 180 / std::numbers::pi_v<float>;
+        add_entry(table, "angle",
+                  value_of(thing_of(object), to_value(static_cast<double>(-object.rotation_rad)),
+                           {.member = "rotation",
+                            .written = written_number(object.rotation_rad * kDegrees, "degrees"),
+                            .unit = "degrees",
+                            .per_unit = -std::numbers::pi / 180}));
+    }
 
     void read_own(Value& level) const {
         static const std::vector<const Field*> fields = [] {
@@ -133,12 +150,15 @@ class MapReader {
         }();
         engine::TileProperties properties = map_.properties;
         if (const auto includes = properties.find("includes"); includes != properties.end()) {
-            Value files = new_table();
-            add_item(files, to_value(includes->second));
+            Value files = table_of(map_thing_);
+            add_item(files, property_value(map_thing_, "includes", includes->second));
             add_entry(level, "includes", std::move(files));
             properties.erase(includes);
+        } else if (map_thing_.lacks_any({"properties", "property includes"})) {
+            add_entry(level, "includes", unreadable_value());
         }
-        set_properties(level, properties, fields);
+        set_properties(level, map_thing_, properties, fields);
+        set_unreadable(level, map_thing_, fields);
         if (camera_) add_entry(level, "camera", *camera_);
         if (bounds_) add_entry(level, "bounds", *bounds_);
     }
@@ -156,11 +176,15 @@ class MapReader {
         is_solid.reserve(layer.tiles.size());
         for (const engine::Tile& tile : layer.tiles)
             is_solid.push_back(tile.id != 0 && (all_solid || says(map_.properties_of(tile.id))));
+        // Of a layer that could not be read there are none.
+        is_solid.resize(static_cast<std::size_t>(map_.columns) * static_cast<std::size_t>(map_.rows));
         const auto outlines = outline_cells(map_.columns, map_.rows, is_solid);
         if (outlines.empty()) return;
-        Value shapes = new_table();
-        for (const std::vector<CellCorner>& outline : outlines) add_item(shapes, tile_chain(layer, outline));
-        Value body = new_table();
+        const TiledThing thing{"layer \"" + layer.name + '"', layer.line};
+        Value shapes = table_of(thing);
+        for (const std::vector<CellCorner>& outline : outlines)
+            add_item(shapes, tile_chain(layer, thing, outline));
+        Value body = table_of(thing);
         add_entry(body, "type", to_value(std::string("static")));
         add_entry(body, "shapes", std::move(shapes));
         Value data = new_table();
@@ -169,68 +193,73 @@ class MapReader {
         add_item(list("bodies"), std::move(body));
     }
 
-    Value tile_chain(const MapLayer& layer, const std::vector<CellCorner>& outline) const {
+    Value tile_chain(const MapLayer& layer, const TiledThing& thing,
+                     const std::vector<CellCorner>& outline) const {
         static const std::vector<const Field*> fields = shape_fields("chain");
-        Value chain = new_table();
+        Value chain = table_of(thing);
         add_entry(chain, "shape", to_value(std::string("chain")));
         add_entry(chain, "closed", to_value(true));
-        Value points = new_table();
+        Value points = table_of(thing);
         for (const CellCorner& corner : outline) {
-            add_item(points,
-                     point_value({static_cast<float>(corner.column * map_.tile_size.width) + layer.offset.x,
-                                  static_cast<float>(corner.row * map_.tile_size.height) + layer.offset.y}));
+            Value point = new_table();
+            add_item(point, to_value(x_m(static_cast<float>(corner.column * map_.tile_size.width) +
+                                         layer.offset.x)));
+            add_item(point,
+                     to_value(y_m(static_cast<float>(corner.row * map_.tile_size.height) + layer.offset.y)));
+            add_item(points, std::move(point));
         }
         add_entry(chain, "points", std::move(points));
         for (const auto& [name, property] : layer.properties) {
             if (is_field(fields, name) && chain.find(name) == nullptr)
-                add_entry(chain, name, to_value(property));
+                add_entry(chain, name, property_value(thing, name, property));
         }
         return chain;
-    }
-
-    Value point_value(Vec2 place) const {
-        Value point = new_table();
-        add_item(point, x_value(place.x));
-        add_item(point, y_value(place.y));
-        return point;
     }
 
     // ---- Objects
 
     void read_object(const MapObject& object) {
         if (object.kind == "camera") {
-            camera_ = new_table();
+            camera_ = table_of(thing_of(object));
             set_middle(*camera_, object);
-            add_entry(*camera_, "height", length_value(object.size.y));
+            add_entry(*camera_, "height", length_value(object, "height", object.size.y, scale_));
         } else if (object.kind == "bounds") {
-            bounds_ = new_table();
-            add_entry(*bounds_, "left", x_value(object.position.x));
-            add_entry(*bounds_, "bottom", y_value(object.position.y + object.size.y));
-            add_entry(*bounds_, "right", x_value(object.position.x + object.size.x));
-            add_entry(*bounds_, "top", y_value(object.position.y));
+            read_bounds(object);
         } else if (object.kind == "spawn") {
             static const std::vector<const Field*> fields = all_fields(kSpawnFields);
             Value spawn = named(object);
             set_middle(spawn, object);
-            if (object.rotation_rad != 0)
-                add_entry(spawn, "angle", to_value(static_cast<double>(-object.rotation_rad)));
-            set_properties(spawn, object.properties, fields);
+            if (object.rotation_rad != 0) set_angle(spawn, object);
+            set_properties(spawn, thing_of(object), object.properties, fields);
             add_item(list("spawns"), std::move(spawn));
         } else if (object.kind == "joint" || object.kind == "prefab") {
             read_made(object, object.kind == "joint" ? PartKind::Joint : PartKind::Prefab);
         } else if (object.kind == "trigger") {
-            static const std::vector<const Field*> fields = part_fields(PartKind::Trigger, "box");
-            Value trigger = named(object);
-            set_shape(trigger, object);
-            set_properties(trigger, object.properties, fields);
-            add_item(list("triggers"), std::move(trigger));
+            read_trigger(object);
         } else {
             read_body(object);
         }
     }
 
+    void read_bounds(const MapObject& object) {
+        const TiledThing thing = thing_of(object);
+        const Vec2 corner = object.position;
+        const Vec2 end = corner + object.size;
+        bounds_ = table_of(thing);
+        const auto add = [&](const char* side, bool is_lost, const char* member, float pixels, double value,
+                             double per_pixel) {
+            add_entry(*bounds_, side,
+                      is_lost ? unreadable_value() : from_pixels(object, member, pixels, value, per_pixel));
+        };
+        add("left", thing.lacks("x"), "x", corner.x, x_m(corner.x), scale_);
+        add("bottom", thing.lacks_any({"y", "height"}), "height", object.size.y, y_m(end.y), -scale_);
+        add("right", thing.lacks_any({"x", "width"}), "width", object.size.x, x_m(end.x), scale_);
+        add("top", thing.lacks("y"), "y", corner.y, y_m(corner.y), -scale_);
+    }
+
     /// Joints and prefabs: their kind and fields are properties.
     void read_made(const MapObject& object, PartKind kind) {
+        const TiledThing thing = thing_of(object);
         const PartSection& section = section_of(kind);
         const auto variant = object.properties.find(section.variant);
         const auto* word =
@@ -239,45 +268,84 @@ class MapReader {
         Value part = named(object);
         if (is_field(fields, "x")) set_middle(part, object);
         for (const auto& [name, property] : object.properties) {
-            if (part.find(name) == nullptr) add_entry(part, name, to_value(property));
+            if (part.find(name) == nullptr) add_entry(part, name, property_value(thing, name, property));
         }
+        set_unreadable(part, thing, fields);
+        // What it should be could not be read, whatever there was.
+        if (thing.lacks("properties")) add_entry(part, section.variant, unreadable_value());
         add_item(list(section.list), std::move(part));
     }
 
+    void read_trigger(const MapObject& object) {
+        static const std::vector<const Field*> fields = part_fields(PartKind::Trigger, "box");
+        Value trigger = named(object);
+        set_shape(trigger, object);
+        if (const Value* shape = trigger.find("shape");
+            shape == nullptr || (!shape->is_unreadable && shape->text() == "chain")) {
+            const auto has_shape = [](const Entry& entry) { return entry.key == Key("shape"); };
+            std::erase_if(std::get<Entries>(trigger.content), has_shape);
+            refuse_form(trigger, object,
+                        "a trigger must be a tile, a rectangle, an ellipse or a polygon without dents and "
+                        "with at most 8 corners");
+        }
+        set_properties(trigger, thing_of(object), object.properties, fields);
+        set_unreadable(trigger, thing_of(object), fields);
+        add_item(list("triggers"), std::move(trigger));
+    }
+
+    /// Tells that the object has a form that does not do for its class.
+    void refuse_form(Value& part, const MapObject& object, const std::string& rule) {
+        // By MapShape.
+        constexpr const char* kForms[] = {"a rectangle", "an ellipse", "a point", "such a polygon",
+                                          "a line",      "a tile",     "a text"};
+        const std::string form = kForms[static_cast<int>(object.shape)];
+        const std::string kind = object.kind.empty() ? "" : " of class \"" + object.kind + '"';
+        faults_.push_back({object.line, object.place + ": is " + form + kind + ", but " + rule});
+        add_entry(part, "shape", unreadable_value());
+    }
+
     void read_body(const MapObject& object) {
-        const bool is_plain = object.kind.empty() || object.kind == "body";
+        const TiledThing thing = thing_of(object);
+        const bool is_plain = (object.kind.empty() && !thing.lacks("class")) || object.kind == "body";
         const bool is_formless = object.shape == MapShape::Text || object.shape == MapShape::Point;
         // Without a class these are pictures, labels and marks.
-        if (object.kind.empty() && (is_formless || object.shape == MapShape::Tile)) return;
-        if (is_plain && is_formless) {
-            faults_.push_back("object " + std::to_string(object.id) +
-                              (object.name.empty() ? "" : " \"" + object.name + '"') + " is a " +
-                              (object.shape == MapShape::Text ? "text" : "point") +
-                              " of class \"body\", but a body must have a form: a tile, a rectangle, an "
-                              "ellipse, a polygon or a line");
-            return;
-        }
+        if (is_plain && object.kind.empty() && (is_formless || object.shape == MapShape::Tile)) return;
         Value body = named(object);
-        if (!is_plain) add_entry(body, "template", to_value(object.kind));
-        const bool has_shape = object.shape != MapShape::Point && object.shape != MapShape::Tile;
         if (is_plain) {
-            set_shape(body, object);
+            if (is_formless) {
+                refuse_form(body, object,
+                            "a body must have a form: a tile, a rectangle, an ellipse, a polygon or a line");
+            } else {
+                set_shape(body, object);
+            }
             if (!object.properties.contains("type")) add_entry(body, "type", to_value(std::string("static")));
         } else {
+            Value kind = to_value(object.kind);
+            const std::string written = to_short_text(kind);
+            add_entry(body, "template",
+                      thing.lacks("class")
+                          ? unreadable_value()
+                          : value_of(thing, std::move(kind),
+                                     {.member = std::string(kTiledClass), .written = written}));
             set_middle(body, object);
-            add_entry(body, "angle", to_value(static_cast<double>(-object.rotation_rad)));
-            if (has_shape && object.size.x > 0 && object.shape == MapShape::Rectangle) {
-                add_entry(body, "width", length_value(object.size.x));
-                add_entry(body, "height", length_value(object.size.y));
-            }
+            set_angle(body, object);
+            if (object.shape == MapShape::Rectangle && object.size.x > 0) set_size(body, object);
         }
-        set_properties(body, object.properties, body_fields());
+        set_properties(body, thing, object.properties, body_fields());
+        set_unreadable(body, thing, body_fields());
         add_item(list("bodies"), std::move(body));
     }
 
     static Value named(const MapObject& object) {
-        Value table = new_table();
-        if (!object.name.empty()) add_entry(table, "name", to_value(object.name));
+        const TiledThing thing = thing_of(object);
+        Value table = table_of(thing);
+        const Value name = to_value(object.name);
+        if (thing.lacks("name")) {
+            add_entry(table, "name", unreadable_value());
+        } else if (!object.name.empty()) {
+            add_entry(table, "name",
+                      value_of(thing, name, {.member = "name", .written = to_short_text(name)}));
+        }
         return table;
     }
 
@@ -287,22 +355,22 @@ class MapReader {
         if (object.shape == MapShape::Tile) middle.y = -middle.y;
         const engine::Affine2 turn =
             engine::Affine2::translation(object.position) * engine::Affine2::rotation(object.rotation_rad);
-        const Vec2 place = turn.apply(middle);
-        add_entry(table, "x", x_value(place.x));
-        add_entry(table, "y", y_value(place.y));
+        set_place(table, object, turn.apply(middle), {"width", "height", "rotation"});
     }
 
     void set_shape(Value& table, const MapObject& object) const {
-        if (object.rotation_rad != 0)
-            add_entry(table, "angle", to_value(static_cast<double>(-object.rotation_rad)));
-        const auto say = [&](const char* shape) { add_entry(table, "shape", to_value(std::string(shape))); };
+        const TiledThing thing = thing_of(object);
+        if (object.rotation_rad != 0 || thing.lacks("rotation")) set_angle(table, object);
+        if (thing.lacks("shape")) {
+            add_entry(table, "shape", unreadable_value());
+            return;
+        }
         switch (object.shape) {
             case MapShape::Rectangle:
             case MapShape::Tile:
-                say("box");
+                add_entry(table, "shape", to_value(std::string("box")));
                 set_middle(table, object);
-                add_entry(table, "width", length_value(object.size.x));
-                add_entry(table, "height", length_value(object.size.y));
+                set_size(table, object);
                 return;
             case MapShape::Ellipse:
                 set_middle(table, object);
@@ -310,8 +378,7 @@ class MapReader {
                 return;
             case MapShape::Polygon:
             case MapShape::Polyline:
-                add_entry(table, "x", x_value(object.position.x));
-                add_entry(table, "y", y_value(object.position.y));
+                set_place(table, object, object.position, {});
                 set_points(table, object);
                 return;
             case MapShape::Point:
@@ -322,9 +389,12 @@ class MapReader {
     }
 
     void set_ellipse(Value& table, const MapObject& object) const {
-        if (object.size.x == object.size.y) {
+        const bool is_lost = thing_of(object).lacks_any({"width", "height"});
+        if (object.size.x == object.size.y || is_lost) {
             add_entry(table, "shape", to_value(std::string("circle")));
-            add_entry(table, "radius", length_value(object.size.x / 2));
+            add_entry(
+                table, "radius",
+                is_lost ? unreadable_value() : length_value(object, "width", object.size.x, scale_ / 2));
             return;
         }
         // Eight corners on it: what a polygon can have.
@@ -335,16 +405,16 @@ class MapReader {
         std::vector<Vec2> corners;
         for (const Vec2 d : kDirections)
             corners.push_back({d.x * object.size.x / 2, d.y * object.size.y / 2});
-        add_entry(table, "points", local_points(corners));
+        add_entry(table, "points", local_points(object, "", corners));
     }
 
     /// Of points with y up, in pixels.
-    Value local_points(const std::vector<Vec2>& points) const {
-        Value list = new_table();
+    Value local_points(const MapObject& object, const char* member, const std::vector<Vec2>& points) const {
+        Value list = value_of(thing_of(object), new_table(), {.member = member});
         for (const Vec2 p : points) {
             Value point = new_table();
-            add_item(point, length_value(p.x));
-            add_item(point, length_value(p.y));
+            add_item(point, to_value(static_cast<double>(p.x) * scale_));
+            add_item(point, to_value(static_cast<double>(p.y) * scale_));
             add_item(list, std::move(point));
         }
         return list;
@@ -361,85 +431,58 @@ class MapReader {
         const bool is_polygon = is_closed && points.size() <= 8 && is_convex(points);
         add_entry(table, "shape", to_value(std::string(is_polygon ? "polygon" : "chain")));
         if (is_closed && !is_polygon) add_entry(table, "closed", to_value(true));
-        add_entry(table, "points", local_points(points));
+        add_entry(table, "points", local_points(object, is_closed ? "polygon" : "polyline", points));
     }
 
+    static constexpr std::string_view kPixels = "pixels";
+
     const engine::TileMap& map_;
+    TiledThing map_thing_;
+    bool lacks_objects_;
     double scale_;
-    std::vector<std::string>& faults_;
+    std::vector<TiledFault>& faults_;
     std::pair<const char*, Value> lists_[5] = {
         {"bodies", {}}, {"triggers", {}}, {"prefabs", {}}, {"joints", {}}, {"spawns", {}}};
     std::optional<Value> camera_;
     std::optional<Value> bounds_;
 };
 
+/// "PATH:LINE: TEXT" as the line and the text.
+TiledFault placed_fault(const std::string& path, const std::string& fault) {
+    TiledFault placed;
+    const std::string start = path + ':';
+    const char* const end = fault.data() + fault.size();
+    if (fault.starts_with(start)) {
+        const auto read = std::from_chars(fault.data() + start.size(), end, placed.line);
+        if (read.ec == std::errc() && end - read.ptr > 2) {
+            placed.text = std::string(read.ptr + 2, end);
+            return placed;
+        }
+    }
+    return {0, fault};
+}
+
 }  // namespace
 
-std::vector<std::vector<CellCorner>> outline_cells(int columns, int rows, const std::vector<bool>& is_solid) {
-    // Directions: 0 right, 1 up, 2 left, 3 down. An edge is known by its first corner and its direction.
-    constexpr int kSteps[4][2] = {{1, 0}, {0, -1}, {-1, 0}, {0, 1}};
-    const int corner_columns = columns + 1;
-    std::vector<bool> edges(static_cast<std::size_t>(corner_columns * (rows + 1)) * 4, false);
-    const auto edge = [&](CellCorner at, int direction) {
-        return static_cast<std::size_t>((at.row * corner_columns + at.column) * 4 + direction);
-    };
-    const auto solid = [&](int column, int row) {
-        return column >= 0 && row >= 0 && column < columns && row < rows &&
-               is_solid[static_cast<std::size_t>(row * columns + column)];
-    };
-    for (int row = 0; row < rows; ++row) {
-        for (int column = 0; column < columns; ++column) {
-            if (!solid(column, row)) continue;
-            if (!solid(column, row + 1)) edges[edge({column, row + 1}, 0)] = true;
-            if (!solid(column + 1, row)) edges[edge({column + 1, row + 1}, 1)] = true;
-            if (!solid(column, row - 1)) edges[edge({column + 1, row}, 2)] = true;
-            if (!solid(column - 1, row)) edges[edge({column, row}, 3)] = true;
-        }
-    }
-    std::vector<std::vector<CellCorner>> outlines;
-    for (int row = 0; row <= rows; ++row) {
-        for (int column = 0; column <= columns; ++column) {
-            for (int first = 0; first < 4; ++first) {
-                if (!edges[edge({column, row}, first)]) continue;
-                std::vector<CellCorner> outline;
-                CellCorner at{column, row};
-                int direction = first;
-                int previous = -1;
-                while (edges[edge(at, direction)]) {
-                    edges[edge(at, direction)] = false;
-                    if (direction != previous) outline.push_back(at);
-                    previous = direction;
-                    at = {at.column + kSteps[direction][0], at.row + kSteps[direction][1]};
-                    for (const int turn : {1, 0, 3}) {
-                        const int next = (direction + turn) % 4;
-                        if (!edges[edge(at, next)]) continue;
-                        direction = next;
-                        break;
-                    }
-                }
-                if (previous == first) outline.erase(outline.begin());
-                outlines.push_back(std::move(outline));
-            }
-        }
-    }
-    return outlines;
+std::span<const std::string_view> tiled_classes() {
+    static constexpr std::string_view kClasses[] = {"body",   "trigger", "spawn", "camera",
+                                                    "bounds", "joint",   "prefab"};
+    return kClasses;
 }
 
 std::optional<Value> tiled_level(const engine::Files& files, std::string_view path, double scale,
-                                 std::vector<std::string>& faults) {
+                                 std::vector<TiledFault>& faults) {
     const engine::TileMapReading reading = engine::read_tile_map(files, path);
-    faults.insert(faults.end(), reading.faults.begin(), reading.faults.end());
-    const engine::TileMap& map = reading.map;
-    if (map.grid != engine::MapGrid::Orthogonal) {
-        faults.push_back(
-            "map '" + std::string(path) +
-            "': levels are made of orthogonal maps; this one is isometric, staggered or hexagonal");
+    for (const std::string& fault : reading.faults) faults.push_back(placed_fault(std::string(path), fault));
+    if (!reading.is_map) return std::nullopt;
+    if (reading.map.grid != engine::MapGrid::Orthogonal) {
+        faults.push_back({0, std::string(path) +
+                                 ": levels are made of orthogonal maps; this one is isometric, staggered or "
+                                 "hexagonal"});
     }
-    if (!faults.empty()) return std::nullopt;
-    std::vector<std::string> wrong;
-    Value level = MapReader(map, scale > 0 ? scale : 1.0 / map.tile_size.width, wrong).read();
-    for (const std::string& fault : wrong) faults.push_back("map '" + std::string(path) + "': " + fault);
-    return level;
+    // Where the size of a tile is a fault, any scale does for finding more.
+    if (!(scale > 0)) scale = 1.0 / std::max(1, reading.map.tile_size.width);
+    return MapReader(reading, scale, faults).read();
 }
 
 }  // namespace cairn::scripting

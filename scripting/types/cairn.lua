@@ -1912,7 +1912,7 @@ function cairn.prefab.ragdoll(world, fields) end
 ---@field x? number m
 ---@field y? number m
 ---@field columns? integer from 1 to 1000; bricks in a course
----@field courses? integer from 1 to 1000;
+---@field courses? integer from 1 to 1000; a wall has at most 10000 bricks
 ---@field brick_width? number above 0.02; m
 ---@field brick_height? number above 0.01; m
 ---@field mortar? number above 0; N/m: what a metre of mortar bears
@@ -2037,7 +2037,7 @@ function cairn.prefab.windmill(world, fields) end
 ---@field density? number at least 0; kg/m^2
 ---@field friction? number at least 0; Coulomb coefficient
 ---@field restitution? number from 0 to 1; share of the approach speed given back
----@field floors? table a list of heights over y, m, ascending; absent: { 0, 3, 6 }
+---@field floors? table a list of heights over y, m, ascending, at least one; absent: { 0, 3, 6 }
 ---@field data? table becomes body.data of every body
 ---@field categories? integer bit set: what the shape is
 ---@field mask? integer bit set: what it collides with; -1 is everything
@@ -2065,7 +2065,7 @@ function cairn.prefab.elevator(world, fields) end
 ---@field density? number at least 0; kg/m^2
 ---@field friction? number at least 0; Coulomb coefficient
 ---@field restitution? number from 0 to 1; share of the approach speed given back
----@field radii? table a list of radii, m; absent: { 0.5, 1, 0.25 }
+---@field radii? table a list of radii, m, at least one; absent: { 0.5, 1, 0.25 }
 ---@field data? table becomes body.data of every body
 ---@field categories? integer bit set: what the shape is
 ---@field mask? integer bit set: what it collides with; -1 is everything
@@ -3487,7 +3487,7 @@ function Level:clear() end
 ---@return boolean built
 function Level:is_built() end
 
----Reads the file again. Parts that say what they said keep their state, the others are made anew, and with a joint the bodies that it holds. With a fault in the file nothing changes but that the error is raised.
+---Reads the file again. Parts that say what they said keep their state, the others are made anew, and with a joint the bodies that it holds. A level that is not built is only read: 0, 0. With a fault in the file nothing changes but that the error is raised.
 ---@return integer kept
 ---@return integer made
 function Level:reload() end

@@ -132,9 +132,8 @@ TEST_CASE_METHOD(Maps, "the transparent color of a picture is that of its tile s
                R"({"width": 1, "height": 1, "tilewidth": 8, "tileheight": 8, "layers": [], "tilesets": [
         {"firstgid": 1, "transparentcolor": 7, )" +
                    set + "}]}");
-    CHECK(
-        read_tile_map(*files, "maps/w.tmj").faults ==
-        std::vector<std::string>{"map 'maps/w.tmj': tilesets[1].transparentcolor is 7, but must be a text"});
+    CHECK(read_tile_map(*files, "maps/w.tmj").faults ==
+          std::vector<std::string>{"maps/w.tmj:2: tilesets[1].transparentcolor is 7, but must be a text"});
 }
 
 // "The parallax scrolling factor is applied based on the distance of the center of the view from the parallax

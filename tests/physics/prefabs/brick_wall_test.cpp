@@ -21,6 +21,18 @@ TEST_CASE("a wall stands and sleeps whole") {
     CHECK(world.body(wall.bodies.back())->position().y == Approx(7.5 * 0.25).margin(0.01));
 }
 
+TEST_CASE("a wall has at most ten thousand bricks") {
+    World world;
+    CHECK(create_brick_wall(world, {.columns = 1000, .courses = 11}).error().message ==
+          "brick_wall.courses is 11, but must be at most 10 where columns is 1000: a wall has at most 10000 "
+          "bricks");
+    CHECK(create_brick_wall(world, {.columns = 3, .courses = 1000}).value().bodies.size() == 3500);
+    // A count beyond its own range is told alone.
+    CHECK(create_brick_wall(world, {.columns = 1001, .courses = 1000}).error().message ==
+          "brick_wall.columns is 1001, but must be from 1 to 1000");
+    CHECK(world.counts().bodies == 3500);
+}
+
 TEST_CASE("a heavy ball breaks a wall, and a light one does not") {
     for (const bool is_heavy : {false, true}) {
         World world;

@@ -130,5 +130,77 @@ TEST_CASE("a number that a float cannot hold is told beside others") {
          "surface_speed = 1e+300: must be between -3.4e38 and 3.4e38"});
 }
 
+TEST_CASE("a name of the wrong kind of part is told with its field, and so is a body that a prefab lacks") {
+    const std::string parts =
+        "bodies = { { name = 'x', shape = 'circle', radius = 1 } }, "
+        "triggers = { { name = 't', shape = 'circle', radius = 1 } }, ";
+    expect_faults(
+        "{ " + parts +
+            "prefabs = { { name = 'r', prefab = 'rope' } }, joints = { "
+            "{ name = 'j', joint = 'weld', x = 0, y = 0, body_a = 'r.1', body_b = 'x' }, "
+            "{ joint = 'weld', x = 0, y = 0, body_b = 'x.3' }, { joint = 'weld', x = 0, y = 0, body_b = "
+            "'t.1' }, "
+            "{ joint = 'weld', x = 0, y = 0, body_b = 'j' }, { joint = 'weld', x = 0, y = 0, body_b = 'r' }, "
+            "{ joint = 'weld', x = 0, y = 0, body_a = 'r.300', body_b = 'r.23' }, "
+            "{ joint = 'weld', x = 0, y = 0, body_b = 'rr.2' } } }",
+        {"bad.lua:1:298: joints[2].body_b = \"x.3\": \"x\" is a body, not a prefab",
+         "joints[3].body_b = \"t.1\": \"t\" is a trigger, not a prefab",
+         "joints[4].body_b = \"j\": \"j\" is a joint, not a body",
+         "joints[5].body_b = \"r\": is a prefab; \"r.1\" is its first body",
+         "joints[7].body_b = \"rr.2\": no such prefab; did you mean \"r\"? (r)",
+         "joints[6].body_a = \"r.300\": there is no such body; \"r\" has 22 bodies",
+         "joints[6].body_b = \"r.23\": there is no such body; \"r\" has 22 bodies"});
+    // A prefab can hang on those that stand before it.
+    expect_faults(
+        "{ prefabs = { { name = 'a', prefab = 'rope', start_body = 'b.1' }, "
+        "{ name = 'b', prefab = 'rope', start_body = 'b.2', end_body = 'a.1' } } }",
+        {"prefabs[1].start_body = \"b.1\": must be of a prefab that stands before this one",
+         "prefabs[2].start_body = \"b.2\": must be of a prefab that stands before this one"});
+}
+
+TEST_CASE("templates that name each other are told once each, and no body for them") {
+    expect_faults(
+        "{ templates = { a = { template = 'b' }, b = { template = 'a' } }, bodies = { { template = 'a' } } }",
+        {"templates.a.template = \"b\": a template cannot have a template of its own",
+         "templates.b.template = \"a\": a template cannot have a template of its own"});
+}
+
+TEST_CASE("empty lists are told with the path of their field, and so is what is wrong in lists") {
+    expect_faults(
+        "{ bodies = { { shapes = {} } }, prefabs = { { prefab = 'gear_train', radii = {} }, "
+        "{ prefab = 'elevator', floors = {} }, { prefab = 'gear_train', radii = { 1, -1 } }, "
+        "{ prefab = 'elevator', floors = { 0, 'a' } } } }",
+        {"bad.lua:1:25: bodies[1].shapes = {}: must hold at least one shape",
+         "bad.lua:1:78: prefabs[1].radii = {}: must hold at least one radius",
+         "prefabs[2].floors = {}: must hold at least one height",
+         "prefabs[3].radii[2] = -1: must be above 0 and finite",
+         "prefabs[4].floors[2] = \"a\": must be a number"});
+    LuaBench bench;
+    CHECK(bench.run("cairn.prefab.gear_train(cairn.physics.new_world{}, { radii = {} })") ==
+          "test.lua:1: cairn.prefab.gear_train: radii = {}: must hold at least one radius");
+}
+
+TEST_CASE("a number that no float can hold is told with its path, beside the others") {
+    expect_faults("{ bodies = { { shape = 'circle', radius = 1e999 }, { shape = 'circle', radius = -1 } } }",
+                  {"bad.lua:1:43: bodies[1].radius = 1e999: is too large for a number",
+                   "bodies[2].radius = -1: must be above 0"});
+}
+
+TEST_CASE("the bricks of a wall and the bodies of a level are limited, and memory is not filled first") {
+    const std::string rule =
+        "courses is 1000, but must be at most 10 where columns is 1000: a wall has at most 10000 bricks";
+    expect_faults("{ prefabs = { { prefab = 'brick_wall', columns = 1000, courses = 1000 } } }",
+                  {"prefabs[1]: " + rule});
+    // 100 courses of 100 bricks are 10050: every second one begins with half a brick.
+    std::string walls;
+    for (int i = 0; i < 12; ++i) walls += "{ prefab = 'brick_wall', columns = 100, courses = 100 }, ";
+    expect_faults("{ prefabs = { " + walls + "} }",
+                  {"prefabs[10]: with it the level has 100500 bodies, but must have at most 100000"});
+    LuaBench bench;
+    CHECK(
+        bench.run("cairn.prefab.brick_wall(cairn.physics.new_world{}, { columns = 1000, courses = 1000 })") ==
+        "test.lua:1: cairn.prefab.brick_wall: " + rule);
+}
+
 }  // namespace
 }  // namespace cairn::scripting::test

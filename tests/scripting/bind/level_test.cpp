@@ -5,7 +5,6 @@
 #include <sstream>
 
 #include "level/reader.h"
-#include "level/tiled_level.h"
 #include "scripting/support/drawing.h"
 #include "scripting/support/lua_bench.h"
 
@@ -370,6 +369,25 @@ TEST_CASE("reloading keeps what says the same and makes the rest anew") {
     CHECK(bench.value("world:joint_count()") == "1");
 }
 
+TEST_CASE("reloading a level that is not built reads its file and tells that nothing was kept or made") {
+    LuaBench bench(
+        GameFiles{{"l.lua", "{ name = 'a', bodies = { { name = 'x', shape = 'circle', radius = 1 } } }"}});
+    const auto reloaded = [&] {
+        REQUIRE(bench.run("kept, made = level:reload()") == "");
+        return bench.value("kept .. ' ' .. made .. ' ' .. tostring(level:is_built())");
+    };
+    REQUIRE(bench.run("world = cairn.physics.new_world{} level = cairn.level.load 'l.lua'") == "");
+    CHECK(reloaded() == "0 0 false");
+    REQUIRE(bench.run("level:build(world)") == "");
+    CHECK(reloaded() == "1 0 true");
+    REQUIRE(bench.run("level:clear()") == "");
+    CHECK(reloaded() == "0 0 false");
+    REQUIRE(bench.run("level:build(world) world:destroy()") == "");
+    std::ofstream(*bench.machine().files->native_path("l.lua")) << "{ name = 'b' }";
+    CHECK(reloaded() == "0 0 false");
+    CHECK(bench.value("level:name()") == "b");
+}
+
 TEST_CASE("the level of the documentation is a good one") {
     std::ifstream file(CAIRN_SOURCE_DIR "/docs/examples/levels/yard.lua");
     std::ostringstream text;
@@ -409,51 +427,6 @@ TEST_CASE("decorations stand in the world, each in its layer") {
 }
 
 // ---- Tiled
-
-TEST_CASE("outlines of cells keep what is solid on the left, and part at corners") {
-    const auto outlines_of = [](int columns, const std::string& picture) {
-        std::vector<bool> cells;
-        for (const char c : picture) cells.push_back(c == '#');
-        return outline_cells(columns, static_cast<int>(picture.size()) / columns, cells);
-    };
-    const auto signed_area = [](const std::vector<CellCorner>& outline) {
-        int area = 0;
-        for (std::size_t i = 0; i < outline.size(); ++i) {
-            const CellCorner a = outline[i];
-            const CellCorner b = outline[(i + 1) % outline.size()];
-            area += a.row * b.column - a.column * b.row;  // y points up
-        }
-        return area / 2;
-    };
-    CHECK(outlines_of(3, "......").empty());
-    const auto single = outlines_of(3, "....#.");
-    REQUIRE(single.size() == 1);
-    CHECK(single[0].size() == 4);
-    CHECK(signed_area(single[0]) == 1);
-    const auto corner = outlines_of(2, "#..#");
-    REQUIRE(corner.size() == 2);
-    CHECK(corner[0].size() == 4);
-    // A ring: outside anticlockwise, its hole clockwise.
-    const auto ring = outlines_of(3, "####.####");
-    REQUIRE(ring.size() == 2);
-    CHECK(signed_area(ring[0]) == 9);
-    CHECK(signed_area(ring[1]) == -1);
-    // Against a count of cells, for every picture of 3 x 3.
-    for (int bits = 0; bits < 512; ++bits) {
-        std::vector<bool> cells;
-        int count = 0;
-        for (int i = 0; i < 9; ++i) {
-            cells.push_back((bits >> i & 1) != 0);
-            count += bits >> i & 1;
-        }
-        int area = 0;
-        for (const auto& outline : outline_cells(3, 3, cells)) {
-            CHECK(outline.size() % 2 == 0);
-            area += signed_area(outline);
-        }
-        CHECK(area == count);
-    }
-}
 
 TEST_CASE("a map of Tiled is a level: solid tiles are chains, objects are bodies, triggers and spawns") {
     const char* const map = R"(<?xml version="1.0"?>

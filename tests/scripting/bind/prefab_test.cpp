@@ -113,8 +113,8 @@ TEST_CASE("wrong prefabs are refused with field, value and rule") {
     CHECK(bench.run("cairn.prefab.rope(w, { links = 2.5 })").find("links = 2.5: must be an integer") !=
           std::string::npos);
     CHECK(bench.run("cairn.prefab.gear_train(w, { radii = { 1, 'x' } })")
-              .find("radii[2] is \"x\"; expected a number") != std::string::npos);
-    CHECK(bench.run("cairn.prefab.vehicle(w, { wheels = { 3 } })").find("wheels[1] is 3; expected a table") !=
+              .find("radii[2] = \"x\": must be a number") != std::string::npos);
+    CHECK(bench.run("cairn.prefab.vehicle(w, { wheels = { 3 } })").find("wheels[1] = 3: must be a table") !=
           std::string::npos);
     CHECK(bench.run("rope:drive(1)") == "test.lua:1: Prefab:drive: belongs to a vehicle, and this is a rope");
     CHECK(bench.run("cairn.prefab.rop(w)").find("did you mean \"rope\"") != std::string::npos);

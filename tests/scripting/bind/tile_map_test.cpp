@@ -322,7 +322,8 @@ TEST_CASE_METHOD(Maps, "wrong layers, tiles and files say what is wrong") {
           std::string::npos);
     CHECK(run("screen:set_tile('ground', 1, 1, 3)").find("id is 3; expected 0, or a tile") !=
           std::string::npos);
-    CHECK(run("cairn.tilemap.load('none.tmx')").find("map 'none.tmx'") != std::string::npos);
+    CHECK(run("cairn.tilemap.load('none.tmx')").find("cairn.tilemap.load: file 'none.tmx': not found") !=
+          std::string::npos);
     CHECK(draw_error(*this, "screen:draw('sky')").find("layer is \"sky\"") != std::string::npos);
 }
 

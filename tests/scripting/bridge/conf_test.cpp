@@ -91,5 +91,19 @@ TEST_CASE("a byte order mark before conf.lua is skipped") {
     CHECK(conf->title == "T");
 }
 
+TEST_CASE("an identity that cannot name a folder is a fault with its place") {
+    const std::string rule =
+        ": names the save folder, so it must be at most 64 letters, digits, '-', '_' or '.', and not start "
+        "with '.'";
+    for (const std::string identity : {"a/b:c", ".hidden", "a b"}) {
+        const std::string fault = "conf.lua:2: identity = \"" + identity + "\"" + rule;
+        const std::string text = "{\n identity = \"" + identity + "\" }";
+        CHECK(faults_of_conf(text, "conf.lua") == std::vector<std::string>{fault});
+        const auto conf = parse_conf(text, "conf.lua", "game");
+        REQUIRE_FALSE(conf);
+        CHECK(conf.error().message == fault);
+    }
+}
+
 }  // namespace
 }  // namespace cairn::scripting

@@ -123,7 +123,9 @@ TEST_CASE("slips are named with line and column") {
     CHECK(error_of("{ [[ open }").find("string is never closed") != std::string::npos);
     CHECK(error_of("{ 12abc }") == "f.lua:1:3: \"12abc\" is not a number");
     CHECK(error_of("{ 1.2.3 }") == "f.lua:1:3: \"1.2.3\" is not a number");
-    CHECK(error_of("{ 1e999 }") == "f.lua:1:3: the number is too large");
+    CHECK(error_of("{ 1e999 }") == "f.lua:1:3: [1] = 1e999: is too large for a number");
+    CHECK(error_of("{ a = { 2, { b = -1e999 } } }") ==
+          "f.lua:1:18: a[2].b = -1e999: is too large for a number");
     CHECK(error_of("{ - }").find("number") != std::string::npos);
     CHECK(error_of("{ '\\q' }") == "f.lua:1:4: unknown escape \\q in a string");
     CHECK(error_of("{ '\\999' }") == "f.lua:1:4: the escape \\999 is above 255");

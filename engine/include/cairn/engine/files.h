@@ -33,6 +33,12 @@ struct FilesDef {
 /// Of a file's or folder's name; what nearly every file system allows.
 inline constexpr std::size_t kMaxFileNameBytes = 255;
 
+/// Whether a text can be FilesDef::identity, and what is said of one that cannot.
+bool is_save_identity(std::string_view identity);
+inline constexpr std::string_view kSaveIdentityRule =
+    "names the save folder, so it must be at most 64 letters, digits, '-', '_' or '.', and not start with "
+    "'.'";
+
 /// Where in the order of mounts a new one goes; the first mount that has a path wins.
 enum class MountOrder { First, Last };
 

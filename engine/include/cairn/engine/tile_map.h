@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -43,9 +44,9 @@ struct TileSet {
     int columns = 1;
     int margin = 0;
     int spacing = 0;
-    std::string image_path;                                      ///< as Files knows it
-    std::optional<Color> transparent;                            ///< pixels of that color are not seen
-    std::string place;                                           ///< in the map, for messages: "tilesets[1]"
+    std::string image_path;            ///< as Files knows it
+    std::optional<Color> transparent;  ///< pixels of that color are not seen
+    std::string place;                 ///< for messages: `maps/one.tmx:4: tile set "ground"`
     std::map<std::uint32_t, TileProperties> properties;          ///< by id
     std::map<std::uint32_t, std::vector<TileFrame>> animations;  ///< by id
 
@@ -71,6 +72,11 @@ struct MapObject {
     std::string text;
     bool is_visible = true;
     TileProperties properties;
+    std::string place;  ///< for messages: `object 3 "crate" in layer "things"`
+    int line = 0;       ///< of the file, from 1; 0: not known
+    /// Of a map with faults, what of this could not be read and is not told again: "width", "property mass",
+    /// "properties" when none could.
+    std::set<std::string, std::less<>> unreadable;
 };
 
 struct MapLayer {
@@ -92,7 +98,8 @@ struct MapLayer {
     Vec2 image_corner;                 ///< the top left of the picture in that of the map, but for the offset
     bool repeats_x = false;
     bool repeats_y = false;
-    std::string place;  ///< in the map, for messages: "layers[2]"
+    std::string place;  ///< for messages: `maps/one.tmx:9: layer "sky"`
+    int line = 0;       ///< of the file, from 1; 0: not known
 };
 
 /// How the cells of a map lie in its picture.
@@ -166,7 +173,11 @@ Result<TileMap> load_tile_map(const Files& files, std::string_view path);
 
 /// The same with all that is wrong, not only the first fault: each is one text.
 struct TileMapReading {
-    TileMap map;  ///< what could be read, good when there are no faults
+    TileMap map;                 ///< what could be read, good when there are no faults
+    bool is_map = false;         ///< whether the file is a map at all
+    bool lacks_objects = false;  ///< some could not be read, nor what they are called
+    /// Of the map's own properties; as in MapObject.
+    std::set<std::string, std::less<>> unreadable;
     std::vector<std::string> faults;
 };
 TileMapReading read_tile_map(const Files& files, std::string_view path);
