@@ -125,8 +125,10 @@ TEST_CASE("a body pushed to infinity is halted, listed, and named once in the lo
         )") == "");
     }
     engine::set_log_sink(before);
-    CHECK(warnings == std::vector<std::string>{"body at (3, 4) was halted: its motion became infinite; "
-                                               "world:quarantined() lists such bodies"});
+    CHECK(warnings ==
+          std::vector<std::string>{
+              "body at (3, 4) was halted: its motion became infinite, or led out of the world, which "
+              "ends 1e12 m from its origin; world:quarantined() lists such bodies"});
 }
 
 }  // namespace
