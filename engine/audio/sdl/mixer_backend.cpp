@@ -64,9 +64,12 @@ class MixerBackend final : public AudioBackend {
                            settings.pitch, settings.loop);
         mixer().Volume(slot, to_mixer_volume(settings.volume));
         if (mixer().PlayChannel(slot, silence_.get(), -1) < 0) return warn_once(sound.path, Mix_GetError());
-        // In this order: what the stream writes is panned.
+        // In this order: what the stream writes is panned. It waits, or the mixer's thread, coming between
+        // the two, would play the first buffer on both sides.
+        mixer().Pause(slot);
         mixer().RegisterEffect(slot, fill, nullptr, &voice.stream);
         pan(slot, settings.pan);
+        mixer().Resume(slot);
     }
 
     void stop_voice(int slot) override {
