@@ -263,7 +263,8 @@ void put_back(Stores& stores, int body, float share) {
 
 void hold_fast_bodies(Stores& stores, StepScratch& scratch, TaskPool& tasks) {
     if (scratch.fast.empty()) return;
-    WayScratch& ways = scratch.ways;
+    if (!scratch.ways) scratch.ways = std::make_unique<WayScratch>();
+    WayScratch& ways = *scratch.ways;
     note_displacements(stores, ways.displacements, tasks);
     const AllBlocks blocks(stores.contacts.lanes);
     find_passed(stores, blocks, ways, tasks);

@@ -262,8 +262,8 @@ struct StepScratch {
     std::vector<Advance> advances;  // by row of the motions
     std::vector<int> fast;          // bodies that could pass through others in this step
     ChunkedList<int> fast_found;
-    ChunkedList<int> untold_boxes;  // of shapes: written, but not known to the broad phase yet
-    WayScratch ways;
+    ChunkedList<int> untold_boxes;              // of shapes: written, but not known to the broad phase yet
+    std::unique_ptr<WayScratch> ways;           // none before the first fast body
     std::vector<BlockFindings> block_findings;  // of blocks in colours, by their number
     ChunkedList<LaneNote> notes;
     std::vector<const LaneNote*> notes_in_order;  // of the colours
