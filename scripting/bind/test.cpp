@@ -182,8 +182,10 @@ void expect_error(lua_State* L, FunctionArgument action, std::string_view text) 
 
 constexpr Field kTolerance =
     within(number_field("tolerance", PictureTolerance{}.color, "0.03", "how far a color may be off"), 0, 1);
-constexpr Field kShare = within(
-    number_field("share", PictureTolerance{}.share, "0.001", "of the pixels that may be farther off"), 0, 1);
+constexpr Field kShare =
+    within(number_field("share", PictureTolerance{}.share, "0",
+                        "of the pixels that may be farther off, as letters drawn by another FreeType are"),
+           0, 1);
 constexpr const Field* kPictureOwn[] = {&kTolerance, &kShare};
 constexpr FieldSet kPictureFields{kPictureOwn};
 
@@ -248,7 +250,8 @@ constexpr Function kFunctions[] = {
     function<&type_text>(
         "type_text", "text", "",
         "Enters text as a keyboard does, character by character (UTF-8): for `cairn.text_input` and "
-        "text fields. Keys such as \"backspace\" are pressed with `press`."),
+        "the text field of a menu that is open: one that has the focus is opened by `press(\"return\")`, any "
+        "by a click, and else takes nothing. Keys such as \"backspace\" are pressed with `press`."),
     function<&mouse_move>("mouse_move", "x [px], y [px]", "", ""),
     function<&mouse_press>("mouse_press", "x [px], y [px], button = \"left\"", "", ""),
     function<&mouse_release>("mouse_release", "x [px], y [px], button = \"left\"", "", ""),

@@ -405,8 +405,11 @@ constexpr Function kMethods[] = {
     function<&add_slider>("add_slider", "fields", "widget", "Adds a number between two ends.",
                           &kSliderFields),
     function<&add_choice>("add_choice", "fields", "widget", "Adds one of several words.", &kChoiceFields),
-    function<&add_text>("add_text", "fields", "widget", "Adds a field that text is typed into.",
-                        &kTextFields),
+    function<&add_text>(
+        "add_text", "fields", "widget",
+        "Adds a field that text is typed into while it is open: return, space, a click or the "
+        "gamepad's \"a\" opens it; return, escape, tab or a click elsewhere closes it.",
+        &kTextFields),
     function<&update>(
         "update", "", "",
         "Takes the events of this update, and calls what was given for the widgets. Once per update of the "

@@ -8,8 +8,8 @@
 namespace cairn::scripting {
 
 struct PictureTolerance {
-    double color = 0.03;   ///< how far each of red, green and blue may be off, 0 .. 1
-    double share = 0.001;  ///< how much of the picture may be farther off
+    double color = 0.03;  ///< how far each of red, green and blue may be off, 0 .. 1
+    double share = 0;     ///< how much of the picture may be farther off
 };
 
 struct PictureDifference {

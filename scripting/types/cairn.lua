@@ -2892,7 +2892,7 @@ function Ui:add_choice(fields) end
 ---@field enabled? boolean whether it can be used
 ---@field same_row? boolean stands beside the widget before it
 
----Adds a field that text is typed into.
+---Adds a field that text is typed into while it is open: return, space, a click or the gamepad's "a" opens it; return, escape, tab or a click elsewhere closes it.
 ---@param fields Ui.add_text.Fields
 ---@return integer widget
 function Ui:add_text(fields) end
@@ -3588,7 +3588,7 @@ function cairn.test.press(key) end
 ---@param key string
 function cairn.test.release(key) end
 
----Enters text as a keyboard does, character by character (UTF-8): for `cairn.text_input` and text fields. Keys such as "backspace" are pressed with `press`.
+---Enters text as a keyboard does, character by character (UTF-8): for `cairn.text_input` and the text field of a menu that is open: one that has the focus is opened by `press("return")`, any by a click, and else takes nothing. Keys such as "backspace" are pressed with `press`.
 ---@param text string
 function cairn.test.type_text(text) end
 
@@ -3667,7 +3667,7 @@ function cairn.test.expect_error(action, text) end
 
 ---@class cairn.test.expect_picture.Fields
 ---@field tolerance? number from 0 to 1; how far a color may be off
----@field share? number from 0 to 1; of the pixels that may be farther off
+---@field share? number from 0 to 1; of the pixels that may be farther off, as letters drawn by another FreeType are
 
 ---What the game draws now must look like the picture, a PNG file of the game such as `tests/pictures/start.png`. `cairn test GAME --approve-pictures` writes it; where they differ, the new picture and one of the differences are kept, and the message tells where.
 ---@param path string

@@ -64,5 +64,27 @@ TEST_CASE("a test of a game compares what it draws with the approved picture") {
     CHECK(status(false) == 1);
 }
 
+TEST_CASE("a changed number in a corner of a large picture is a difference, unless the test allows some") {
+    const auto status = [](const std::string& fields) {
+        const GameFolder folder(
+            {{"conf.lua", "{ width = 1280, height = 720 }"},
+             {"main.lua",
+              "local score = 10 function cairn.key_pressed() score = 11 end "
+              "function cairn.draw() cairn.graphics.print('Score ' .. score, 8, 8) end"},
+             {"tests/look.lua",
+              "cairn.test.test('looks', function() cairn.test.start{} if "
+              "cairn.files.exists('tests/score.png') then "
+              "cairn.test.press('x') end cairn.test.run(1) cairn.test.expect_picture('tests/score.png'" +
+                  fields + ") end)"}});
+        const TestOptions options{.approves_pictures = false, .differences = folder.path() + "/differences"};
+        TestOptions approving = options;
+        approving.approves_pictures = true;
+        REQUIRE(test_game(folder.source(), approving) == 0);
+        return test_game(folder.source(), options);
+    };
+    CHECK(status("") == 1);
+    CHECK(status(", { share = 0.001 }") == 0);
+}
+
 }  // namespace
 }  // namespace cairn::scripting::test

@@ -98,6 +98,24 @@ end))",
                     main) == 0);
 }
 
+TEST_CASE("typed text reaches a field of a menu once the field is open, and not before") {
+    const std::string main =
+        "menu = cairn.ui.new{} name = menu:add_text{ text = 'Name' } function cairn.update() menu:update() "
+        "end";
+    CHECK(status_of(R"(
+cairn.test.test("types", function()
+    cairn.test.start{}
+    cairn.test.type_text("early ")
+    cairn.test.press("return")
+    cairn.test.type_text("Ann")
+    cairn.test.press("return")
+    cairn.test.type_text(" late")
+    cairn.test.run(1)
+    cairn.test.expect_equal(menu:value(name), "Ann")
+end))",
+                    main) == 0);
+}
+
 TEST_CASE("a test's first finger reaches all that one on a device does: menus, the mouse, actions") {
     const std::string main = R"(
 heard, chosen, level = {}, 0, 0
