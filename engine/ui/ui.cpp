@@ -6,6 +6,8 @@
 #include <cairn/engine/ui.h>
 #include <cairn/engine/utf8.h>
 
+#include "ui/slider_number.h"
+
 namespace cairn::engine {
 namespace {
 
@@ -120,6 +122,10 @@ void Ui::fit_text(const Renderer& renderer, FontId font, int place) {
     for (int i = row.first; i < row.first + row.count; ++i) {
         Widget& w = widgets_[i];
         if (w.kind == WidgetKind::Label) w.height = renderer.measure_text(font, w.text, widget_width(row)).y;
+        // A pixel more: the text must not be shortened because a sum was rounded.
+        if (w.kind == WidgetKind::Slider)
+            w.before_track = renderer.measure_text(font, w.text).x + 1 + kTextGap +
+                             number_width(renderer, font, w) + kTextGap;
     }
 }
 
@@ -283,9 +289,14 @@ void Ui::cancel() {
 }
 
 Rect Ui::slider_track(int place) const {
+    // Shorter, a finger cannot set it.
+    constexpr float kShortestTrack = 60;
     const Rect r = area(place);
-    const float inset = 0.5f * style_.row_height;
-    return {r.x + 0.5f * r.width, r.y, 0.5f * r.width - inset, r.height};
+    const float right = r.x + r.width - 0.5f * style_.row_height;
+    const float middle = r.x + 0.5f * r.width;
+    const float left = std::clamp(r.x + style_.text_margin() + widgets_[place].before_track, middle,
+                                  std::max(middle, right - kShortestTrack));
+    return {left, r.y, right - left, r.height};
 }
 
 void Ui::drag(Vec2 point) {

@@ -1,18 +1,16 @@
 // The look of menus. Invariant: drawing changes nothing but the picture; scissor and transform are as before.
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include <cairn/engine/ui.h>
 
 #include "ui/shortened_text.h"
+#include "ui/slider_number.h"
 
 namespace cairn::engine {
 namespace {
 
 constexpr float kCornerRadius = 10;
-/// Logical pixels between a text and what stands beside it.
-constexpr float kTextGap = 16;
 
 std::vector<Vec2> rounded(const Rect& r, float radius) {
     constexpr int kSteps = 8;
@@ -40,16 +38,6 @@ Color faded(Color color, float factor) {
 Color mixed(Color a, Color b, float share) {
     return {a.r + (b.r - a.r) * share, a.g + (b.g - a.g) * share, a.b + (b.b - a.b) * share,
             a.a + (b.a - a.a) * share};
-}
-
-/// As few digits as the steps of a slider need.
-std::string number_text(double value, double step) {
-    constexpr int kMostDigits = 6;
-    int digits = 0;
-    for (double unit = 1; step < 0.999 * unit && digits < kMostDigits; unit /= 10) ++digits;
-    char text[400];  // the largest double has 309 digits
-    std::snprintf(text, sizeof text, "%.*f", digits, value);
-    return text;
 }
 
 /// Draws one widget; the functions share what is the same for all of them.
@@ -88,7 +76,7 @@ class Painter {
         if (!w.is_enabled) fill = faded(fill, 0.5f);
         renderer_.fill_convex_polygon(rounded(r, kCornerRadius), fill);
         if (is_focused) renderer_.outline_polygon(rounded(r, kCornerRadius), 2, style_.accent);
-        const float margin = 0.35f * style_.row_height;
+        const float margin = style_.text_margin();
         const Rect inner = {r.x + margin, r.y, r.width - 2 * margin, r.height};
         const Rect right = {track.x, r.y, inner.x + inner.width - track.x, r.height};
         const Rect left = {inner.x, r.y, track.x - kTextGap - inner.x, r.height};
@@ -146,11 +134,7 @@ class Painter {
         renderer_.draw_line(left, {track.x + track.width, y}, 6, faded(style_.text, 0.25f));
         if (share > 0) renderer_.draw_line(left, knob, 6, style_.accent);
         renderer_.fill_circle(knob, 0.2f * style_.row_height, style_.text);
-        // Always as wide as the widest that it can show, so that the text beside it stays.
-        const auto width_of = [&](double value) {
-            return renderer_.measure_text(font_, number_text(value, w.step)).x;
-        };
-        const float width = std::min(room, std::max({48.0f, width_of(w.low), width_of(w.high)}));
+        const float width = std::min(room, number_width(renderer_, font_, w));
         text(number_text(w.value, w.step), {track.x - kTextGap - width, track.y, width, track.height},
              TextAlign::Right, faded(style_.text, 0.75f));
         return width + kTextGap;

@@ -342,3 +342,60 @@ TEST_CASE("a label takes as many lines as it needs, and what follows moves down"
         {.kind = InputKind::MousePressed, .button = MouseButton::Left, .position = {320, ui.area(1).y + 20}});
     CHECK(ui.focus() == 1);
 }
+
+namespace {
+
+/// One slider in a panel, and the picture of both.
+struct SliderPanel {
+    SliderPanel(Drawing& d, const std::string& text, float width) : ui({640, 60}, {.width = width}) {
+        const FontId font = d.font(20);
+        ui.add({.kind = WidgetKind::Slider, .text = text, .value = 0.5, .step = 0.01});
+        ui.fit_text(*d.renderer, font, 0);
+        d.renderer->begin_frame({0, 0, 0, 1});
+        ui.draw(*d.renderer, font);
+        image = d.capture();
+        d.renderer->end_frame();
+    }
+    /// Where the text begins.
+    int text_x() const { return static_cast<int>(ui.area(0).x + 0.35f * ui.style().row_height); }
+    /// What a press so far from the right end of the track sets.
+    double pressed(float from_end) {
+        const Rect r = ui.area(0);
+        const Vec2 at = {r.x + r.width - 0.5f * ui.style().row_height - from_end, r.y + 0.5f * r.height};
+        ui.apply({.kind = InputKind::MousePressed, .button = MouseButton::Left, .position = at});
+        ui.apply({.kind = InputKind::MouseReleased, .button = MouseButton::Left, .position = at});
+        return ui.widgets()[0].value;
+    }
+
+    Ui ui;
+    Image image;
+};
+
+}  // namespace
+
+TEST_CASE("the track of a slider gives way to its text, down to 60 pixels") {
+    const std::string text = "Mouse sensitivity";
+    Drawing d({1280, 120});
+    SliderPanel narrow(d, text, 420);
+    const SliderPanel wide(d, text, 1200);  // has room enough for any text
+    const int width = static_cast<int>(d.renderer->measure_text(d.font(20), text).x);
+    const auto top = static_cast<int>(narrow.ui.area(0).y);
+    REQUIRE(top == static_cast<int>(wide.ui.area(0).y));
+    int differing = 0;
+    for (int y = top + 4; y < top + 42; ++y) {
+        for (int x = 0; x < width; ++x)
+            differing += rgb(narrow.image, narrow.text_x() + x, y) != rgb(wide.image, wide.text_x() + x, y);
+    }
+    CHECK(differing == 0);
+    CHECK(narrow.pressed(0) == 1);
+    CHECK(narrow.pressed(60) > 0);  // no shorter than it must be
+
+    SliderPanel endless(d, "A text that nobody would ever write on a slider of any width", 420);
+    CHECK(endless.pressed(0) == 1);
+    CHECK(endless.pressed(60) == Approx(0).margin(1e-9));
+    CHECK(endless.pressed(54) == Approx(0.1));
+    SliderPanel brief(d, "Music", 420);
+    const float half = 0.5f * brief.ui.area(0).width - 0.5f * brief.ui.style().row_height;
+    CHECK(brief.pressed(half) == Approx(0).margin(1e-9));
+    CHECK(brief.pressed(0.9f * half) == Approx(0.1));
+}

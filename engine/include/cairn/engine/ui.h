@@ -35,6 +35,8 @@ struct Widget {
     std::string entry;
     int max_length = 32;  ///< of the entry, in characters
     float height = 0;     ///< logical pixels that its row has at least; fit_text sets it for labels
+    /// Logical pixels that the text and the number of a slider take before its track; fit_text sets it.
+    float before_track = 0;
 };
 
 struct UiStyle {
@@ -47,6 +49,9 @@ struct UiStyle {
     Color widget = {0.20f, 0.24f, 0.31f, 1};
     Color accent = {0.95f, 0.68f, 0.32f, 1};
     Color text = {0.94f, 0.95f, 0.97f, 1};
+
+    /// Between the side of a widget and what stands in it.
+    [[nodiscard]] float text_margin() const { return 0.35f * row_height; }
 };
 
 struct UiEvent {
@@ -73,9 +78,9 @@ class Ui {
     void set_entry(int place, std::string entry);
     void set_text(int place, std::string text) { widgets_[place].text = std::move(text); }
     void set_enabled(int place, bool enabled);
-    /// Makes rows high enough for a font, and the row of a widget for labels that take several lines. To be
-    /// called for what is new or has another text; other texts that are too long are shortened where they are
-    /// drawn.
+    /// Makes rows high enough for a font, the row of a widget for labels that take several lines, and the
+    /// tracks of sliders short enough for their texts. To be called for what is new or has another text; what
+    /// is still too long is shortened where it is drawn.
     void fit_text(const Renderer& renderer, FontId font, int place);
     /// Elsewhere, and no larger than that. Labels need fit_text again, and then scroll_to_focus.
     void fit_into(Vec2 center, float width, float max_height);
