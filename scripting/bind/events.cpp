@@ -205,9 +205,10 @@ int push_loop(lua_State* L, WorldRef world, lua_CFunction iterator, EventKind fi
 }  // namespace
 
 void register_event_cursor(lua_State* L) {
-    lua_createtable(L, 0, 2);
+    lua_createtable(L, 0, 3);
     lua_pushcfunction(L, close_cursor);
     lua_setfield(L, -2, "__close");
+    refuse_fields(L);
     lua_pushboolean(L, 0);
     lua_setfield(L, -2, "__metatable");
     set_metatable(L, ObjectTag::EventCursor);

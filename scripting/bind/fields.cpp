@@ -140,7 +140,7 @@ std::string describe_value(lua_State* L, int index) {
             return quote_text(all.substr(0, kMaxText)) + (length > kMaxText ? "..." : "");
         }
         case LUA_TUSERDATA:
-            return std::string("a ") + object_type_name(L, index);
+            return object_type_with_article(L, index);
         default:
             return std::string("a ") + luaL_typename(L, index);
     }

@@ -18,6 +18,9 @@ int report_unknown_name(lua_State* L) {
     const std::string name = lua_tostring(L, 2);
     std::vector<std::string> names;
     for (const Function& function : module.functions) names.push_back(function.name);
+    if (std::find(names.begin(), names.end(), name) != names.end())
+        raise(L, std::string(module.name) + '.' + name +
+                     " is not there any more: a script has set this function of Cairn to nil");
     const std::string_view best = nearest(name, names);
     raise(L, std::string(module.name) + " has no \"" + name + "\"" +
                  (best.empty() ? std::string() : "; did you mean \"" + std::string(best) + "\"?"));
@@ -57,10 +60,11 @@ void fill_table(lua_State* L, const Module& module) {
 }
 
 void register_type(lua_State* L, ObjectTag tag, const Module& methods, lua_CFunction finalize) {
-    lua_createtable(L, 0, 3);
+    lua_createtable(L, 0, 4);
     lua_createtable(L, 0, static_cast<int>(methods.functions.size()));
     fill_table(L, methods);
     lua_setfield(L, -2, "__index");
+    refuse_fields(L);
     lua_pushboolean(L, 0);
     lua_setfield(L, -2, "__metatable");
     if (finalize != nullptr) {

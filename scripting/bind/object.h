@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <lua.hpp>
 #include <new>
+#include <string>
 #include <utility>
 
 namespace cairn::scripting {
@@ -102,6 +103,15 @@ constexpr const char* object_type_name(ObjectTag tag) {
 }
 /// Of a value that is a userdata.
 const char* object_type_name(lua_State* L, int index);
+/// "a World", "an Image", of a value that is a userdata.
+std::string object_type_with_article(lua_State* L, int index);
+
+/// Inside a __newindex: raises that the object has no such field to set, and where values of the script's own
+/// go. `has_data`: into `data`.
+[[noreturn]] void refuse_field(lua_State* L, bool has_data);
+/// Makes objects with the metatable on top of the stack, which have no `data`, refuse every assignment so:
+/// Lua's own message would not name the type.
+void refuse_fields(lua_State* L);
 
 /// Pushes the metatable of a type, as kept in the registry.
 void push_metatable(lua_State* L, ObjectTag tag);

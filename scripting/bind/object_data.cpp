@@ -26,13 +26,10 @@ int get_field(lua_State* L) {
 
 /// object.data = t; every other assignment is refused.
 int set_field(lua_State* L) {
-    const std::string type = object_type_name(L, 1);
-    if (!is_data(L)) {
-        raise(L, "a " + type + " has no field " + describe_value(L, 2) +
-                     " to set; keep values of your own in " + static_cast<char>(type[0] + ('a' - 'A')) +
-                     type.substr(1) + ".data");
-    }
-    if (!lua_istable(L, 3)) raise(L, type + ".data is " + describe_value(L, 3) + "; expected a table");
+    if (!is_data(L)) refuse_field(L, /*has_data=*/true);
+    if (!lua_istable(L, 3))
+        raise(L, std::string(object_type_name(L, 1)) + ".data is " + describe_value(L, 3) +
+                     "; expected a table");
     lua_settop(L, 3);
     lua_setiuservalue(L, 1, kDataValue);
     return 0;

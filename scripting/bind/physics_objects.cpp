@@ -25,10 +25,7 @@ void push_world_table(lua_State* L, int world_index, WorldTable table) {
 /// body.data = t; every other assignment is refused.
 int set_body_field(lua_State* L) {
     const char* name = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : "";
-    if (std::string_view(name) != "data") {
-        raise(L, "a Body has no field " + describe_value(L, 2) +
-                     " to set; keep values of your own in body.data");
-    }
+    if (std::string_view(name) != "data") refuse_field(L, /*has_data=*/true);
     if (!lua_istable(L, 3)) raise(L, "body.data is " + describe_value(L, 3) + "; expected a table");
     lua_getmetatable(L, 1);
     lua_getfield(L, -1, "__index");
@@ -190,9 +187,9 @@ void push_new_body(lua_State* L, int world_index, WorldObject& world, physics::B
         lua_setfield(L, -4, method);
     }
     lua_pop(L, 1);
-    lua_setmetatable(L, -2);
     lua_pushvalue(L, data);
-    lua_setfield(L, -2, "data");
+    lua_setfield(L, -3, "data");  // before the table has its metatable, which takes no fields
+    lua_setmetatable(L, -2);
     lua_setfield(L, -2, "__index");
     lua_pushcfunction(L, set_body_field);
     lua_setfield(L, -2, "__newindex");

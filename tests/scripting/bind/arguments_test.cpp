@@ -298,6 +298,44 @@ TEST_CASE("a misspelt function names the nearest") {
           "test.lua:2: Body has no \"postion\"; did you mean \"position\"?");
 }
 
+TEST_CASE("a function of Cairn that a script has set to nil is told as what it is") {
+    LuaBench bench;
+    REQUIRE(bench.run("cairn.physics.new_world = nil") == "");
+    CHECK(bench.run("cairn.physics.new_world{}") ==
+          "test.lua:1: cairn.physics.new_world is not there any more: a script has set this function of "
+          "Cairn to nil");
+    CHECK(bench.run("cairn.physics.new_wrld{}") ==
+          "test.lua:1: cairn.physics has no \"new_wrld\"; did you mean \"new_world\"?");
+}
+
+TEST_CASE("no object takes a field that a script sets, and each says where values may be kept") {
+    LuaBench bench(kGoodFiles);
+    REQUIRE(bench.run(kGood) == "");
+    for (const Module* module : all_modules()) {
+        if (!module->is_type) continue;
+        const std::string type = module->name;
+        INFO(type);
+        REQUIRE(bench.run("object = " + good_receiver(type)) == "");
+        const std::string article = type == "Image" || type == "Atlas" ? "an " : "a ";
+        std::string place = "a table, of which the " + type + " may be a key";
+        for (const std::string with_data : {"body", "shape", "chain", "joint"}) {
+            std::string name = with_data;
+            name[0] = static_cast<char>(name[0] - ('a' - 'A'));
+            if (type == name) place = with_data + ".data";
+        }
+        CHECK(bench.run("\nobject.x = 1") == "test.lua:2: " + article + type +
+                                                 " has no field \"x\" to set; keep values of your own in " +
+                                                 place);
+        // A method cannot be replaced either.
+        CHECK_THAT(bench.run(std::string("object.") + module->functions[0].name + " = print"),
+                   Catch::Contains("has no field \"" + std::string(module->functions[0].name) + "\" to set"));
+    }
+    CHECK(
+        bench.run("local _, cursor = world:events() cursor.x = 1") ==
+        "test.lua:1: an EventCursor has no field \"x\" to set; keep values of your own in a table, of which "
+        "the EventCursor may be a key");
+}
+
 TEST_CASE("an unknown field names the nearest and lists all; a wrong one its value and rule") {
     LuaBench bench;
     const std::string message =
