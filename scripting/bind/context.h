@@ -45,8 +45,9 @@ struct DrawState {
 };
 
 struct Scene {
-    int reference;      ///< to its table, in the registry
-    std::string place;  ///< where it was put on the stack, "main.lua:12: "
+    int reference;         ///< to its table, in the registry
+    std::string place;     ///< where it was put on the stack, "main.lua:12: "
+    std::uint64_t number;  ///< no other that was ever on the stack has it
 };
 
 struct Services {
@@ -69,6 +70,7 @@ struct Context {
     Timers timers{};
     Tweens tweens{};
     std::vector<Scene> scenes{};  ///< the top one last
+    std::uint64_t scenes_made = 0;
 
     std::uint64_t frame = 0;  ///< updates so far
     double alpha = 1;         ///< of the picture being drawn

@@ -1,4 +1,6 @@
 // cairn.scene: a stack of scenes, of which the top one gets the callbacks.
+#include <algorithm>
+
 #include "bind/callbacks.h"
 #include "bind/context.h"
 #include "bind/fields.h"
@@ -56,13 +58,43 @@ void check_not_there(lua_State* L, int scene) {
     }
 }
 
-void add(lua_State* L, int scene) {
-    warn_of_slips(L, scene, "the scene's ");
-    luaL_where(L, 1);
-    std::string place = lua_tostring(L, -1);
-    lua_pop(L, 1);
-    lua_pushvalue(L, scene);
-    context_of(L).scenes.push_back({luaL_ref(L, LUA_REGISTRYINDEX), std::move(place)});
+/// Puts a scene on top, and off the stack again unless it is entered: an error leaves a binding by an
+/// exception. By number and not by place, because what `enter` calls may change the stack.
+class Entrance {
+  public:
+    Entrance(lua_State* L, int scene) : L_(L), number_(++context_of(L).scenes_made) {
+        warn_of_slips(L, scene, "the scene's ");
+        luaL_where(L, 1);
+        std::string place = lua_tostring(L, -1);
+        lua_pop(L, 1);
+        lua_pushvalue(L, scene);
+        context_of(L).scenes.push_back({luaL_ref(L, LUA_REGISTRYINDEX), std::move(place), number_});
+    }
+    ~Entrance() {
+        if (is_entered_) return;
+        std::vector<Scene>& scenes = context_of(L_).scenes;
+        const auto found = std::find_if(scenes.begin(), scenes.end(),
+                                        [&](const Scene& scene) { return scene.number == number_; });
+        if (found == scenes.end()) return;
+        luaL_unref(L_, LUA_REGISTRYINDEX, found->reference);
+        scenes.erase(found);
+    }
+    Entrance(const Entrance&) = delete;
+    Entrance& operator=(const Entrance&) = delete;
+
+    void succeed() { is_entered_ = true; }
+
+  private:
+    lua_State* L_;
+    std::uint64_t number_;
+    bool is_entered_ = false;
+};
+
+/// Puts a scene on top and calls its `enter` with the further arguments.
+void enter(lua_State* L, int scene, FurtherArguments more) {
+    Entrance entrance(L, scene);
+    call_method(L, scene, "enter", more.first, more.count);
+    entrance.succeed();
 }
 
 /// Takes the top scene off the stack and pushes it.
@@ -80,8 +112,7 @@ void push(lua_State* L, TableArgument scene, FurtherArguments more) {
     if (context_of(L).scenes.size() >= kMaxScenes)
         call_error(L, std::to_string(kMaxScenes) + " scenes are on the stack already; is a pop missing?");
     if (const int below = push_top(L); below != 0) call_method(L, below, "pause", 0, 0);
-    add(L, scene.index);
-    call_method(L, scene.index, "enter", more.first, more.count);
+    enter(L, scene.index, more);
 }
 
 void pop(lua_State* L, FurtherArguments more) {
@@ -94,8 +125,7 @@ void switch_to(lua_State* L, TableArgument scene, FurtherArguments more) {
     check_methods(L, scene.index);
     if (!context_of(L).scenes.empty()) call_method(L, take_top(L), "leave", 0, 0);
     check_not_there(L, scene.index);
-    add(L, scene.index);
-    call_method(L, scene.index, "enter", more.first, more.count);
+    enter(L, scene.index, more);
 }
 
 Pushed current(lua_State* L) {
@@ -111,7 +141,8 @@ constexpr std::array<std::string_view, 1> kReturnsScene = {"table?"};
 
 constexpr Function kFunctions[] = {
     function<&push>("push", "scene, ... = nil", "",
-                    "Puts a scene on top: `pause()` of the one below, then `enter(...)` of the new one."),
+                    "Puts a scene on top: `pause()` of the one below, then `enter(...)` of the new one. A "
+                    "scene whose `enter` raises an error is taken off the stack again."),
     function<&pop>(
         "pop", "... = nil", "",
         "Leaves the top scene: its `leave()`, then `resume(...)` of the one below, if there is one."),

@@ -1,6 +1,7 @@
 // cairn.tween and the Tween type.
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <utility>
 
 #include "bind/context.h"
@@ -120,6 +121,9 @@ Pushed to(lua_State* L, TableArgument target, TableArgument goals, Seconds secon
     tween.ways = static_cast<std::uint64_t>(repeats + 1);
     tween.is_yoyo = is_yoyo;
     tween.identity = lua_topointer(L, target.index);
+    luaL_where(L, 1);
+    tween.place = lua_tostring(L, -1);
+    lua_pop(L, 1);
     take_over(L, tweens, tween);
 
     if (reader.push(kDone)) tween.done = luaL_ref(L, LUA_REGISTRYINDEX);
@@ -174,13 +178,30 @@ Progress progress_of(const Tween& tween, std::uint64_t frame) {
     return {tween.is_yoyo && way % 2 == 1 ? 1 - share : share, is_over};
 }
 
+/// A field, whose value is on top of the stack, is no number any more. Ends the tween, which would fail again
+/// in the next frame, and raises with the place where it was made: a call by the program has none in a
+/// script.
+[[noreturn]] void refuse_value(lua_State* L, std::uint64_t number, const std::string& field) {
+    std::string message =
+        "cairn.tween.to: target." + field + " is " + describe_value(L, -1) + " by now; expected a number";
+    Tweens& tweens = context_of(L).tweens;
+    if (const auto place = tweens.running.find(number); place != tweens.running.end()) {
+        message = place->second.place + message;
+        drop(L, tweens, place);
+    }
+    lua_pushlstring(L, message.data(), message.size());
+    lua_error(L);
+    std::abort();  // lua_error never returns; its declaration does not say so
+}
+
 constexpr std::array<std::string_view, 1> kReturnsTween = {"Tween"};
 
 constexpr Function kFunctions[] = {
     function_pushing<&to>("to", "target, goals, seconds [s], fields = {}", "tween", kReturnsTween,
                           "Moves number fields of a table to goals: `cairn.tween.to(menu, { y = 100, alpha = "
                           "1 }, 0.4)`. It starts from "
-                          "the values at its beginning. A newer tween of the same field takes it over.",
+                          "the values at its beginning. A newer tween of the same field takes it over. A "
+                          "field that is no number any more while it moves is an error.",
                           &kToFields),
     function<&cancel_all>("cancel_all", "target", "", "Ends all tweens of a table where they are."),
     function<&ease_value>("ease", "name, t", "share", "What a curve makes of t, 0 to 1."),
@@ -206,15 +227,15 @@ int run_tweens(lua_State* L) {
         const Progress progress = progress_of(tween, context.frame);
         // Copied: a metamethod of the target may cancel the tween.
         std::vector<TweenField> fields = tween.fields;
-        if (!std::exchange(tween.has_begun, true)) {
-            for (TweenField& field : fields) {
-                lua_getfield(L, -1, field.name.c_str());
-                field.start = lua_tonumber(L, -1);
-                lua_pop(L, 1);
-            }
-            if (const auto same = tweens.running.find(number); same != tweens.running.end())
-                same->second.fields = fields;
+        const bool begins = !std::exchange(tween.has_begun, true);
+        for (TweenField& field : fields) {
+            lua_getfield(L, -1, field.name.c_str());
+            if (lua_type(L, -1) != LUA_TNUMBER) refuse_value(L, number, field.name);
+            if (begins) field.start = lua_tonumber(L, -1);
+            lua_pop(L, 1);
         }
+        if (const auto same = tweens.running.find(number); begins && same != tweens.running.end())
+            same->second.fields = fields;
         for (const TweenField& field : fields) {
             // Exactly the goal at the end, whatever the rounding on the way.
             const double value =

@@ -22,6 +22,7 @@ struct Tween {
     int target = LUA_NOREF;          ///< the table, in the registry
     int done = LUA_NOREF;            ///< a function to call at the end, in the registry
     const void* identity = nullptr;  ///< of the table: compared, never ordered by
+    std::string place;               ///< where it was made, "main.lua:12: "
     std::vector<TweenField> fields;
     Ease ease;
     std::uint64_t begin = 0;   ///< the frame at whose end the fields still have their starting values

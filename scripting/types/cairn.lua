@@ -3388,7 +3388,7 @@ cairn.tween = {}
 ---@field yoyo? boolean every second run goes back
 ---@field done? function called at the end
 
----Moves number fields of a table to goals: `cairn.tween.to(menu, { y = 100, alpha = 1 }, 0.4)`. It starts from the values at its beginning. A newer tween of the same field takes it over.
+---Moves number fields of a table to goals: `cairn.tween.to(menu, { y = 100, alpha = 1 }, 0.4)`. It starts from the values at its beginning. A newer tween of the same field takes it over. A field that is no number any more while it moves is an error.
 ---@param target table
 ---@param goals table
 ---@param seconds number [s] at least 0
@@ -3418,7 +3418,7 @@ function Tween:is_active() end
 
 cairn.scene = {}
 
----Puts a scene on top: `pause()` of the one below, then `enter(...)` of the new one.
+---Puts a scene on top: `pause()` of the one below, then `enter(...)` of the new one. A scene whose `enter` raises an error is taken off the stack again.
 ---@param scene table
 ---@param ... any?
 function cairn.scene.push(scene, ...) end

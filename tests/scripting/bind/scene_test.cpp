@@ -121,6 +121,37 @@ TEST_CASE_METHOD(Scenes, "a callback that becomes something else later names the
           "test.lua:1: cairn.scene.pop: the scene's leave is true; expected a function");
 }
 
+TEST_CASE_METHOD(Scenes, "a scene whose enter raises an error is off the stack again") {
+    REQUIRE(run("cairn.scene.push(a) log = {} broken = {}\nfunction broken:enter()\nerror('no door') end") ==
+            "");
+    lua_State* L = game().lua();
+    REQUIRE_FALSE(load_text(L, "cairn.scene.push(broken)", "other.lua"));
+    const auto error = protected_call(L, 0, 0);
+    REQUIRE(error);
+    CHECK(error->message == "test.lua:3: no door");
+    CHECK(error->to_text().find("other.lua:1: in ") != std::string::npos);  // the calls that led there
+    CHECK(value("cairn.scene.current() == a and cairn.scene.count()") == "1");
+    CHECK(run("cairn.scene.switch(broken)").find("no door") != std::string::npos);
+    CHECK(value("cairn.scene.count()") == "0");
+    // It may be put on again, where the script has caught the error too, and in a coroutine.
+    REQUIRE(run("pcall(cairn.scene.push, broken) pcall(cairn.scene.push, broken) "
+                "coroutine.resume(coroutine.create(cairn.scene.push), broken)") == "");
+    CHECK(value("cairn.scene.count()") == "0");
+    REQUIRE(run("broken.enter = nil cairn.scene.push(broken)") == "");
+    CHECK(value("cairn.scene.current() == broken and cairn.scene.count()") == "1");
+}
+
+TEST_CASE_METHOD(Scenes, "an error in enter takes off no other scene than its own") {
+    REQUIRE(run("hasty = { enter = function() cairn.scene.push(b) error('late') end } "
+                "gone = { enter = function() cairn.scene.pop() cairn.scene.push(a) error('late') end }") ==
+            "");
+    CHECK(run("cairn.scene.push(hasty)").find("late") != std::string::npos);
+    CHECK(value("cairn.scene.current() == b and cairn.scene.count()") == "1");
+    CHECK(run("cairn.scene.push(gone)").find("late") != std::string::npos);
+    CHECK(value("cairn.scene.current() == a and cairn.scene.count()") == "2");
+    frame();  // the references of those that are left are whole
+}
+
 TEST_CASE_METHOD(Scenes, "an error in a scene names its line") {
     REQUIRE(run("cairn.scene.push{ update = function(self)\nself.missing.field = 1 end }") == "");
     const auto error = game().update({});

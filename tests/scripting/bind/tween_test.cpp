@@ -156,6 +156,33 @@ TEST_CASE("tweens are cancelled alone or by their table, and may be so from thei
     CHECK(number(bench, "count") == 11);
 }
 
+TEST_CASE("a field that is no number any more is an error with the place of its tween, which is over then") {
+    const std::vector<std::pair<std::string, std::string>> values = {
+        {"nil", "nil"}, {"'far'", "\"far\""}, {"{}", "a table"}, {"true", "true"}};
+    for (const auto& [value, shown] : values) {
+        // Before it begins, at its beginning, and on its way.
+        for (const int frames : {0, 5, 20}) {
+            CAPTURE(value, frames);
+            LuaBench bench;
+            REQUIRE(bench.run(
+                        "t, u = { x = 0, y = 0 }, { x = 0 }\n"
+                        "tween = cairn.tween.to(t, { x = 60, y = 6 }, 1, { delay = 5 / 60, done = print })\n"
+                        "cairn.tween.to(u, { x = 60 }, 1, { ease = 'linear' })") == "");
+            frame(bench, frames);
+            REQUIRE(bench.run("t.y = " + value) == "");
+            std::optional<ScriptError> error;
+            for (int i = 0; i < 10 && !error; ++i) error = bench.game().update({});
+            REQUIRE(error);
+            CHECK(error->message ==
+                  "test.lua:2: cairn.tween.to: target.y is " + shown + " by now; expected a number");
+            CHECK(bench.value("tween:is_active()") == "false");
+            CHECK(bench.value("t.y == " + (value == "{}" ? "t.y" : value)) == "true");
+            frame(bench, 100);  // the other one goes on
+            CHECK(number(bench, "u.x") == 60);
+        }
+    }
+}
+
 TEST_CASE("wrong tweens say what is wrong") {
     LuaBench bench;
     REQUIRE(bench.run("t = { x = 1, name = 'n' }") == "");
