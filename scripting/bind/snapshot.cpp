@@ -10,6 +10,28 @@
 namespace cairn::scripting {
 namespace {
 
+/// The list of values beside the bytes, on top of the stack: only bodies, and as a snapshot has it, so
+/// without holes.
+void check_bodies(lua_State* L) {
+    if (lua_isnil(L, -1)) return;
+    const std::string rule = "the list that world:snapshot() gave, or nil";
+    if (!lua_istable(L, -1)) call_error(L, "bodies is " + describe_value(L, -1) + "; expected " + rule);
+    const auto count = static_cast<lua_Integer>(lua_rawlen(L, -1));
+    for (lua_Integer i = 1; i <= count; ++i) {
+        lua_rawgeti(L, -1, i);
+        if (!is_object(L, -1, ObjectTag::Body))
+            call_error(L, "bodies[" + std::to_string(i) + "] is " + describe_value(L, -1) +
+                              "; expected a Body, as in " + rule);
+        lua_pop(L, 1);
+    }
+    lua_pushnil(L);
+    while (lua_next(L, -2) != 0) {
+        lua_pop(L, 1);
+        if (lua_isinteger(L, -1) == 0 || lua_tointeger(L, -1) < 1 || lua_tointeger(L, -1) > count)
+            call_error(L, "bodies has the key " + describe_value(L, -1) + "; expected " + rule);
+    }
+}
+
 std::string_view bytes_of(lua_State* L, int index) {
     if (lua_type(L, index) == LUA_TTABLE) {
         lua_getfield(L, index, "bytes");
@@ -45,6 +67,7 @@ void restore(lua_State* L, WorldRef self, AnyArgument snapshot) {
     const int values = lua_gettop(L);  // the list of the snapshot, or nil
     if (lua_type(L, snapshot.index) == LUA_TTABLE) {
         lua_getfield(L, snapshot.index, "bodies");
+        check_bodies(L);
         lua_replace(L, values);
     }
     const std::string_view bytes = bytes_of(L, snapshot.index);

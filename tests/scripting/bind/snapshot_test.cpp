@@ -73,5 +73,27 @@ TEST_CASE("bytes that are no snapshot are an error that says what is wrong, and 
     CHECK(bench.value("w:state_hash() == hash") == "true");
 }
 
+TEST_CASE(
+    "a list of bodies that no snapshot gave is an error that names what is in it, and changes nothing") {
+    LuaBench bench;
+    REQUIRE(bench.run(kPile + "run(5) s = w:snapshot() run(5) hash = w:state_hash()") == "");
+    const std::string start = "test.lua:1: World:restore: bodies";
+    const std::string list = "the list that world:snapshot() gave, or nil";
+    CHECK(bench.run("w:restore{ bytes = s.bytes, bodies = 'all' }") ==
+          start + " is \"all\"; expected " + list);
+    CHECK(bench.run("w:restore{ bytes = s.bytes, bodies = { crates[1], 5 } }") ==
+          start + "[2] is 5; expected a Body, as in " + list);
+    CHECK(bench.run("w:restore{ bytes = s.bytes, bodies = { crates[1], crates[1]:shapes()[1] } }") ==
+          start + "[2] is a Shape; expected a Body, as in " + list);
+    CHECK(bench.run("w:restore{ bytes = s.bytes, bodies = { left = crates[1] } }") ==
+          start + " has the key \"left\"; expected " + list);
+    CHECK(bench.run("w:restore{ bytes = s.bytes, bodies = { crates[1], [1.5] = crates[2] } }") ==
+          start + " has the key 1.5; expected " + list);
+    CHECK(bench.value("w:state_hash() == hash") == "true");
+    // What a snapshot gave, and values of the script's own beside it.
+    CHECK(bench.run("s.time = 3 w:restore(s) w:restore{ bytes = s.bytes, bodies = {} }") == "");
+    CHECK(bench.value("crates[3].data.number") == "3");
+}
+
 }  // namespace
 }  // namespace cairn::scripting::test
