@@ -292,6 +292,13 @@ std::optional<ScriptError> Game::update(std::span<const InputEvent> events) {
     ++context_.frame;
     context_.actions.begin_update();
     context_.events = events;
+    auto error = run_frame(events);
+    context_.events = {};  // after an error too: a game that goes on must not get them later
+    context_.services.audio.advance(context_.step_s());
+    return error;
+}
+
+std::optional<ScriptError> Game::run_frame(std::span<const InputEvent> events) {
     for (const InputEvent& event : events) {
         if (auto error = deliver(event)) return error;
     }
@@ -300,10 +307,14 @@ std::optional<ScriptError> Game::update(std::span<const InputEvent> events) {
         lua_pushcfunction(state_.get(), run_tweens);
         if (auto error = protected_call(state_.get(), 0, 0)) return error;
     }
-    auto error = call("update", nullptr, context_.step_s());
-    context_.events = {};
-    context_.services.audio.advance(context_.step_s());
-    return error;
+    return call("update", nullptr, context_.step_s());
+}
+
+void Game::release_input() {
+    const bool has_focus = context_.input.has_focus();
+    context_.input.apply({.kind = InputKind::FocusLost});
+    if (has_focus) context_.input.apply({.kind = InputKind::FocusGained});
+    context_.actions.settle(context_.input);
 }
 
 std::optional<ScriptError> Game::draw(double alpha) {

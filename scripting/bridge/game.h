@@ -40,9 +40,14 @@ class Game {
     std::optional<ScriptError> load(const std::string& main_path, const std::vector<std::string>& arguments);
     /// Whether the game has cairn.before_reload, and so says how to go on with changed scripts.
     [[nodiscard]] bool can_reload() const;
-    /// Runs the scripts anew, keeping what cairn.before_reload returns for cairn.after_reload.
+    /// Calls cairn.before_reload, for the reload that follows. After an error the game is as it was.
+    std::optional<ScriptError> ask_what_to_keep();
+    /// Runs the scripts anew, with what was kept for cairn.after_reload.
     std::optional<ScriptError> reload(const std::string& main_path,
                                       const std::vector<std::string>& arguments);
+    /// As if keys, buttons, sticks and fingers had been let go of, without calling anything: whoever saw the
+    /// events meanwhile was not the game.
+    void release_input();
     /// One frame: the events, the timers, cairn.update.
     std::optional<ScriptError> update(std::span<const engine::InputEvent> events);
     /// Between begin_frame and end_frame of the renderer.
@@ -68,6 +73,7 @@ class Game {
     void hint_at_slips();
     /// Calls cairn.load.
     std::optional<ScriptError> call_load(const std::vector<std::string>& arguments);
+    std::optional<ScriptError> run_frame(std::span<const engine::InputEvent> events);
     std::optional<ScriptError> deliver(const engine::InputEvent& event);
     /// Without what it means for actions.
     std::optional<ScriptError> deliver_alone(const engine::InputEvent& event);
@@ -80,7 +86,8 @@ class Game {
 
     Context context_;  // outlives the state, which uses it when it closes
     State state_;
-    int cairn_ = 0;  ///< reference to the table of that name, whatever scripts do to the global
+    int cairn_ = 0;         ///< reference to the table of that name, whatever scripts do to the global
+    int kept_ = LUA_NOREF;  ///< reference to what cairn.before_reload has returned
 };
 
 }  // namespace cairn::scripting

@@ -128,6 +128,8 @@ HotReload::Outcome HotReload::take_in(Game& game) {
         return {.error = std::move(error), .wants_restart = false, .keeps_the_game = true};
     changed_.clear();
     if (!game.can_reload()) return {.error = std::nullopt, .wants_restart = true, .keeps_the_game = false};
+    if (auto error = game.ask_what_to_keep())
+        return {.error = std::move(error), .wants_restart = true, .keeps_the_game = false};
     return {.error = game.reload(machine_.main_path, arguments_),
             .wants_restart = false,
             .keeps_the_game = false};

@@ -21,7 +21,7 @@ class HotReload {
   public:
     struct Outcome {
         std::optional<ScriptError> error;
-        bool wants_restart = false;   ///< scripts changed, and the game does not say how to go on
+        bool wants_restart = false;  ///< scripts changed, and the game does not say how to go on, or fails to
         bool keeps_the_game = false;  ///< after an error: the game was left as it was
     };
 

@@ -12,6 +12,7 @@
 
 #include <cairn/engine/fixed_step.h>
 #include <cairn/engine/image.h>
+#include <cairn/engine/log.h>
 #include <cairn/engine/native_file.h>
 #include <cairn/engine/video.h>
 #include <cairn/scripting/play.h>
@@ -114,7 +115,9 @@ class Session {
         interruption_.watch(game_->lua());
         recorded_.clear();
         next_event_ = 0;
-        return game_->load(machine_.main_path, options_.arguments);
+        Outcome error = game_->load(machine_.main_path, options_.arguments);
+        keeps_game_ = !error;
+        return error;
     }
 
     /// One update, with events from the recording or those given.
@@ -233,7 +236,8 @@ class Session {
                 report(*error);
                 // A run of fixed length is a test: there is nobody to press a key.
                 if (last_frame_ || !wait_at_error_screen(*error)) return false;
-                error = has_changes() && keeps_game_ ? take_in_changes() : start();
+                error = has_changes() && keeps_game_ ? go_on() : start();
+                waiting.clear();
                 step.reset();
                 then = platform.now_s();
                 continue;
@@ -301,9 +305,21 @@ class Session {
     Outcome take_in_changes() {
         HotReload::Outcome taken = reload_->take_in(*game_);
         tools_.forget_past();
-        if (taken.wants_restart) return start();
-        keeps_game_ = taken.keeps_the_game;
+        if (taken.wants_restart && !taken.error) return start();
+        keeps_game_ = !taken.error || taken.keeps_the_game;
+        fails_to_keep_ = taken.wants_restart;
         return std::move(taken.error);
+    }
+
+    /// After an error in a game that is whole, with what was saved since.
+    Outcome go_on() {
+        game_->release_input();
+        Outcome error = take_in_changes();
+        if (!error || !fails_to_keep_) return error;
+        // What failed may be unable to say what to keep, too, and only what was just saved can mend that.
+        engine::log(engine::LogLevel::Warning,
+                    "the game starts anew, because its cairn.before_reload failed: " + error->message);
+        return start();
     }
 
     static bool asks_to_quit(const std::vector<InputEvent>& events) {
@@ -424,8 +440,10 @@ class Session {
     DeveloperTools tools_;
     std::unique_ptr<engine::VideoWriter> video_;
     std::optional<HotReload>
-        reload_;               ///< only of games that people play: a recording must not change its files
-    bool keeps_game_ = false;  ///< the error at hand is one of a file that was saved; the game is whole
+        reload_;  ///< only of games that people play: a recording must not change its files
+    bool keeps_game_ =
+        false;  ///< the game is whole, whatever error is at hand: mended files may go on with it
+    bool fails_to_keep_ = false;  ///< the error at hand is one of cairn.before_reload
     std::vector<ReplayEvent> recorded_;
     std::size_t next_event_ = 0;
     bool is_captured_ = false;

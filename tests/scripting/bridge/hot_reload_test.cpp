@@ -245,6 +245,7 @@ TEST_CASE("an error while the old scripts say what to keep is shown with their t
     const auto outcome = run.reload->take_in(*run.game);
     REQUIRE(outcome.error);
     CHECK_THAT(outcome.error->message, Contains("main.lua:3: old"));
+    CHECK(outcome.wants_restart);
     const ErrorScreen screen = make_error_screen(*outcome.error, *run.machine->files);
     REQUIRE(screen.excerpt.size() == 3);
     CHECK(screen.excerpt[2].text == "function cairn.before_reload() error 'old' end");
