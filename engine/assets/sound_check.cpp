@@ -1,8 +1,10 @@
 // The containers of sounds, from the first byte to the last.
+// What of a WAV file is refused, SDL 2.26 and SDL_mixer 2.6 refuse too.
 // Source: Microsoft and IBM, "Multimedia Programming Interface and Data Specifications 1.0" (RIFF WAVE); RFC
 // 3533 (Ogg: pages, their checksum and flags).
 #include "assets/sound_check.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstring>
@@ -30,27 +32,59 @@ bool has_text(Bytes file, std::size_t at, std::string_view text) {
     return at + text.size() <= file.size() && std::memcmp(file.data() + at, text.data(), text.size()) == 0;
 }
 
-std::uint32_t half_word_at(Bytes file, std::size_t at) {
+std::uint32_t half_at(Bytes file, std::size_t at) {
     return std::to_integer<std::uint32_t>(file[at]) | std::to_integer<std::uint32_t>(file[at + 1]) << 8;
 }
 
-/// Of a WAV file: what SDL and its mixer play.
-Reason format_fault(Bytes format) {
-    constexpr std::uint32_t kMostChannels = 8, kMostRate_hz = 0x7fffffff;
-    const std::uint32_t channels = half_word_at(format, 2);
-    const std::uint32_t rate_hz = word_at(format, 4);
-    const auto states = [](std::uint32_t value, const std::string& what, const std::string& rule) {
-        return "has a header that states " + std::to_string(value) + what + "; must be " + rule;
-    };
-    if (channels < 1 || channels > kMostChannels)
-        return states(channels, " channels", "1 to " + std::to_string(kMostChannels));
-    if (rate_hz < 1 || rate_hz > kMostRate_hz)
-        return states(rate_hz, " samples a second", "1 to " + std::to_string(kMostRate_hz));
+/// A way to write samples that SDL reads.
+struct Encoding {
+    std::uint32_t code;
+    const char* name;
+    std::array<std::uint32_t, 4> bits;  ///< that a sample may have
+    bool is_plain;                      ///< a sample is a number of bytes, and no part of a block
+};
+constexpr Encoding kEncodings[] = {{1, "PCM", {8, 16, 24, 32}, true}, {2, "Microsoft ADPCM", {4}, false},
+                                   {3, "floats", {32}, true},         {6, "A-law", {8}, true},
+                                   {7, "mu-law", {8}, true},          {17, "IMA ADPCM", {4}, false}};
+
+/// What SDL would refuse of the samples' encoding, in the body of a format chunk. How many channels they
+/// have, and which rate, is looked at with the header.
+Reason encoding_fault(Bytes format) {
+    constexpr std::uint32_t kExtensible = 0xfffe;  // the code stands further on
+    constexpr std::size_t kShortest = 16, kExtended = 40, kExtendedCode = 24;
+    constexpr std::size_t kChannels = 2, kFrameBytes = 12, kBits = 14;
+    if (format.size() < kShortest) return "is damaged: its format takes less than 16 bytes";
+    std::uint32_t code = half_at(format, 0);
+    if (code == kExtensible && format.size() >= kExtended) code = half_at(format, kExtendedCode);
+    const auto* encoding = std::find_if(std::begin(kEncodings), std::end(kEncodings),
+                                        [&](const Encoding& known) { return known.code == code; });
+    if (encoding == std::end(kEncodings)) {
+        std::string all;
+        for (const Encoding& known : kEncodings)
+            all += (all.empty() ? "" : ", ") + std::to_string(known.code) + " (" + known.name + ')';
+        return "has the encoding " + std::to_string(code) + ", but must have one of " + all;
+    }
+    const std::uint32_t bits = half_at(format, kBits);
+    std::string allowed;
+    bool is_allowed = false;
+    for (const std::uint32_t possible : encoding->bits) {
+        if (possible == 0) continue;
+        allowed += (allowed.empty() ? "" : ", ") + std::to_string(possible);
+        is_allowed = is_allowed || bits == possible;
+    }
+    if (!is_allowed)
+        return "has " + std::to_string(bits) + " bits a sample, but as " + encoding->name + " must have " +
+               (allowed.find(',') == std::string::npos ? "" : "one of ") + allowed;
+    const std::uint32_t frame = half_at(format, kFrameBytes);
+    const std::uint32_t right = half_at(format, kChannels) * bits / 8;
+    // SDL takes parts of a frame for what a careless program meant as one.
+    if (encoding->is_plain && (frame < 1 || right % frame != 0))
+        return "has " + std::to_string(frame) + " bytes a frame, but must have " + std::to_string(right);
     return {};
 }
 
 Reason wav_fault(Bytes file) {
-    constexpr std::size_t kRiffHeader = 12, kChunkHeader = 8, kFormat = 16;
+    constexpr std::size_t kRiffHeader = 12, kChunkHeader = 8;
     for (std::size_t chunk = kRiffHeader; chunk + kChunkHeader <= file.size();) {
         const std::size_t size = word_at(file, chunk + 4);
         const std::size_t present = file.size() - chunk - kChunkHeader;
@@ -59,9 +93,9 @@ Reason wav_fault(Bytes file) {
             return "is cut off: its " + std::string(holds_samples ? "samples" : "header") + " should take " +
                    std::to_string(size) + " bytes, and " + std::to_string(present) + " are there";
         }
-        if (has_text(file, chunk, "fmt ") && size >= kFormat) {
-            Reason fault = format_fault(file.subspan(chunk + kChunkHeader, size));
-            if (!fault.empty()) return fault;
+        if (has_text(file, chunk, "fmt ")) {
+            if (Reason reason = encoding_fault(file.subspan(chunk + kChunkHeader, size)); !reason.empty())
+                return reason;
         }
         chunk += kChunkHeader + size + (size & 1);  // chunks start at even places
     }

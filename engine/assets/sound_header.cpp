@@ -29,6 +29,31 @@ Error sound_error(std::string_view name, std::string_view reason) {
     return Error{"sound '" + std::string(name) + "': " + std::string(reason)};
 }
 
+/// What of a format SDL refuses, or SDL_mixer divides by when the file is music; empty: nothing. Every chunk
+/// of this kind is looked at, because one library takes the first and the other the last.
+std::string wav_format_fault(Bytes file) {
+    constexpr std::uint64_t kMostChannels = 8;
+    // Where SDL's resampler counts in 32 bits: the highest one by its 512 samples for each zero crossing.
+    constexpr std::uint64_t kHighest_hz = 4194303;
+    for (std::size_t chunk = 12; chunk + 8 <= file.size();) {
+        const std::size_t body = chunk + 8;
+        const std::uint64_t present =
+            std::min<std::uint64_t>(little_endian(file, chunk + 4, 4), file.size() - body);
+        if (has_text(file, chunk, "fmt ") && present >= 16) {
+            const std::uint64_t channels = little_endian(file, body + 2, 2);
+            const std::uint64_t rate_hz = little_endian(file, body + 4, 4);
+            if (channels < 1 || channels > kMostChannels)
+                return "has " + std::to_string(channels) + " channels, but must have from 1 to " +
+                       std::to_string(kMostChannels);
+            if (rate_hz < 1 || rate_hz > kHighest_hz)
+                return "has a sample rate of " + std::to_string(rate_hz) +
+                       " Hz, but must have one from 1 to " + std::to_string(kHighest_hz) + " Hz";
+        }
+        chunk = body + present + (present & 1);  // chunks start at even places
+    }
+    return {};
+}
+
 std::optional<double> wav_duration_s(Bytes file) {
     std::uint64_t bytes_per_second = 0;
     std::size_t chunk = 12;
@@ -68,12 +93,14 @@ std::optional<double> ogg_duration_s(Bytes file) {
 
 Result<double> read_sound_duration_s(Bytes file, std::string_view name) {
     std::optional<double> duration_s;
-    if (has_text(file, 0, "RIFF") && has_text(file, 8, "WAVE"))
+    if (has_text(file, 0, "RIFF") && has_text(file, 8, "WAVE")) {
+        if (const std::string fault = wav_format_fault(file); !fault.empty()) return sound_error(name, fault);
         duration_s = wav_duration_s(file);
-    else if (has_text(file, 0, "OggS"))
+    } else if (has_text(file, 0, "OggS")) {
         duration_s = ogg_duration_s(file);
-    else
+    } else {
         return sound_error(name, "is neither an Ogg Vorbis nor a WAV file");
+    }
     if (!duration_s)
         return sound_error(name, "is damaged: its header is incomplete, or it is not Vorbis or PCM");
     return *duration_s;

@@ -1,6 +1,6 @@
-// Reads how long a WAV or Ogg Vorbis file plays, without decoding it.
-// Invariant: never reads past the end of the file, and needs no sound library, so a headless run knows when a
-// sound ends.
+// Reads how long a WAV or Ogg Vorbis file plays, without decoding it, and refuses headers that sound
+// libraries cannot take. Invariant: never reads past the end of the file, and needs no sound library, so a
+// headless run knows when a sound ends.
 #pragma once
 
 #include <cstddef>

@@ -45,6 +45,28 @@ TEST_CASE("the length of an Ogg Vorbis file is the last page's position by the r
     CHECK(*duration(file) == 1.5);
 }
 
+TEST_CASE("a WAV file with a rate or with channels that sound libraries cannot take is refused") {
+    const std::string wav = tone_wav(0.01);
+    const auto message = [](const std::string& file) {
+        const auto read = duration(file);
+        return read ? std::string() : read.error().message;
+    };
+    for (const int channels : {0, 9, 256, 1000, 65535})
+        CHECK(message(with_format(wav, 22, static_cast<std::uint64_t>(channels))) ==
+              "sound 'a': has " + std::to_string(channels) + " channels, but must have from 1 to 8");
+    for (const int channels : {1, 2, 8})
+        CHECK(message(with_format(wav, 22, static_cast<std::uint64_t>(channels))) == "");
+    CHECK(message(with_format(wav, 24, 0)) ==
+          "sound 'a': has a sample rate of 0 Hz, but must have one from 1 to 4194303 Hz");
+    CHECK(message(with_format(with_format(wav, 24, 0), 26, 64)) ==  // 2^22
+          "sound 'a': has a sample rate of 4194304 Hz, but must have one from 1 to 4194303 Hz");
+    CHECK(message(with_format(with_format(wav, 24, 0xffff), 26, 63)) == "");
+    // A second format, which some libraries take for the one that counts.
+    std::string second = wav + wav.substr(12, 24);
+    CHECK(message(second) == "");
+    CHECK_THAT(message(with_format(second, wav.size() + 8 + 2, 0)), Catch::Contains("has 0 channels"));
+}
+
 TEST_CASE("a sound file that is cut off in its header, or is something else, is refused") {
     const std::string wav = tone_wav(0.01);
     for (std::size_t length = 0; length < 44; ++length) CHECK_FALSE(duration(wav.substr(0, length)));

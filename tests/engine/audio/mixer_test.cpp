@@ -183,6 +183,49 @@ TEST_CASE("a sound whose samples are damaged is warned about once and stays sile
     CHECK(std::count(warnings.begin(), warnings.end(), '\n') == 1);
 }
 
+TEST_CASE("what the check of sounds refuses, the mixer does not decode, and the rest it does") {
+    const AudioDriver dummy("dummy");
+    Drawing game({8, 8}, false);
+    Audio audio(*game.files, make_mixer_audio());
+    const std::string wav = tone_wav(0.02);
+    int number = 0;
+    const auto agree = [&](std::size_t at, std::uint64_t value) {
+        CAPTURE(at, value);
+        const std::string name = "sound" + std::to_string(++number) + ".wav";
+        game.folder.put(name, with_format(wav, at, value));
+        const bool is_fine = static_cast<bool>(check_sound(*game.files, name));
+        const auto sound = audio.load_sound(name);
+        if (!sound) {  // refused for its header, before the mixer gets it
+            CHECK_FALSE(is_fine);
+            return;
+        }
+        std::string warnings;
+        const LogSink before = set_log_sink([&](LogLevel, std::string_view text) { warnings.append(text); });
+        (void)audio.play(*sound);
+        set_log_sink(before);
+        audio.stop_all_sounds();  // or there would soon be no voice left
+        CHECK(is_fine == warnings.empty());
+    };
+    for (std::uint64_t encoding = 0; encoding < 20; ++encoding) agree(20, encoding);
+    for (const std::uint64_t channels : {0, 1, 2, 3, 8, 9, 255, 256}) agree(22, channels);
+    for (const std::uint64_t rate : {0, 1, 8000, 44100, 65535}) agree(24, rate);
+    for (const std::uint64_t high : {1, 63, 64, 1000, 65535}) agree(26, high);
+    for (std::uint64_t bits = 0; bits < 66; ++bits) agree(34, bits);
+    for (std::uint64_t frame = 0; frame < 5; ++frame) agree(32, frame);
+}
+
+TEST_CASE("music of a format that the mixer would divide by is refused before it gets it") {
+    const AudioDriver dummy("dummy");
+    Drawing game({8, 8}, false);
+    Audio audio(*game.files, make_mixer_audio());
+    for (const std::uint64_t channels : {0, 256}) {
+        game.folder.put("odd.wav", with_format(tone_wav(0.1), 22, channels));
+        const auto played = audio.play_music("odd.wav");
+        REQUIRE_FALSE(played);
+        CHECK_THAT(played.error().message, Catch::Contains("channels, but must have from 1 to 8"));
+    }
+}
+
 TEST_CASE("where ALSA finds no sound device, the only words about it are ours") {
     std::string told;
     const LogSink before = set_log_sink([&](LogLevel, std::string_view text) { told += text; });

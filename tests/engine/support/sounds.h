@@ -11,6 +11,14 @@ inline void append_little_endian(std::string& out, std::uint64_t value, int byte
     for (int i = 0; i < bytes; ++i, value >>= 8) out += static_cast<char>(value & 0xff);
 }
 
+/// A WAV file with two bytes of its format replaced: at 20 the encoding, at 22 the channels, at 24 and 26 the
+/// rate, at 32 the bytes of a frame, at 34 the bits of a sample.
+inline std::string with_format(std::string wav, std::size_t at, std::uint64_t value) {
+    std::string bytes;
+    append_little_endian(bytes, value, 2);
+    return wav.replace(at, 2, bytes);
+}
+
 /// A 440 Hz tone as 16-bit mono WAV at 8,000 Hz.
 inline std::string tone_wav(double duration_s) {
     constexpr int kRate = 8000;
