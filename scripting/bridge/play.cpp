@@ -22,6 +22,7 @@
 #include "bridge/machine.h"
 #include "bridge/replay.h"
 #include "debug/developer_tools.h"
+#include "lua/interruption.h"
 
 namespace cairn::scripting {
 namespace {
@@ -80,6 +81,7 @@ class Session {
             if (auto shown = tools_.show(tool); !shown) return fail(shown.error().message);
         }
         if (options_.print_timings) tools_.measure();
+        machine_.platform->on_end_signal(Interruption::request);
         Outcome error = start();
         if (options_.headless) {
             if (!error && !options_.video.empty()) error = start_video();
@@ -104,10 +106,12 @@ class Session {
         keeps_game_ = false;
         if (reload_) reload_->forget();
         machine_.reset_window();
+        interruption_.watch(nullptr);
         game_ = std::make_unique<Game>(machine_.services(),
                                        GameOptions{.seed = seed_,
                                                    .visual_seed = options_.headless ? 1 : seed_by_clock(),
                                                    .plays_saves = is_repeatable()});
+        interruption_.watch(game_->lua());
         recorded_.clear();
         next_event_ = 0;
         Outcome error = game_->load(machine_.main_path, options_.arguments);
@@ -423,6 +427,7 @@ class Session {
     std::uint64_t seed_ = 1;
     std::optional<std::uint64_t> last_frame_;
     std::unique_ptr<Game> game_;
+    Interruption interruption_;  // goes before the game that it watches
     DeveloperTools tools_;
     std::unique_ptr<engine::VideoWriter> video_;
     std::optional<HotReload>

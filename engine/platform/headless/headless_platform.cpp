@@ -79,6 +79,7 @@ class HeadlessPlatform final : public Platform {
 
     void poll_events(std::vector<InputEvent>& events) override { window_.poll_events(events); }
     int end_signal() const override { return 0; }
+    void on_end_signal(void (*)()) override {}
     double now_s() const override { return 0; }
     void sleep_s(double) override {}
     void rumble(int, float, float, double) override {}

@@ -2,19 +2,25 @@
 // may refuse.
 #include "platform/sdl/end_signals.h"
 
+#include <atomic>
+
 namespace cairn::engine {
 namespace {
 
 volatile std::sig_atomic_t received_signal = 0;
+std::atomic<void (*)()> called = nullptr;
+static_assert(std::atomic<void (*)()>::is_always_lock_free);  // a handler must not wait
 
 void note(int signal) {
     received_signal = signal;
+    if (const auto call = called.load()) call();
 }
 
 }  // namespace
 
 EndSignals::EndSignals() {
     received_signal = 0;
+    called = nullptr;
     for (std::size_t i = 0; i < kSignals.size(); ++i) {
         struct sigaction before = {};
         if (sigaction(kSignals[i], nullptr, &before) != 0 || before.sa_handler != SIG_DFL) continue;
@@ -31,6 +37,10 @@ EndSignals::~EndSignals() {
     for (std::size_t i = 0; i < kSignals.size(); ++i) {
         if (is_ours_[i]) std::signal(kSignals[i], SIG_DFL);
     }
+}
+
+void EndSignals::call_on_first(void (*call)()) {
+    called = call;
 }
 
 int EndSignals::received() {

@@ -18,6 +18,8 @@ class EndSignals {
 
     /// The number of the signal that has come; 0: none.
     [[nodiscard]] static int received();
+    /// What the handler of the first one calls; null: nothing, as at first.
+    static void call_on_first(void (*call)());
 
   private:
     static constexpr std::array kSignals = {SIGINT, SIGTERM};

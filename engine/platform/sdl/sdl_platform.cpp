@@ -79,6 +79,7 @@ class SdlPlatform final : public Platform {
     }
 
     int end_signal() const override { return EndSignals::received(); }
+    void on_end_signal(void (*call)()) override { EndSignals::call_on_first(call); }
 
     double now_s() const override {
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();

@@ -92,6 +92,9 @@ class Platform {
     /// unlike InputKind::QuitRequested it must; a second signal ends it at once. 0: none. Headless: always 0,
     /// because there the first one ends the program.
     virtual int end_signal() const = 0;
+    /// Called by the first such signal wherever the program is, by its handler: may do no more than handlers
+    /// may. Null: nothing, as at first. Headless: never called.
+    virtual void on_end_signal(void (*call)()) = 0;
 
     /// Seconds since the platform was made; only differences mean something. Headless: 0 for ever.
     virtual double now_s() const = 0;

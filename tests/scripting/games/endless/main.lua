@@ -1,0 +1,4 @@
+function cairn.load()
+    print("ready")
+    while true do end
+end
