@@ -310,6 +310,13 @@ std::optional<ScriptError> Game::update_within(std::span<const InputEvent> event
     return call("update", nullptr, context_.step_s());
 }
 
+void Game::release_input() {
+    const bool has_focus = context_.input.has_focus();
+    context_.input.apply({.kind = InputKind::FocusLost});
+    if (has_focus) context_.input.apply({.kind = InputKind::FocusGained});
+    context_.actions.settle(context_.input);
+}
+
 std::optional<ScriptError> Game::draw(double alpha) {
     context_.alpha = alpha;
     context_.draw = {};

@@ -46,6 +46,9 @@ class Game {
     };
     /// Runs the scripts anew, keeping what cairn.before_reload returns for cairn.after_reload.
     Reloaded reload(const std::string& main_path, const std::vector<std::string>& arguments);
+    /// As if keys, buttons, sticks and fingers had been let go of, without calling anything: whoever saw the
+    /// events meanwhile was not the game.
+    void release_input();
     /// One frame: the events, the timers, cairn.update.
     std::optional<ScriptError> update(std::span<const engine::InputEvent> events);
     /// Between begin_frame and end_frame of the renderer.

@@ -235,7 +235,8 @@ class Session {
                 report(*error);
                 // A run of fixed length is a test: there is nobody to press a key.
                 if (last_frame_ || !wait_at_error_screen(*error)) return false;
-                error = has_changes() && can_go_on() ? take_in_changes(!keeps_game_) : start();
+                error = has_changes() && can_go_on() ? go_on() : start();
+                waiting.clear();
                 step.reset();
                 then = platform.now_s();
                 continue;
@@ -302,6 +303,12 @@ class Session {
     /// Whether the game that ended with an error may take in what was saved: the error was one of a file that
     /// it has not taken in, or it says what to keep.
     bool can_go_on() const { return keeps_game_ || (is_loaded_ && game_->can_reload()); }
+
+    /// After the error screen, which saw what keys did meanwhile.
+    Outcome go_on() {
+        game_->release_input();
+        return take_in_changes(!keeps_game_);
+    }
 
     /// What was saved while the game runs. It goes on where it is, unless its scripts have to start anew.
     Outcome take_in_changes(bool has_failed = false) {

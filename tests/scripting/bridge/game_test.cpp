@@ -36,6 +36,43 @@ cairn.timer.after(0, function() log[#log + 1] = "timer" end)
     CHECK(bench.value("cairn.timer.frame()") == "1");
 }
 
+TEST_CASE("events of an update that failed are nobody's any more") {
+    LuaBench bench;
+    REQUIRE(bench.run("menu = cairn.ui.new{} pressed = 0 "
+                      "menu:add_button{ action = function() pressed = pressed + 1 end } "
+                      "function cairn.key_pressed() if not mended then error('slip') end end "
+                      "function cairn.update() menu:update() end") == "");
+    const std::vector<InputEvent> events = {{.kind = InputKind::KeyPressed, .key = engine::Key::Return}};
+    REQUIRE(bench.game().update(events));
+    REQUIRE(bench.run("mended = true menu:update()") == "");  // as cairn.after_reload might
+    CHECK(bench.value("pressed") == "0");
+    REQUIRE_FALSE(bench.game().update(events));
+    CHECK(bench.value("pressed") == "1");
+}
+
+TEST_CASE("input that is released is up without a word to the game, and everything else stays") {
+    LuaBench bench;
+    REQUIRE(bench.run("cairn.input.bind('jump', { 'space', 'gamepad_a' }) told = 0 "
+                      "function cairn.focus() told = told + 1 end cairn.key_released = cairn.focus "
+                      "cairn.action_released = cairn.focus") == "");
+    const std::vector<InputEvent> events = {
+        {.kind = InputKind::GamepadConnected, .text = "pad", .number = 1},
+        {.kind = InputKind::GamepadPressed, .number = 1, .gamepad_button = engine::GamepadButton::A},
+        {.kind = InputKind::KeyPressed, .key = engine::Key::Space},
+        {.kind = InputKind::MousePressed, .button = engine::MouseButton::Left, .position = {3, 4}}};
+    REQUIRE_FALSE(bench.game().update(events));
+    CHECK(bench.value("cairn.input.is_action_down('jump')") == "true");
+    bench.game().release_input();
+    CHECK(bench.value("cairn.input.is_action_down('jump')") == "false");
+    CHECK(bench.value("cairn.input.is_down('space') or cairn.input.is_gamepad_down(1, 'a') or "
+                      "cairn.input.is_mouse_down('left')") == "false");
+    CHECK(bench.game().context().input.has_focus());
+    CHECK(bench.game().context().input.gamepad(1).is_connected());
+    CHECK(bench.value("cairn.input.mouse_position()") == "3.0");
+    REQUIRE_FALSE(bench.game().update({}));
+    CHECK(bench.value("told") == "0");
+}
+
 TEST_CASE("a quit request ends the game unless the game goes on") {
     LuaBench bench;
     REQUIRE(bench.run("function cairn.quit_requested() return stay end stay = true") == "");
