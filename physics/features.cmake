@@ -99,6 +99,8 @@ cairn_feature(SNAPSHOTS "snapshots, going back to them, recordings"
   state/body_state.cpp
   state/broad_state.cpp
   state/checksum.cpp
+  state/contact_blocks.cpp
+  state/contact_list_state.cpp
   state/contact_state.cpp
   state/delta.cpp
   state/event_state.cpp

@@ -23,6 +23,7 @@ constexpr std::uint8_t kSleeps = 4;  // and another after it
 constexpr std::uint8_t kHasUserData = 8;
 
 constexpr std::size_t size_of_body(std::uint8_t has) {
+    if (has == 0) return packed_size<Place>();  // most
     return packed_size<Place>() + ((has & kIsNew) != 0 ? kMakeBytes : 0) +
            ((has & kHasJointInertia) != 0 ? sizeof(BodyRecord::joint_inertia) : 0) +
            ((has & kSleeps) != 0 ? sizeof(BodyRecord::next_sleeper) : 0) +
@@ -156,6 +157,7 @@ void load_records(Reader& in, Stores& stores) {
     BodyRecord make;
     MassLedger::Entry mass;
     bool is_made = false;
+    bool all_sound = true;
     const std::byte* at = in.rest().data();
     std::size_t left = in.rest().size();
     Reading reading;
@@ -180,14 +182,16 @@ void load_records(Reader& in, Stores& stores) {
         Place& place = bodies.places[slot];
         at = get_unchecked(get_unchecked(at, place.center), place.rotation);
         at = get_unchecked(at, place.flags);
+        all_sound &= is_sound(place);
+        if (has == 0) return;
         if ((has & kHasJointInertia) != 0) at = get(at, record.joint_inertia, reading);
         if ((has & kSleeps) != 0) at = get(at, record.next_sleeper, reading);
         if ((has & kHasUserData) != 0) at = get(at, record.user_data, reading);
-        in.require(is_sound(place) && record.joint_inertia >= 0 &&
-                       record.joint_inertia <= std::numeric_limits<float>::max(),
-                   "a body is at no place in the world, or as heavy for joints as no body is");
+        all_sound &=
+            (record.joint_inertia >= 0) & (record.joint_inertia <= std::numeric_limits<float>::max());
     });
-    if (!in.ok()) return;
+    if (!in.require(all_sound, "a body is at no place in the world, or as heavy for joints as no body is"))
+        return;
     in.end(at);
     in.reading.bad |= reading.bad;
     in.settle();

@@ -15,6 +15,7 @@ constexpr std::uint8_t kTouched = 2;
 constexpr std::uint8_t kUnsettled = 4;
 constexpr std::uint8_t kHasWay = 8;
 constexpr std::uint8_t kHadWay = 16;
+constexpr std::uint8_t kAll = 31;
 
 std::size_t groups_for(std::size_t count) {
     return (count + kGroupSize - 1) / kGroupSize;
@@ -67,9 +68,8 @@ bool enclose(const std::vector<BoxGroup>& nodes, const std::vector<BoxGroup>& ch
     return true;
 }
 
-// Tells each item's state in which layer it is.
-template <class States>
-void load_tree(Reader& in, Stores& stores, Layer layer, BoxTree& tree, States& states) {
+// Whether its items are shapes, and of this layer, is looked at by the shapes, which stand in order.
+void load_tree(Reader& in, const Stores& stores, BoxTree& tree) {
     StateAccess::tree(tree, [&](auto& levels, int& level_count, auto& items, auto& places, int& end,
                                 int& live, int& disorder) {
         in.value(end);
@@ -78,28 +78,27 @@ void load_tree(Reader& in, Stores& stores, Layer layer, BoxTree& tree, States& s
         for (auto& level : levels) level.clear();
         level_count = 0;
         live = 0;
-        places.assign(static_cast<std::size_t>(stores.shapes.end_index()), kNone);
+        const int slots = stores.shapes.end_index();
+        places.assign(static_cast<std::size_t>(slots), kNone);
         if (!in.ok()) return;
         const bool fits = end >= 0 && items.size() == kGroupSize * groups_for(static_cast<std::size_t>(end));
         if (!in.require(fits && disorder >= 0 && disorder <= kMostDisorder,
                         "a tree has not as many places as it says"))
             return;
         levels[0].resize(items.size() / kGroupSize);
-        const Lookup shapes(stores.shapes);
-        for (std::size_t place = 0; place < items.size(); ++place) {
-            const int item = items[place];
-            if (item == kNone) continue;
-            const ShapeRecord* const shape = shapes.find(item);
-            const bool may_stand = shape != nullptr && shape->sensor == kNone &&
-                                   places[static_cast<std::size_t>(item)] == kNone &&
-                                   static_cast<int>(place) < end &&
-                                   layer_of(stores.bodies.slots[shape->body].set) == layer;
-            if (!in.require(may_stand, "a tree has an item that is in another, or twice")) return;
-            places[static_cast<std::size_t>(item)] = static_cast<int>(place);
-            levels[0][place / kGroupSize].set_box(static_cast<int>(place % kGroupSize),
-                                                  stores.fat_boxes[static_cast<std::size_t>(item)]);
-            states[static_cast<std::size_t>(item)].layer = layer;
-            ++live;
+        const Aabb* const boxes = stores.fat_boxes.data();
+        int* const place_of = places.data();
+        int place = 0;
+        for (BoxGroup& group : levels[0]) {
+            for (int lane = 0; lane < kGroupSize; ++lane, ++place) {
+                const int item = items[static_cast<std::size_t>(place)];
+                if (item == kNone) continue;
+                const bool may_stand = item >= 0 && item < slots && place_of[item] == kNone && place < end;
+                if (!in.require(may_stand, "a tree has an item that there is not, or twice")) return;
+                place_of[item] = place;
+                group.set_box(lane, boxes[item]);
+                ++live;
+            }
         }
         if (!in.require(live > 0 || items.empty(), "a tree has places, but no items")) return;
         level_count = levels[0].empty() ? 0 : 1;
@@ -169,25 +168,30 @@ void load_broad(Reader& in, Stores& stores) {
             int live = 0;
             for (const Layer layer : kLayers) {
                 BoxTree& tree = trees[static_cast<std::size_t>(layer)];
-                load_tree(in, stores, layer, tree, states);
+                load_tree(in, stores, tree);
                 if (!in.ok()) return;
                 live += tree.size();
             }
             const int boxed = stores.shapes.size() - static_cast<int>(stores.sensors.all.size());
-            if (!in.require(live == boxed, "a shape is in no tree")) return;
+            if (!in.require(live == boxed, "a shape is in no tree, or in two")) return;
             const std::byte* at = in.take(static_cast<std::size_t>(boxed));
             if (at == nullptr) return;
             box_before.resize(slots);
             ways.resize(slots);
             way_before.resize(slots);
             with_ways = 0;
-            had_ways = false;
             int waiting = 0;  // that moved, and must be listed
+            std::uint8_t all_bits = 0;
+            bool all_held = true;
             for_each_alive(stores.shapes, [&](int item, const ShapeRecord& shape) {
                 if (!is_boxed(shape)) return;
                 std::uint8_t bits = 0;
                 at = get(at, bits, in.reading);
                 auto& state = states[static_cast<std::size_t>(item)];
+                state.layer = layer_of(stores.bodies.slots[shape.body].set);
+                all_held &= trees[static_cast<std::size_t>(state.layer)].holds(item);
+                if (bits == 0) return;
+                all_bits |= bits;
                 state.moved = (bits & kMoved) != 0;
                 state.touched = (bits & kTouched) != 0;
                 state.unsettled = (bits & kUnsettled) != 0;
@@ -195,12 +199,14 @@ void load_broad(Reader& in, Stores& stores) {
                 state.had_way = (bits & kHadWay) != 0;
                 with_ways += state.has_way ? 1 : 0;
                 waiting += state.moved ? 1 : 0;
-                had_ways = had_ways || state.has_way || state.had_way;
                 if (!state.has_way) return;
                 const std::uint32_t flags = stores.bodies.places[static_cast<std::size_t>(shape.body)].flags;
                 in.require(state.layer == Layer::Awake && (flags & place_flag::kHasWay) != 0,
                            "a box has a way, though its body is not fast");
             });
+            had_ways = (all_bits & (kHasWay | kHadWay)) != 0;
+            in.require(all_held, "a shape is in the tree of another layer");
+            in.require(all_bits <= kAll, "a box has what no box has");
             moved_items.resize(in.count(sizeof(int)));
             for (int& item : moved_items) {
                 in.value(item);

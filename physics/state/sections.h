@@ -26,9 +26,13 @@ void load_broad(Reader& in, Stores& stores);
 void save_links(const Stores& stores, Writer& out);
 void load_links(Reader& in, Stores& stores);
 
-// state/contact_state.cpp: records of contacts; then where they are.
+// state/contact_state.cpp: records of contacts.
 void save_contacts(const ContactStore& contacts, Writer& out);
 void load_contacts(Reader& in, ContactStore& contacts);
+/// In `bucket` of a contact that was read, but not yet found in any list.
+inline constexpr int kUnplaced = -2;
+
+// state/contact_list_state.cpp: where contacts are.
 void save_contact_lists(const ContactStore& contacts, Writer& out);
 void load_contact_lists(Reader& in, Stores& stores);
 

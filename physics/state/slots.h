@@ -1,5 +1,6 @@
-// The slots of objects as bytes: which are alive, how often each was used, and in which order the free ones
-// will be used again. The objects themselves are written by their own parts, in the order of the slots.
+// The slots of objects as bytes: which are alive, how often each was used, as runs of slots that are alike,
+// and in which order the free ones will be used again. The objects themselves are written by their own parts,
+// in the order of the slots.
 #pragma once
 
 #include "state/access.h"
@@ -19,9 +20,17 @@ inline constexpr std::uint32_t kAliveBit = 0x80000000u;
 template <class Map>
 void save_slots(const Map& map, Writer& out) {
     StateAccess::slots(map, [&](const auto& slots, int free_head, std::size_t free, int) {
-        std::byte* at = out.room(sizeof(std::uint32_t) * (2 + slots.size() + free));
+        std::byte* at = out.room(sizeof(std::uint32_t) * (2 + 2 * slots.size() + free));
         at = put(at, static_cast<std::uint32_t>(slots.size()));
-        for (const auto& slot : slots) at = put(at, slot.generation | (slot.alive ? kAliveBit : 0));
+        const auto word = [&](std::size_t i) {
+            return slots[i].generation | (slots[i].alive ? kAliveBit : 0);
+        };
+        for (std::size_t first = 0; first < slots.size();) {
+            std::size_t end = first + 1;
+            while (end < slots.size() && word(end) == word(first)) ++end;
+            at = put(put(at, static_cast<std::uint32_t>(end - first)), word(first));
+            first = end;
+        }
         at = put(at, static_cast<std::uint32_t>(free));
         for (int i = free_head; i != kNone; i = slots[static_cast<std::size_t>(i)].next_free) at = put(at, i);
         out.end(at);
@@ -32,26 +41,35 @@ void save_slots(const Map& map, Writer& out) {
 template <class Map>
 void load_slots(Reader& in, Map& map) {
     StateAccess::slots(map, [&](auto& slots, int& free_head, std::size_t& free, int& size) {
-        const std::size_t count = in.count(sizeof(std::uint32_t));
+        // Of each slot more follows: what it holds, or its place among the free ones. So few bytes cannot ask
+        // for much memory.
+        const std::size_t count = in.count(1);
         if (!in.require(count <= static_cast<std::size_t>(Map::kMaxSlots), "there are too many slots"))
             return;
         slots.resize(count);
         size = 0;
         constexpr int kUnlisted = -2;
         const decltype(slots.front().value) gone{};
-        const std::byte* at = in.take(count * sizeof(std::uint32_t));
-        if (at == nullptr) return;
-        for (auto& slot : slots) {
+        for (auto slot = slots.begin(); slot != slots.end();) {
+            std::uint32_t length = 0;
             std::uint32_t word = 0;
-            at = get(at, word, in.reading);
-            slot.alive = (word & kAliveBit) != 0;
-            slot.generation = word & ~kAliveBit;
-            slot.next_free = kUnlisted;
-            in.reading.bad |= slot.generation > Map::kMaxGeneration;
-            size += slot.alive ? 1 : 0;
-            if (!slot.alive) slot.value = gone;
+            in.value(length);
+            in.value(word);
+            const bool alive = (word & kAliveBit) != 0;
+            const std::uint32_t generation = word & ~kAliveBit;
+            const bool fits = length > 0 && length <= static_cast<std::size_t>(slots.end() - slot);
+            if (!in.require(fits && generation <= Map::kMaxGeneration,
+                            "slots are more than there are, or were used more often than slots are"))
+                return;
+            const auto end = slot + length;
+            for (; slot != end; ++slot) {
+                slot->alive = alive;
+                slot->generation = generation;
+                slot->next_free = kUnlisted;
+                if (!alive) slot->value = gone;
+            }
+            size += alive ? static_cast<int>(length) : 0;
         }
-        in.require(!in.reading.bad, "a slot was used more often than slots are");
         free = in.count(sizeof(int));
         free_head = kNone;
         int* link = &free_head;

@@ -1,0 +1,277 @@
+// Where contacts are, as bytes: in a lane, among the loose ones, or in no list; which shapes meet stands
+// there. Blocks stand in the order of their chains, which is the order of the passes; their numbers are not
+// part of the state.
+#include <algorithm>
+
+#include "state/contact_blocks.h"
+#include "state/sections.h"
+#include "state/slots.h"
+#include "world/contact_lists.h"
+#include "world/special_contacts.h"
+
+namespace cairn::physics {
+namespace {
+
+struct UnlistedContact {
+    std::int32_t shape_a = kNone;
+    std::int32_t shape_b = kNone;
+};
+
+void save_near(const ContactLanes& lanes, Writer& out) {
+    StateAccess::near(lanes, [&](const auto& near, const auto& reaches, const auto&, const auto& counts) {
+        RepeatedParts last;
+        for (std::size_t g = 0; g < near.size(); ++g) {
+            const int count = counts[g];
+            out.count(static_cast<std::size_t>(count));
+            const int blocks = (count + kLanes - 1) / kLanes;
+            std::byte* at = out.room(static_cast<std::size_t>(blocks) * kNearBlockBytes.most);
+            for (int block = 0; block < blocks; ++block) {
+                const int used = std::min(kLanes, count - block * kLanes);
+                const auto i = static_cast<std::size_t>(block);
+                at = put_near_block(at, near[g][i], reaches[g][i], used, last);
+            }
+            out.end(at);
+        }
+    });
+}
+
+void save_colored(const ContactLanes& lanes, Writer& out) {
+    StateAccess::colored(lanes, [&](const auto& pairs, const auto& links, const auto& blocks, const auto&,
+                                    const auto& chains, const auto&) {
+        const auto used = std::count_if(chains.begin(), chains.end(),
+                                        [](const auto& chain) { return chain.first != kNone; });
+        out.count(static_cast<std::size_t>(used));
+        RepeatedParts last;
+        for (std::size_t bucket = 0; bucket < chains.size(); ++bucket) {
+            if (chains[bucket].first == kNone) continue;
+            std::size_t length = 0;
+            const auto next = [&](int block) { return links[static_cast<std::size_t>(block)].next; };
+            for (int block = chains[bucket].first; block != kNone; block = next(block)) ++length;
+            out.count(bucket);
+            out.count((length - 1) * kLanes +
+                      static_cast<std::size_t>(links[static_cast<std::size_t>(chains[bucket].last)].used));
+            std::byte* at = out.room(length * kColoredBlockBytes.most);
+            for (int block = chains[bucket].first; block != kNone; block = next(block)) {
+                const auto i = static_cast<std::size_t>(block);
+                at = put_colored_block(at, pairs[i], blocks[i], links[i].used, last);
+            }
+            out.end(at);
+        }
+    });
+}
+
+// Puts the contacts that were read into the lists and lanes that the bytes name.
+class Placing {
+  public:
+    Placing(Reader& in, Stores& stores)
+        : in_(in), stores_(stores), contacts_(stores.contacts.slots), shapes_(stores.shapes) {}
+
+    void load() {
+        stores_.contacts.colors.assign(static_cast<std::size_t>(stores_.bodies.slots.end_index()), 0);
+        load_loose();
+        if (in_.ok()) load_near();
+        if (in_.ok()) load_colored();
+        if (in_.ok()) load_unlisted();
+        if (in_.ok()) load_uneven();
+    }
+
+  private:
+    static constexpr const char* kMisplaced =
+        "a contact is in two places, or of shapes that its bodies do not have";
+
+    bool fits(int shape, int body) const {
+        const ShapeRecord* const record = shapes_.find(shape);
+        return record != nullptr && record->body == body && record->sensor == kNone;
+    }
+
+    ContactRecord* place(int contact, int shape_a, int shape_b, int bucket, int lane) {
+        ContactRecord* const record = contacts_.find(contact);
+        if (record == nullptr || record->bucket != kUnplaced || !fits(shape_a, record->body_a) ||
+            !fits(shape_b, record->body_b))
+            return nullptr;
+        record->shape_a = shape_a;
+        record->shape_b = shape_b;
+        record->bucket = bucket;
+        record->lane = lane;
+        return record;
+    }
+
+    bool place_lanes(PairBlock& pairs, int used, int bucket, int first_lane) {
+        for (int i = 0; i < used; ++i) {
+            const auto lane = static_cast<std::size_t>(i);
+            const ContactRecord* record =
+                place(pairs.contact[lane], pairs.shape_a[lane], pairs.shape_b[lane], bucket, first_lane + i);
+            if (!in_.require(record != nullptr, kMisplaced)) return false;
+            pairs.body_a[lane] = record->body_a;
+            pairs.body_b[lane] = record->body_b;
+        }
+        return true;
+    }
+
+    void load_loose() {
+        std::vector<int>& loose = stores_.contacts.loose;
+        loose.resize(in_.count(3 * sizeof(int)));
+        stores_.contacts.tiny = 0;
+        for (std::size_t i = 0; i < loose.size(); ++i) {
+            UnlistedContact shapes;
+            in_.value(loose[i]);
+            in_.value(shapes.shape_a);
+            in_.value(shapes.shape_b);
+            if (!in_.require(place(loose[i], shapes.shape_a, shapes.shape_b, kLooseBucket,
+                                   static_cast<int>(i)) != nullptr,
+                             kMisplaced))
+                return;
+            stores_.contacts.tiny += special::has(stores_.contacts.slots[loose[i]], special::kTiny) ? 1 : 0;
+        }
+    }
+
+    void load_unlisted() {
+        for_each_alive(stores_.contacts.slots, [&](int contact, ContactRecord& record) {
+            if (!in_.ok() || record.bucket != kUnplaced) return;
+            UnlistedContact shapes;
+            in_.value(shapes.shape_a);
+            in_.value(shapes.shape_b);
+            in_.require(place(contact, shapes.shape_a, shapes.shape_b, kNone, 0) != nullptr, kMisplaced);
+        });
+    }
+
+    void load_near() {
+        StateAccess::near(stores_.contacts.lanes, [&](auto& near, auto& reaches, auto& sights, auto& counts) {
+            RepeatedParts last;
+            for (std::size_t g = 0; g < near.size(); ++g) {
+                const std::size_t count = in_.count(kNearBlockBytes.least / kLanes);
+                const std::size_t blocks = (count + kLanes - 1) / kLanes;
+                counts[g] = 0;
+                if (!in_.ok()) return;
+                near[g].resize(blocks);
+                reaches[g].resize(blocks);
+                sights[g].resize(blocks * kLanes);
+                counts[g] = static_cast<int>(count);
+                const int bucket = near_bucket(static_cast<PairGeometry>(g));
+                for (std::size_t block = 0; block < blocks; ++block) {
+                    const int first_lane = static_cast<int>(block) * kLanes;
+                    const int used = std::min(kLanes, static_cast<int>(count) - first_lane);
+                    if (!read_near_block(in_, near[g][block], reaches[g][block], used, last)) return;
+                    if (!place_lanes(near[g][block], used, bucket, first_lane)) return;
+                }
+            }
+        });
+        in_.settle();
+    }
+
+    void load_colored() {
+        StateAccess::colored(stores_.contacts.lanes, [&](auto& pairs, auto& links, auto& blocks, auto& free,
+                                                         auto& chains, bool& is_arranged) {
+            links.clear();
+            free.clear();
+            chains.fill({});
+            is_arranged = false;
+            RepeatedParts last;
+            const std::size_t buckets = in_.count(2 * sizeof(std::uint32_t));
+            for (std::size_t i = 0; i < buckets && in_.ok(); ++i) {
+                std::uint32_t bucket = 0;
+                in_.value(bucket);
+                const bool fits = bucket < kBuckets && is_colored(static_cast<int>(bucket)) &&
+                                  chains[bucket].first == kNone;
+                if (!in_.require(fits, "a colour of contacts is none, or is there twice")) return;
+                load_bucket(static_cast<int>(bucket), last, pairs, links, blocks, chains[bucket]);
+            }
+            pairs.resize(links.size());
+            blocks.resize(links.size());
+            free.reserve(pairs.capacity());
+        });
+        if (in_.settle()) stores_.contacts.lanes.arrange();
+    }
+
+    template <class Chain>
+    void load_bucket(int bucket, RepeatedParts& last, std::vector<PairBlock>& pairs,
+                     std::vector<BlockLink>& links, std::vector<ContactBlock>& blocks, Chain& chain) {
+        const std::size_t count = in_.count(kColoredBlockBytes.least / kLanes);
+        const std::size_t length = (count + kLanes - 1) / kLanes;
+        if (!in_.require(count > 0, "a colour of contacts is empty")) return;
+        const std::size_t first = links.size();
+        links.resize(first + length);
+        // What blocks held before is read over, or made anew by the next step, before anybody looks at it.
+        if (pairs.size() < first + length) pairs.resize(first + length);
+        if (blocks.size() < first + length) blocks.resize(first + length);
+        chain = {static_cast<int>(first), static_cast<int>(first + length) - 1};
+        for (std::size_t i = 0; i < length; ++i) {
+            const int block = static_cast<int>(first + i);
+            const int used = std::min(kLanes, static_cast<int>(count - i * kLanes));
+            PairBlock& pair_block = pairs[first + i];
+            ContactBlock& contact_block = blocks[first + i];
+            links[first + i] = {bucket, used, i > 0 ? block - 1 : kNone, i + 1 < length ? block + 1 : kNone};
+            if (!read_colored_block(in_, pair_block, contact_block, used, last)) return;
+            if (!place_lanes(pair_block, used, bucket, block * kLanes)) return;
+            for (int lane = 0; lane < used; ++lane) color(bucket, pair_block, lane, contact_block);
+        }
+    }
+
+    // Marks the colour of the bodies, in which nobody else may be, and takes the friction from the record.
+    void color(int bucket, const PairBlock& pairs, int at, ContactBlock& block) {
+        const auto lane = static_cast<std::size_t>(at);
+        const int a = pairs.body_a[lane];
+        const int b = pairs.body_b[lane];
+        const BodyType type_a = stores_.bodies.slots[a].type;
+        const BlockKind kind = kind_of(bucket);
+        const std::uint32_t bit = 1u << color_of(bucket);
+        std::uint32_t& colors_b = stores_.contacts.colors[static_cast<std::size_t>(b)];
+        bool fits = (colors_b & bit) == 0 && stores_.bodies.slots[b].inverse_mass > 0 &&
+                    (type_a == BodyType::Static) == (kind == BlockKind::OneBody) &&
+                    (type_a == BodyType::Kinematic) == (kind == BlockKind::Carried);
+        colors_b |= bit;
+        if (kind == BlockKind::TwoBodies) {
+            std::uint32_t& colors_a = stores_.contacts.colors[static_cast<std::size_t>(a)];
+            fits = fits && (colors_a & bit) == 0 && stores_.bodies.slots[a].inverse_mass > 0;
+            colors_a |= bit;
+        }
+        in_.require(fits, "a body is moved twice in one colour of contacts, or by none that moves it");
+        block.friction[lane] = stores_.contacts.slots[pairs.contact[lane]].friction;
+    }
+
+    void load_uneven() {
+        StateAccess::list(stores_.contacts.uneven, [&](std::vector<int>& list) {
+            in_.list(list);
+            for (std::size_t i = 0; i < list.size() && in_.ok(); ++i) {
+                const bool fits = names(stores_.contacts.slots, list[i]) &&
+                                  stores_.contacts.slots[list[i]].bucket != kNone &&
+                                  stores_.contacts.slots[list[i]].uneven_index == kNone;
+                if (!in_.require(fits, "a contact is listed that is in no list, or twice")) return;
+                stores_.contacts.slots[list[i]].uneven_index = static_cast<int>(i);
+            }
+        });
+    }
+
+    Reader& in_;
+    Stores& stores_;
+    Lookup<decltype(ContactStore::slots)> contacts_;
+    Lookup<ShapeStore> shapes_;
+};
+
+}  // namespace
+
+void save_contact_lists(const ContactStore& contacts, Writer& out) {
+    constexpr std::size_t kShapesBytes = 2 * sizeof(int);
+    std::byte* at = out.room(sizeof(int) + contacts.loose.size() * (sizeof(int) + kShapesBytes));
+    at = put(at, static_cast<std::uint32_t>(contacts.loose.size()));
+    for (const int contact : contacts.loose) {
+        const ContactRecord& record = contacts.slots[contact];
+        at = put(put(put(at, contact), record.shape_a), record.shape_b);
+    }
+    out.end(at);
+    save_near(contacts.lanes, out);
+    save_colored(contacts.lanes, out);
+    at = out.room(static_cast<std::size_t>(contacts.slots.size()) * kShapesBytes);
+    for_each_alive(contacts.slots, [&](int, const ContactRecord& record) {
+        if (record.bucket == kNone) at = put(put(at, record.shape_a), record.shape_b);
+    });
+    out.end(at);
+    StateAccess::list(contacts.uneven, [&](const std::vector<int>& list) { out.list(list); });
+}
+
+void load_contact_lists(Reader& in, Stores& stores) {
+    in.begin("lists of contacts");
+    Placing(in, stores).load();
+}
+
+}  // namespace cairn::physics
