@@ -7,6 +7,7 @@ folder=$(mktemp -d)
 trap 'rm -r "$folder"' EXIT
 mkdir "$folder/game"
 sed "$3" "$2/main.lua" > "$folder/game/main.lua"
+: > "$folder/out"
 XDG_DATA_HOME=$folder "$1" play "$folder/game" > "$folder/out" 2>&1 &
 game=$!
 ticks=0
