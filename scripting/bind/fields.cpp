@@ -18,7 +18,7 @@ bool has_type(lua_State* L, FieldType type) {
         case FieldType::Number:
             return lua_type(L, -1) == LUA_TNUMBER;
         case FieldType::Integer:
-            return lua_type(L, -1) == LUA_TNUMBER && lua_isinteger(L, -1);
+            return is_integral(L, -1);
         case FieldType::Boolean:
             return lua_isboolean(L, -1);
         case FieldType::String:

@@ -117,14 +117,19 @@ struct Argument<float> {
     }
 };
 
+/// Whether a value is a whole number: 2^3 and 16/2 are floats in Lua, but whole.
+inline bool is_integral(lua_State* L, int index) {
+    int is_integer = 0;
+    lua_tointegerx(L, index, &is_integer);
+    return is_integer != 0 && lua_type(L, index) == LUA_TNUMBER;  // and no string of digits
+}
+
 template <>
 struct Argument<std::int64_t> {
     static constexpr std::string_view kType = "integer";
     static std::int64_t get(lua_State* L, int index) {
-        int is_integer = 0;
-        const lua_Integer value = lua_tointegerx(L, index, &is_integer);
-        if (is_integer == 0 || lua_type(L, index) != LUA_TNUMBER) argument_error(L, index, "an integer");
-        return value;
+        if (!is_integral(L, index)) argument_error(L, index, "an integer");
+        return lua_tointeger(L, index);
     }
 };
 

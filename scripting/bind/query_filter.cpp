@@ -27,7 +27,7 @@ FilterArgument Argument<FilterArgument>::get(lua_State* L, int index) {
 Sight::Sight(lua_State* L, WorldRef world, const Filter& filter, const Ignored& ignored)
     : L_(L), world_(world) {
     if (filter && lua_isfunction(L, filter->index)) function_ = filter->index;
-    if (filter && lua_isinteger(L, filter->index))
+    if (filter && is_integral(L, filter->index))
         filter_.mask = static_cast<std::uint64_t>(lua_tointeger(L, filter->index));
     if (filter && lua_istable(L, filter->index)) read(FieldReader(L, filter->index, kSightFields));
     if (ignored) filter_.ignored_body = ignored->object.id;

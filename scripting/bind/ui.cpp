@@ -308,9 +308,7 @@ void set_value(lua_State* L, UiObject* self, std::int64_t number, AnyArgument va
                   "a finite number");
             return self->ui.set_value(place, lua_tonumber(L, value.index));
         case WidgetKind::Choice: {
-            const bool is_whole =
-                lua_type(L, value.index) == LUA_TNUMBER && lua_isinteger(L, value.index) != 0;
-            check(is_whole && lua_tointeger(L, value.index) >= 1 &&
+            check(is_integral(L, value.index) && lua_tointeger(L, value.index) >= 1 &&
                       lua_tointeger(L, value.index) <= static_cast<lua_Integer>(widget.choices.size()),
                   "the number of a choice");
             return self->ui.set_value(place, lua_tonumber(L, value.index) - 1);

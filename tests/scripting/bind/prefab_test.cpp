@@ -112,6 +112,9 @@ TEST_CASE("wrong prefabs are refused with field, value and rule") {
           std::string::npos);
     CHECK(bench.run("cairn.prefab.rope(w, { links = 2.5 })").find("links = 2.5: must be an integer") !=
           std::string::npos);
+    CHECK(bench.run("cairn.prefab.rope(w, { links = '4' })").find("links = \"4\": must be an integer") !=
+          std::string::npos);
+    CHECK(bench.run("cairn.prefab.rope(w, { links = 8 / 2 })") == "");
     CHECK(bench.run("cairn.prefab.gear_train(w, { radii = { 1, 'x' } })")
               .find("radii[2] = \"x\": must be a number") != std::string::npos);
     CHECK(bench.run("cairn.prefab.vehicle(w, { wheels = { 3 } })").find("wheels[1] = 3: must be a table") !=

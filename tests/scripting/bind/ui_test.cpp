@@ -126,6 +126,8 @@ TEST_CASE_METHOD(Menus, "wrong widgets name the field, the value and the rule") 
     CHECK(run("menu:set_value(play, 1)").find("labels and buttons have no value") != std::string::npos);
     CHECK(run("menu:set_value(sound, 1)").find("value is 1; expected true or false") != std::string::npos);
     CHECK(run("menu:set_value(detail, 3)").find("the number of a choice") != std::string::npos);
+    CHECK(run("menu:set_value(detail, 1.5)").find("the number of a choice") != std::string::npos);
+    CHECK(run("menu:set_value(detail, 4 / 2)") == "");
     CHECK(run("cairn.ui.new{ accent = { 1 } }").find("must be {r, g, b}") != std::string::npos);
     CHECK(draw_error(*this, "menu:draw()") == "");
     CHECK(run("menu:draw()").find("call it inside cairn.draw") != std::string::npos);

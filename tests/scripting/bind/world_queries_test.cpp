@@ -26,6 +26,8 @@ TEST_CASE("rays and shapes find what lies in their way, in its order") {
           "true");
     CHECK(bench.value("hits[2].body == b and hits[2].shape == b:shapes()[1]") == "true");
     CHECK(bench.value("#w:cast_ray_all(0, 1, 20, 1, 2)") == "1");
+    CHECK(bench.value("#w:cast_ray_all(0, 1, 20, 1, 2^1)") == "1");  // a float, but whole
+    CHECK(bench.value("#w:cast_ray_all(0, 1, 20, 1, { mask = 2^1 })") == "1");
     CHECK(bench.value("#w:cast_ray_all(0, 1, 20, 1, -1, a)") == "1");
 
     // A circle of radius 0.5 meets the box when its centre is 0.5 before it: after 2.5 of 10 metres.
