@@ -61,19 +61,24 @@ Pushed new_camera(lua_State* L, std::optional<TableArgument> description) {
 void attach(lua_State* L, CameraRef self) {
     Context& context = context_of(L);
     if (!context.is_drawing) call_error(L, "there is no picture to draw on; call it inside cairn.draw");
-    check_or_raise(L, context.services.renderer.push_transform());
-    context.services.renderer.apply_transform(
-        self.rig.camera_at(static_cast<float>(context.alpha)).world_to_screen());
-    ++context.draw.cameras;
-    if (context.services.renderer.current_canvas().is_null())
-        context.world_view = context.services.renderer.transform();
+    engine::Renderer& renderer = context.services.renderer;
+    const AttachedCamera attached{&self.object, renderer.current_canvas(), renderer.transform_depth()};
+    check_or_raise(L, renderer.push_transform());
+    renderer.apply_transform(self.rig.camera_at(static_cast<float>(context.alpha)).world_to_screen());
+    context.draw.cameras.push_back(attached);
+    if (attached.canvas.is_null()) context.world_view = renderer.transform();
 }
 
-void detach(lua_State* L, CameraRef) {
+void detach(lua_State* L, CameraRef self) {
     Context& context = context_of(L);
-    if (!context.is_drawing || context.draw.cameras == 0) call_error(L, "no camera is attached");
-    check_or_raise(L, context.services.renderer.pop_transform());
-    --context.draw.cameras;
+    if (!context.is_drawing || context.draw.cameras.empty()) call_error(L, "no camera is attached");
+    const AttachedCamera last = context.draw.cameras.back();
+    if (last.camera != &self.object) call_error(L, "it is not the camera that was attached last");
+    engine::Renderer& renderer = context.services.renderer;
+    if (renderer.current_canvas() != last.canvas)
+        call_error(L, "a canvas was attached since; detach that first");
+    while (renderer.transform_depth() > last.depth) check_or_raise(L, renderer.pop_transform());
+    context.draw.cameras.pop_back();
 }
 
 Pair to_world(CameraRef self, float x, float y) {

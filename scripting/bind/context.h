@@ -36,12 +36,19 @@ struct GameResult {
     std::optional<std::int64_t> stars;
 };
 
+/// A camera that is attached.
+struct AttachedCamera {
+    const void* camera;
+    engine::TextureId canvas;  ///< that it draws on; null: the picture
+    int depth;                 ///< transforms there below its own
+};
+
 /// The drawing state of cairn.graphics that the renderer does not keep itself.
 struct DrawState {
     engine::Color color;
     float line_width = 1;
     engine::FontId font;
-    int cameras = 0;  ///< attached and not yet detached
+    std::vector<AttachedCamera> cameras;  ///< not yet detached
 };
 
 struct Scene {

@@ -88,7 +88,14 @@ engine::Result<void> push(lua_State* L) {
     return drawing_context(L).services.renderer.push_transform();
 }
 engine::Result<void> pop(lua_State* L) {
-    return drawing_context(L).services.renderer.pop_transform();
+    Context& context = drawing_context(L);
+    engine::Renderer& renderer = context.services.renderer;
+    if (!context.draw.cameras.empty()) {
+        const AttachedCamera& last = context.draw.cameras.back();
+        if (last.canvas == renderer.current_canvas() && renderer.transform_depth() == last.depth + 1)
+            call_error(L, "there was no push since the camera was attached; detach it first");
+    }
+    return renderer.pop_transform();
 }
 void translate(lua_State* L, float x, float y) {
     drawing_context(L).services.renderer.translate({x, y});

@@ -167,9 +167,12 @@ engine::Result<void> attach(lua_State* L, CanvasObject* self, std::optional<floa
 }
 
 engine::Result<void> detach(lua_State* L, CanvasObject* self) {
-    engine::Renderer& renderer = drawing_context(L).services.renderer;
+    Context& context = drawing_context(L);
+    engine::Renderer& renderer = context.services.renderer;
     if (renderer.current_canvas() != self->texture)
         call_error(L, "it is not the canvas that was attached last");
+    std::erase_if(context.draw.cameras,
+                  [&](const AttachedCamera& attached) { return attached.canvas == self->texture; });
     return renderer.end_canvas();
 }
 

@@ -144,5 +144,28 @@ TEST_CASE("drawing outside of cairn.draw and wrong modes are errors") {
           std::string::npos);
 }
 
+TEST_CASE("cameras, canvases and pushes end in their order, or tell which must end first") {
+    LuaBench bench({}, MachineKind::HeadlessDrawing);
+    REQUIRE(bench.run("g = cairn.graphics c = cairn.camera.new{} d = cairn.camera.new{} "
+                      "can = g.new_canvas(8, 8)") == "");
+    CHECK(draw_error(bench,
+                     "c:attach() g.push() g.translate(5, 5) c:detach() x, y = g.transform_point(3, 4)") ==
+          "");
+    CHECK(bench.value("x .. ' ' .. y") == "3.0 4.0");
+    CHECK(draw_error(bench, "g.push() c:attach() g.pop()").find("no push since the camera was attached") !=
+          std::string::npos);
+    CHECK(
+        draw_error(bench, "c:attach() d:attach() c:detach()").find("not the camera that was attached last") !=
+        std::string::npos);
+    CHECK(draw_error(bench, "c:attach() can:attach() c:detach()").find("a canvas was attached since") !=
+          std::string::npos);
+    CHECK(
+        draw_error(bench, "can:attach() c:attach() can:detach() c:detach()").find("no camera is attached") !=
+        std::string::npos);
+    CHECK(draw_error(bench,
+                     "c:attach() can:attach() g.push() g.pop() d:attach() d:detach() can:detach() "
+                     "c:detach()") == "");
+}
+
 }  // namespace
 }  // namespace cairn::scripting::test
