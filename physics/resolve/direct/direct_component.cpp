@@ -148,6 +148,7 @@ void DirectComponent::start(const DirectScene& scene, std::span<const float> ine
 
 void DirectComponent::solve(const DirectScene& scene) {
     const double h = d(scene.h_s);
+    factorizations_left_ = kMaxFactorizations;
     read(scene.motions);
     inertia_before_.resize(rows_.size());
     for (std::size_t i = 0; i < rows_.size(); ++i) {
@@ -263,6 +264,12 @@ bool DirectComponent::project(const DirectScene& scene) {
     return false;
 }
 
+// Whether a contact did, in the last solution.
+bool DirectComponent::has_pressed() const {
+    return std::any_of(system_.equations.begin() + joint_rows(), system_.equations.end(),
+                       [](const DirectEquation& e) { return e.impulse != 0; });
+}
+
 // How many parts of the substep structures need that turn fast: an error of a tangent grows with the square
 // of the turn, and whips lose their energy to it.
 int DirectComponent::parts_needed(const DirectScene& scene) const {
@@ -272,8 +279,9 @@ int DirectComponent::parts_needed(const DirectScene& scene) const {
         const int row = rows_[at(system_.links[l].body)];
         most_turned = std::max(most_turned, std::fabs(d(scene.h_s * scene.motions.spin(row))));
     }
+    const int most = has_pressed() ? kMaxPartsInContact : kMaxParts;
     int parts = 1;
-    while (parts < kMaxParts && most_turned > kResolvedTurn_rad * parts) parts *= 2;
+    while (parts < most && most_turned > kResolvedTurn_rad * parts) parts *= 2;
     return parts;
 }
 
@@ -281,6 +289,7 @@ int DirectComponent::parts_needed(const DirectScene& scene) const {
 // joints. (Source: Tuckerman, Berne and Martyna, "Reversible Multiple Time Scale Molecular Dynamics", 1992.)
 void DirectComponent::move(const DirectScene& scene) {
     const int parts = parts_needed(scene);
+    factorizations_left_ = kMaxFactorizations;
     DirectScene part = scene;
     part.h_s /= static_cast<float>(parts);
     for (int i = 1; i <= parts; ++i) {

@@ -109,6 +109,7 @@ class DirectComponent {
     void note_spring_speeds();
     [[nodiscard]] double greatest_error(const DirectScene& scene) const;
     bool project(const DirectScene& scene);
+    [[nodiscard]] bool has_pressed() const;
     [[nodiscard]] int parts_needed(const DirectScene& scene) const;
     void advance(const DirectScene& scene);
     void close(const DirectScene& scene, int parts);
@@ -136,8 +137,9 @@ class DirectComponent {
     std::vector<double> x_;
     bool is_weighed_ = false;  // since J changed
     Attempt attempt_;
-    double surplus_ = 0;  // J that errors added in the solution
-    double energy_ = 0;   // J without them, before positions are projected
+    int factorizations_left_ = 0;  // of the solution, or of all closing ones
+    double surplus_ = 0;           // J that errors added in the solution
+    double energy_ = 0;            // J without them, before positions are projected
     bool kicked_ = false;
     bool is_loop_ = false;
 };

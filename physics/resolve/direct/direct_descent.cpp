@@ -5,7 +5,8 @@
 // a convex function. From any impulses within their bounds, the equations of all that are not held at a bound
 // give a direction; along it, bent where a bound is met, f falls. Equations without bounds hold at each place
 // of the way, by factors of their own, which stay the same: a place costs one solution, a direction one
-// factorization. Wherever the way is left, the impulses keep their bounds and f is the least so far.
+// factorization. Wherever the way is left, the impulses keep their bounds, and f is the least so far and no
+// greater than without them: no energy comes from impulses that were never found.
 // Source: Bertsekas, "Projected Newton methods for optimization problems with simple constraints" (1982).
 #include <algorithm>
 #include <cmath>
@@ -118,7 +119,7 @@ void DirectSystem::descend() {
     }
     unbounded_factors_ = factors_;
     settle();
-    for (int i = 0; i < kMaxDescents; ++i) {
+    for (int i = 0; i < kMaxDescents && factorizations_left_ > 0; ++i) {
         release();
         renew_factors();
         balance(factors_);
@@ -135,6 +136,9 @@ void DirectSystem::descend() {
         }
     }
     settle();
+    // What was given up early may do more harm than no impulse at all.
+    for (Bounded& b : bounded_) b.aim = equations[at(b.equation)].before;
+    if (!go(1)) settle();
     release();
     renew_factors();
 }

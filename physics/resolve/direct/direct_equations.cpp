@@ -164,7 +164,8 @@ void DirectComponent::satisfy(const DirectScene& scene, Phase phase) {
         for (std::size_t i = 0; i < impulse_at_start_.size(); ++i)
             system_.equations[i].impulse = impulse_at_start_[i];
         describe(scene, phase);
-        system_.satisfy(velocity_before_);
+        factorizations_left_ -=
+            system_.satisfy(velocity_before_, std::max(factorizations_left_, kFewestFactorizations));
         if (!is_contradictory()) return;
     }
     // Not a number, or beyond all bounds: the joints rest in this substep.

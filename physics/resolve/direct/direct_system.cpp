@@ -149,6 +149,7 @@ void DirectSystem::factor(BlockLdl& factors) const {
 
 void DirectSystem::renew_factors() {
     factor(factors_);
+    --factorizations_left_;
     is_stale_ = false;
 }
 
@@ -240,6 +241,7 @@ bool DirectSystem::pivot() {
         balance(factors_);
         find_wrong();
         if (wrong_.empty()) return true;
+        if (factorizations_left_ <= 0) return false;
         if (wrong_.size() < fewest) {
             fewest = wrong_.size();
             chances = kChances;
@@ -276,13 +278,15 @@ bool DirectSystem::renew_friction() {
     return changed;
 }
 
-void DirectSystem::satisfy(std::span<const double> velocity_before) {
+int DirectSystem::satisfy(std::span<const double> velocity_before, int most_factorizations) {
     velocity_before_.assign(velocity_before.begin(), velocity_before.end());
     is_stale_ = true;
+    factorizations_left_ = most_factorizations;
     for (int round = 0; round < kMaxFrictionRounds; ++round) {
         if (!pivot()) descend();
-        if (!renew_friction()) break;
+        if (factorizations_left_ <= 0 || !renew_friction()) break;
     }
+    return most_factorizations - factorizations_left_;
 }
 
 }  // namespace cairn::physics

@@ -99,8 +99,10 @@ class DirectSystem {
     [[nodiscard]] double speed(int member, int equation) const;
 
     /// Finds impulses, and velocities from those given, starting from the states that are set. Bounds are
-    /// kept; equations too, but in the few systems that are too hard for so many factorizations as are tried.
-    void satisfy(std::span<const double> velocity_before);
+    /// kept; equations too, but in systems that are too hard for so many factorizations: there equations
+    /// without bounds hold, and the others are no farther off than without their impulses. Returns how many
+    /// it took, at most a few more.
+    int satisfy(std::span<const double> velocity_before, int most_factorizations);
     /// dv for other right-hand sides of the equations that act, in x, with the factors of the last solution.
     void solve(std::vector<double>& x) const { factors_.solve(x); }
     [[nodiscard]] int unknowns() const { return factors_.size(); }
@@ -153,6 +155,7 @@ class DirectSystem {
     std::vector<double> j_;
     std::vector<double> x_;  // right-hand side and solution
     BlockLdl factors_;
+    int factorizations_left_ = 0;
     bool is_stale_ = true;               // factors_ are not those of the states as they are
     std::vector<BlockLdl::Node> nodes_;  // while arranging
     std::vector<BlockLdl::Edge> edges_;

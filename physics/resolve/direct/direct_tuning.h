@@ -23,10 +23,19 @@ inline constexpr double kMaxTurn_rad = 0.35;
 // rad. What whips keep their energy at: a part of a substep turns a body no farther.
 inline constexpr double kResolvedTurn_rad = 0.02;
 inline constexpr int kMaxParts = 32;
+// The same where contacts press, and take more energy than parts would save.
+inline constexpr int kMaxPartsInContact = 4;
 // m. Bodies that turn about a joint at their centre are resolved at any speed.
 inline constexpr double kNoArm_m = 1e-3;
 
 inline constexpr int kMaxEnlargements = 3;
+
+// Factorizations for the solution of a substep, and as many for all its closing ones; where they are used up,
+// each solution still has the fewest. Most need 2 to 10, and boxes that settle on taut bridges up to 100,
+// which pays: with 40 they come to rest later. Where more are needed things collide too hard for exact
+// friction.
+inline constexpr int kMaxFactorizations = 120;
+inline constexpr int kFewestFactorizations = 6;
 // rad/s. In a singular pose roundings press the joints of a loop against each other with any impulse. Inertia
 // by that would stop what turns faster, so it gets no more than it has.
 inline constexpr double kTurning_rad_s = 1;
