@@ -160,7 +160,7 @@ void load_chains(Reader& in, Stores& stores, std::size_t expected) {
 }
 
 void save_sensors(const SensorStore& sensors, Writer& out) {
-    const auto& [all, outdated, seen, before] = sensors;  // the last two are of one look
+    const auto& [all, outdated, seen, strayed, before] = sensors;  // the last three are of one look
     out.value(outdated);
     out.count(all.size());
     for (const auto& [shape, inside, bodies] : all) {

@@ -103,7 +103,7 @@ void step_world(WorldState& world, float dt_s) {
     hold_fast_bodies(stores, scratch, tasks);
     break_joints(stores, scratch, world.events);
     clock.enter(Stage::Sensors);
-    update_sensors(stores, world.events);
+    update_sensors(stores, scratch.fast, world.events);
     clock.enter(Stage::Sleep);
     sleep_islands(stores, scratch);
     break_overloaded(world);

@@ -158,7 +158,8 @@ constexpr Function kFunctions[] = {
                            "Solid only for what comes from that side; (0, 0): from all sides."),
     function<&is_sensor>("is_sensor", "", "sensor", ""),
     function_pushing<&overlaps>("overlaps", "", "shapes", kReturnsTable,
-                                "Of a sensor: a new list of what overlapped it at the end of the last step."),
+                                "Of a sensor: a new list of what overlapped it at the end of the last step, "
+                                "or passed through it within that step."),
     function<&is_seen_by_sensors>("is_seen_by_sensors", "", "seen", ""),
     function<&set_seen_by_sensors>("set_seen_by_sensors", "seen", "", ""),
     function<&destroy>("destroy", "", "", "Removes the shape from its body."),

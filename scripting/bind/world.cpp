@@ -315,7 +315,9 @@ constexpr Function kWorldFunctions[] = {
         "sensor_events", "", "iterator", kReturnsSensorIterator,
         "Iterates over what came to overlap sensors in the last step, and what ceased to: `for kind, sensor, "
         "visitor, sensor_shape, visitor_shape in world:sensor_events() do`. `kind` is \"begin\" or \"end\"; "
-        "`sensor` and `visitor` are the bodies."),
+        "`sensor` and `visitor` are the bodies. What passes through a sensor within one step begins with it "
+        "and ends "
+        "with the next."),
     function_pushing<&bodies>("bodies", "", "bodies", kReturnsTable,
                               "A new list of all bodies, in a fixed order."),
     function<&read_transforms>("read_transforms", "transforms", "count",

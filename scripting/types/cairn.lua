@@ -693,7 +693,7 @@ function World:cuts_along(x1, y1, x2, y2, filter, ignored) end
 ---@return fun(): string, Body, Body, number, number, number, number, number, number, Shape?, Shape? iterator
 function World:events(kind, with_shapes) end
 
----Iterates over what came to overlap sensors in the last step, and what ceased to: `for kind, sensor, visitor, sensor_shape, visitor_shape in world:sensor_events() do`. `kind` is "begin" or "end"; `sensor` and `visitor` are the bodies.
+---Iterates over what came to overlap sensors in the last step, and what ceased to: `for kind, sensor, visitor, sensor_shape, visitor_shape in world:sensor_events() do`. `kind` is "begin" or "end"; `sensor` and `visitor` are the bodies. What passes through a sensor within one step begins with it and ends with the next.
 ---@return fun(): string, Body, Body, Shape, Shape iterator
 function World:sensor_events() end
 
@@ -1451,7 +1451,7 @@ function Shape:set_one_way(x, y) end
 ---@return boolean sensor
 function Shape:is_sensor() end
 
----Of a sensor: a new list of what overlapped it at the end of the last step.
+---Of a sensor: a new list of what overlapped it at the end of the last step, or passed through it within that step.
 ---@return table shapes
 function Shape:overlaps() end
 

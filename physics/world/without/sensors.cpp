@@ -7,6 +7,6 @@ int create_sensor(Stores&, int, const Convex&, const ShapeDef&) {
     return kNone;
 }
 void destroy_sensor(WorldState&, int) {}
-void update_sensors(Stores&, Events&) {}
+void update_sensors(Stores&, std::span<const int>, Events&) {}
 
 }  // namespace cairn::physics

@@ -89,9 +89,10 @@ struct ShapeDef {
     bool contact_events = false;  ///< report begin and end of touching; either shape of a pair is enough
     bool hit_events = false;  ///< report impacts faster than WorldDef::hit_speed_m_s; either shape is enough
     /// A sensor collides with nothing and has no mass; it notes which shapes overlap it at the end of each
-    /// step: of static, kinematic, dynamic and sleeping bodies alike, without waking them. It does not see
-    /// other sensors, shapes of its own body, what the filters forbid, nor, on a static body, other static
-    /// shapes. Rays and other queries do not see sensors.
+    /// step, or passed through it within the step on a straight way: of static, kinematic, dynamic and
+    /// sleeping bodies alike, without waking them. It does not see other sensors, shapes of its own body,
+    /// what the filters forbid, nor, on a static body, other static shapes. Rays and other queries do not see
+    /// sensors.
     bool sensor = false;
     bool seen_by_sensors = true;
     /// In the body's frame. Not (0, 0): the shape is solid only for what comes from the side to which this

@@ -149,12 +149,13 @@ class World {
     /// Joints that the last step loaded beyond their strength, and that are gone now.
     [[nodiscard]] std::span<const JointBreak> joint_breaks() const;
 
-    /// What came to overlap sensors, and what ceased to, from the end of one step to the end of the next:
-    /// what passes a sensor within a single step is not seen. Ordered and valid as the events of contacts.
+    /// What came to overlap sensors, and what ceased to, from the end of one step to the end of the next.
+    /// What passes through a sensor within a step begins with it and ends with the next one. Ordered and
+    /// valid as the events of contacts.
     [[nodiscard]] std::span<const SensorBegin> sensor_begins() const;
     [[nodiscard]] std::span<const SensorEnd> sensor_ends() const;
-    /// The shapes that overlapped a sensor at the end of the last step; those destroyed since are among them
-    /// still.
+    /// The shapes that overlapped a sensor at the end of the last step, or passed through it within it; those
+    /// destroyed since are among them still.
     Result<std::vector<ShapeId>> sensor_overlaps(ShapeId sensor) const;
 
     /// Bodies whose motion became infinite or NaN in the last step, or led beyond kFarthest_m. They were put
