@@ -69,6 +69,11 @@ ParticleSystem::Sprite ParticleSystem::sprite(int index, float alpha) const {
             {mix(a.r, b.r), mix(a.g, b.g), mix(a.b, b.b), mix(a.a, b.a)}};
 }
 
+std::size_t ParticleSystem::most_bytes() const {
+    constexpr std::size_t kEach = sizeof(Particle) + 4 * sizeof(MeshVertex) + 6 * sizeof(std::uint32_t);
+    return kEach * static_cast<std::size_t>(def_.max_count);
+}
+
 void ParticleSystem::draw(Renderer& renderer, TextureId texture, const std::optional<Rect>& source,
                           Color tint, float alpha) {
     Rect uv = {0, 0, 1, 1};

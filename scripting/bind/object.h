@@ -3,6 +3,7 @@
 // ObjectHeader. Comparing one number there is the whole type check of a method call.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <lua.hpp>
 #include <new>
@@ -116,6 +117,19 @@ T& new_object(lua_State* L, int user_values, Arguments&&... arguments) {
     push_metatable(L, T::kTag);
     lua_setmetatable(L, -2);
     return *object;
+}
+
+/// Tells the garbage collector of memory that an object holds outside of Lua, as it is allocated: it would
+/// take a canvas of a megabyte for the few bytes of its userdata, and let thousands of dropped ones pile up.
+/// May collect what nothing refers to, so the object itself has to be on the stack. Less than a kilobyte is
+/// let pass.
+void charge_native_memory(lua_State* L, std::size_t bytes);
+
+/// The same for a list that has grown to other memory.
+template <class List>
+void charge_growth(lua_State* L, const List& list, std::size_t capacity_before) {
+    if (list.capacity() > capacity_before)
+        charge_native_memory(L, (list.capacity() - capacity_before) * sizeof(typename List::value_type));
 }
 
 /// Whether the value at an index is an object of that type. Null for what is no userdata; light ones, which

@@ -151,8 +151,10 @@ Pushed new_particles(lua_State* L, std::optional<TableArgument> fields, std::opt
         const engine::Size size = renderer.texture_size(picture.texture);
         picture.source = {0, 0, static_cast<float>(size.width), static_cast<float>(size.height)};
     }
+    const std::size_t bytes = system.most_bytes();
     new_object<ParticlesObject>(L, 1, std::move(system), picture.texture, picture.source,
                                 blend == "add" ? engine::BlendMode::Add : engine::BlendMode::Alpha);
+    charge_native_memory(L, bytes);
     if (image) {
         lua_pushvalue(L, 2);
         lua_setiuservalue(L, -2, 1);

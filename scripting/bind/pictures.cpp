@@ -41,6 +41,9 @@ Pushed new_canvas(lua_State* L, CanvasSide width, CanvasSide height, std::option
     new_object<CanvasObject>(
         L, 0, value_or_raise(L, context_of(L).services.renderer.create_canvas(size, to_filter(L, 3, filter))),
         size);
+    constexpr std::size_t kBytesPerPixel = 4;
+    charge_native_memory(
+        L, kBytesPerPixel * static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height));
     return {1};
 }
 

@@ -64,8 +64,11 @@ Pushed apply_delta(lua_State* L, std::string_view base, std::string_view delta) 
 
 namespace {
 
-physics::Result<void> record(RecordingObject* self, WorldRef world) {
-    return self->recording.record(world.world);
+physics::Result<void> record(lua_State* L, RecordingObject* self, WorldRef world) {
+    const std::size_t bytes = self->recording.byte_count();
+    const physics::Result<void> done = self->recording.record(world.world);
+    if (done) charge_native_memory(L, self->recording.byte_count() - bytes);
+    return done;
 }
 
 std::int64_t size(RecordingObject* self) {
@@ -99,8 +102,10 @@ Pushed save(lua_State* L, RecordingObject* self) {
     return push_bytes(L, bytes);
 }
 
-physics::Result<void> load(RecordingObject* self, std::string_view bytes) {
-    return self->recording.load(as_bytes(bytes));
+physics::Result<void> load(lua_State* L, RecordingObject* self, std::string_view bytes) {
+    const physics::Result<void> done = self->recording.load(as_bytes(bytes));
+    if (done) charge_native_memory(L, self->recording.byte_count());
+    return done;
 }
 
 constexpr std::array<std::string_view, 1> kReturnsBytes = {"string"};

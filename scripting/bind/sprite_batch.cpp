@@ -50,7 +50,9 @@ std::int64_t append(lua_State* L, BatchObject& batch, const engine::ImageDraw& s
     if (batch.sprites.size() >= kMaxSprites)
         call_error(
             L, "the batch holds " + std::to_string(kMaxSprites) + " sprites already; is a clear missing?");
+    const std::size_t capacity = batch.sprites.capacity();
     batch.sprites.push_back(sprite);
+    charge_growth(L, batch.sprites, capacity);
     return static_cast<std::int64_t>(batch.sprites.size());
 }
 

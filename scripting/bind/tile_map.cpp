@@ -57,8 +57,13 @@ Pushed load(lua_State* L, std::string_view path, std::optional<TableArgument> fi
     std::vector<engine::TextureId> images;
     for (const MapLayer& layer : map.layers)
         images.push_back(layer.image_path.empty() ? engine::TextureId{} : texture(layer));
+    std::size_t bytes = 0;
+    for (const MapLayer& layer : map.layers)
+        bytes +=
+            layer.tiles.size() * sizeof(layer.tiles[0]) + layer.objects.size() * sizeof(layer.objects[0]);
     new_object<TileMapObject>(L, 0, std::move(map), std::move(textures), std::move(images),
                               reader.real(kScale), reader.boolean(kYUp), is_nearest);
+    charge_native_memory(L, bytes);
     return {1};
 }
 

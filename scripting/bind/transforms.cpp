@@ -11,7 +11,9 @@ Pushed new_transforms(lua_State* L) {
 }
 
 std::int64_t read_transforms(lua_State* L, WorldRef self, TransformsObject* transforms) {
+    const std::size_t capacity = transforms->places.capacity();
     self.world.read_transforms(transforms->places);
+    charge_growth(L, transforms->places, capacity);
     transforms->angles_rad.clear();
     lua_pushvalue(L, self.index);
     lua_setiuservalue(L, self.index + 1, 1);

@@ -206,4 +206,25 @@ TEST_CASE_METHOD(Pictures, "pixel art keeps its pixels, in images and canvases")
           "test.lua:1: cairn.graphics.new_image: filter is \"sharp\"; expected \"linear\" or \"nearest\"");
 }
 
+TEST_CASE("the garbage collector knows how large things are outside of Lua: few that were dropped pile up") {
+    // Of megabytes each; the list of a thousand places is of 50 kB.
+    const auto* make =
+        GENERATE("cairn.graphics.new_canvas(1600, 1600)", "cairn.particles.new{max_count = 60000}",
+                 "full_batch()", "full_recording()", "full_list()");
+    LuaBench bench;
+    REQUIRE(bench.run("canvas = cairn.graphics.new_canvas(8, 8) world = cairn.physics.new_world{} "
+                      "for i = 1, 1000 do world:add_circle{x = 3 * i, radius = 1} end "
+                      "function full_batch() local batch = cairn.graphics.new_batch(canvas) "
+                      "for i = 1, 20000 do batch:add(0, 0) end return batch end "
+                      "function full_recording() local recording = cairn.physics.new_recording{ "
+                      "states_between_whole_ones = 1 } "
+                      "for i = 1, 20 do recording:record(world) end return recording end "
+                      "function full_list() local list = cairn.physics.new_transforms() "
+                      "world:read_transforms(list) return list end") == "");
+    INFO(make);
+    REQUIRE(bench.run(std::string("alive = setmetatable({}, { __mode = 'k' }) for i = 1, 100 do alive[") +
+                      make + "] = true end count = 0 for _ in pairs(alive) do count = count + 1 end") == "");
+    CHECK(std::stoi(bench.value("count")) <= 50);
+}
+
 }  // namespace cairn::scripting::test

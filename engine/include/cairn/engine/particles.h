@@ -57,6 +57,8 @@ class ParticleSystem {
     void clear() { particles_.clear(); }
 
     int count() const { return static_cast<int>(particles_.size()); }
+    /// What it takes in memory with max_count particles, once they were drawn.
+    std::size_t most_bytes() const;
 
     /// What a picture shows of each particle, in order of birth. `alpha` lies between the last two updates.
     struct Sprite {
