@@ -262,12 +262,19 @@ class MapReader {
             }
         });
         if (type == "tilelayer") faults_.attempt([&] { read_tiles(node, layer); });
+        if (type == "objectgroup") faults_.attempt([&] { layer.draws_from_top = reads_from_top(node); });
         if (type == "imagelayer") faults_.attempt([&] { read_image(node, layer); });
         if (type != "group") map_.layers.push_back(std::move(layer));
     }
 
     static void tint(Color& color, const Color& by) {
         color = {color.r * by.r, color.g * by.g, color.b * by.b, color.a * by.a};
+    }
+
+    static bool reads_from_top(const Node& node) {
+        const std::string order = node.text("draworder", "topdown");
+        if (order != "topdown" && order != "index") node.fail("draworder", "must be topdown or index");
+        return order == "topdown";
     }
 
     void read_image(const Node& node, MapLayer& layer) {

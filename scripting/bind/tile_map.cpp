@@ -368,7 +368,8 @@ constexpr Function kMethods[] = {
     function<&draw>(
         "draw", "layer = nil", "",
         "Draws a layer, or all that are visible; only what the picture shows, with the color that is set. "
-        "Of object layers it draws the tiles, of image layers the picture, repeated as the map says. Layers "
+        "Of object layers it draws the tiles, sized, turned and ordered as in the editor, of image layers "
+        "the picture, repeated as the map says. Layers "
         "with "
         "parallax move as in the editor when the middle of the picture does. Under a camera load it with "
         "`y_up = true` and a scale."),

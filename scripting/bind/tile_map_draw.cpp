@@ -1,6 +1,7 @@
 // The drawing of tile maps. Invariant: tiles of one set, and copies of one picture, are one mesh without
 // smooth edges, so that neighbours meet without a seam.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -30,10 +31,37 @@ class TileMesh {
     TileMesh(const TileMesh&) = delete;
     TileMesh& operator=(const TileMesh&) = delete;
 
-    /// A tile whose bottom left lies at a place of the map, in pixels.
+    /// A tile in its own size, whose bottom left lies at a place of the map, in pixels.
     void add(const Tile& tile, Vec2 bottom_left) {
+        const engine::Size size = set_of(tile).tile_size;
+        const auto width = static_cast<float>(size.width);
+        const auto height = static_cast<float>(size.height);
+        add(tile, {bottom_left + Vec2{0, -height}, bottom_left + Vec2{width, -height},
+                   bottom_left + Vec2{width, 0}, bottom_left});
+    }
+    /// An object that is a tile: in its own size, turned about its place.
+    void add(const MapObject& object, Vec2 offset) {
+        Vec2 size = object.size;
+        const engine::Size own = set_of(object.tile).tile_size;
+        if (size.x == 0) size.x = static_cast<float>(own.width);
+        if (size.y == 0) size.y = static_cast<float>(own.height);
+        const float left = map_.map.grid == engine::MapGrid::Isometric ? -0.5f * size.x : 0;
+        const engine::Affine2 turned =
+            engine::Affine2::translation(map_.map.from_object(object.position) + offset) *
+            engine::Affine2::rotation(object.rotation_rad);
+        add(object.tile, {turned.apply({left, -size.y}), turned.apply({left + size.x, -size.y}),
+                          turned.apply({left + size.x, 0}), turned.apply({left, 0})});
+    }
+
+  private:
+    [[nodiscard]] const engine::TileSet& set_of(const Tile& tile) const {
+        return *map_.map.set_of(map_.map.shown(tile.id, time_s_));
+    }
+
+    // From the top left, clockwise.
+    void add(const Tile& tile, const std::array<Vec2, 4>& corners) {
         const std::uint32_t id = map_.map.shown(tile.id, time_s_);
-        const engine::TileSet& set = *map_.map.set_of(id);
+        const engine::TileSet& set = set_of(tile);
         const auto index = static_cast<std::size_t>(&set - map_.map.sets.data());
         if (index != set_) {
             send();
@@ -54,11 +82,8 @@ class TileMesh {
             std::swap(uv[0], uv[3]);
             std::swap(uv[1], uv[2]);
         }
-        const Vec2 low = {bottom_left.x, bottom_left.y - source.height};
-        const Vec2 high = {bottom_left.x + source.width, bottom_left.y};
-        const Vec2 corners[] = {low, {high.x, low.y}, high, {low.x, high.y}};
         const auto first = static_cast<std::uint32_t>(vertices_.size());
-        for (int i = 0; i < 4; ++i)
+        for (std::size_t i = 0; i < 4; ++i)
             vertices_.push_back({map_.to_units(corners[i]),
                                  color_,
                                  {uv[i].x / static_cast<float>(std::max(texture_size_.width, 1)),
@@ -66,7 +91,6 @@ class TileMesh {
         indices_.insert(indices_.end(), {first, first + 1, first + 2, first, first + 2, first + 3});
     }
 
-  private:
     void send() {
         if (!indices_.empty()) renderer_.draw_mesh(vertices_, indices_, map_.textures[set_]);
         vertices_.clear();
@@ -140,11 +164,16 @@ CellRange visible_cells(const View& view, const TileMapObject& map, Vec2 offset)
             std::max(cell(first.y, map.map.rows), 0), std::min(cell(last.y, map.map.rows), map.map.rows - 1)};
 }
 
-/// The bottom left of an object that is a tile.
-Vec2 tile_object_corner(const engine::TileMap& map, const MapObject& object) {
-    const Vec2 place = map.from_object(object.position);
-    if (map.grid != engine::MapGrid::Isometric) return place;
-    return place - Vec2{0.5f * object.size.x, 0};
+/// Those that are seen, the rearmost first.
+std::vector<const MapObject*> drawn_objects(const MapLayer& layer) {
+    std::vector<const MapObject*> drawn;
+    for (const MapObject& object : layer.objects)
+        if (object.shape == engine::MapShape::Tile && object.is_visible) drawn.push_back(&object);
+    const auto is_above = [](const MapObject* a, const MapObject* b) {
+        return a->position.y < b->position.y;
+    };
+    if (layer.draws_from_top) std::stable_sort(drawn.begin(), drawn.end(), is_above);
+    return drawn;
 }
 
 /// Which copies of a picture the view shows along one axis; a picture that is not repeated is copy 0.
@@ -199,9 +228,7 @@ void draw_layer(const Context& context, const TileMapObject& map, const MapLayer
     if (layer.kind == MapLayer::Kind::Image) return draw_image(renderer, map, layer, view, offset, color);
     TileMesh mesh(renderer, map, color, context.time_s());
     if (layer.kind == MapLayer::Kind::Objects) {
-        for (const MapObject& object : layer.objects)
-            if (object.shape == engine::MapShape::Tile && object.is_visible)
-                mesh.add(object.tile, tile_object_corner(map.map, object) + offset);
+        for (const MapObject* object : drawn_objects(layer)) mesh.add(*object, offset);
         return;
     }
     const CellRange range = visible_cells(view, map, offset);

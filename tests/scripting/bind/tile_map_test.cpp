@@ -226,6 +226,47 @@ TEST_CASE_METHOD(Maps, "what the picture does not show is not drawn") {
     CHECK(machine().renderer->stats().vertices == 4 * 8);
 }
 
+TEST_CASE("objects that are tiles have their sizes, turn about their places, and cover what is above them") {
+    const auto* order = GENERATE("topdown", "index");
+    LuaBench bench({{"conf.lua", "{ width = 200, height = 100 }"},
+                    {"tiles.png", tiles_png()},
+                    {"map.tmj", std::string(R"({"width": 20, "height": 12, "tilewidth": 8, "tileheight": 8,
+        "tilesets": [{"firstgid": 1, "name": "t", "tilewidth": 8, "tileheight": 8, "tilecount": 2, "columns": 2,
+            "image": "tiles.png"}],
+        "layers": [{"type": "objectgroup", "name": "things", "draworder": ")") +
+                                    order + R"(", "objects": [
+            {"id": 1, "x": 10, "y": 50, "width": 20, "height": 40, "gid": 2},
+            {"id": 2, "x": 60, "y": 50, "width": 20, "height": 40, "rotation": 90, "gid": 2},
+            {"id": 3, "x": 120, "y": 50, "gid": 2},
+            {"id": 4, "x": 140, "y": 60, "width": 16, "height": 16, "gid": 1},
+            {"id": 5, "x": 140, "y": 52, "width": 16, "height": 16, "gid": 2}]}]})"}},
+                   MachineKind::HeadlessDrawing);
+    REQUIRE(bench.run("map = cairn.tilemap.load('map.tmj')") == "");
+    const engine::Image image = picture_of(bench, "map:draw()");
+    // Twenty wide and forty high above (10, 50): green above blue.
+    is_color(image, 12, 12, 0, 255, 0);
+    is_color(image, 28, 24, 0, 255, 0);
+    is_color(image, 12, 36, 0, 0, 255);
+    is_color(image, 28, 48, 0, 0, 255);
+    is_color(image, 31, 30, 0, 0, 0);
+    // Turned clockwise about (60, 50): what was above lies to the right, and what was to the right below.
+    is_color(image, 62, 52, 0, 0, 255);
+    is_color(image, 74, 68, 0, 0, 255);
+    is_color(image, 86, 52, 0, 255, 0);
+    is_color(image, 98, 68, 0, 255, 0);
+    is_color(image, 70, 48, 0, 0, 0);
+    is_color(image, 101, 60, 0, 0, 0);
+    // In its own size, as none is said.
+    is_color(image, 121, 43, 0, 255, 0);
+    is_color(image, 129, 43, 0, 0, 0);
+    // (150, 48) is of both of the last two.
+    if (std::string(order) == "topdown") {
+        is_color(image, 150, 48, 255, 0, 0);
+    } else {
+        is_color(image, 150, 48, 0, 0, 255);
+    }
+}
+
 TEST_CASE("isometric maps have their places in the picture, and their solids are polygons") {
     LuaBench bench(
         {{"conf.lua", "{ width = 200, height = 100 }"},

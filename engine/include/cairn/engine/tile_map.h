@@ -92,6 +92,7 @@ struct MapLayer {
     TileProperties properties;
     std::vector<Tile> tiles;  ///< rows from the top
     std::vector<MapObject> objects;
+    bool draws_from_top = true;  ///< its objects in the order of their y; else in that of the list
     // Of image layers
     std::string image_path;            ///< as Files knows it
     std::optional<Color> transparent;  ///< pixels of that color are not seen
