@@ -9,6 +9,7 @@
 #include <cairn/engine/image.h>
 #include <cairn/engine/native_file.h>
 
+#include "assets/jpeg_end.h"
 #include "assets/png_decoder.h"
 
 namespace cairn::engine {
@@ -76,6 +77,7 @@ Result<Image> decode_image(std::span<const std::byte> file, std::string_view nam
     const Result<Size> stated = read_image_size(file, name);
     if (!stated) return stated.error();
     if (is_png(file)) return decode_png(file, *stated, name);
+    if (!reaches_end_of_jpeg(file)) return image_error(name, "is damaged: it ends in the middle");
     SDL_RWops* stream = SDL_RWFromConstMem(file.data(), static_cast<int>(file.size()));
     if (!stream) return image_error(name, SDL_GetError());
     const Surface decoded(IMG_Load_RW(stream, /*freesrc=*/1));

@@ -147,6 +147,34 @@ TEST_CASE("the size of a JPEG is found behind its other segments") {
         CHECK_FALSE(read_image_size(std::span(jpeg).first(length), "a.jpg"));
 }
 
+TEST_CASE("a JPEG that ends in the middle is an error, and what stands behind its end is nobody's business") {
+    std::vector<std::byte> jpeg;
+    const auto append = [&](std::initializer_list<int> values, int count = 0, int value = 0) {
+        for (const std::byte b : bytes(values)) jpeg.push_back(b);
+        jpeg.insert(jpeg.end(), static_cast<std::size_t>(count), static_cast<std::byte>(value));
+    };
+    // Grey, 64 x 64: each of the 64 blocks is two bits, "as bright as the last" and "no more".
+    append({0xff, 0xd8});
+    append({0xff, 0xe1, 0, 10, 0xff, 0xd8, 0xff, 0xda, 0, 2, 0xff, 0xd9});  // a preview, which ends
+    append({0xff, 0xdb, 0, 67, 0}, 64, 1);
+    append({0xff, 0xc0, 0, 11, 8, 0, 64, 0, 64, 1, 1, 0x11, 0});
+    append({0xff, 0xc4, 0, 20, 0, 1}, 16);
+    append({0xff, 0xc4, 0, 20, 0x10, 1}, 16);
+    append({0xff, 0xda, 0, 8, 1, 1, 0, 0, 63, 0}, 16);
+    append({0xff, 0xff, 0xd9});  // after a fill byte
+    const auto whole = decode_image(jpeg, "a.jpg");
+    REQUIRE(whole);
+    CHECK(whole->size == Size{64, 64});
+    CHECK(int(whole->pixel(63, 63)[0]) == 128);
+    for (std::size_t length = 2; length < jpeg.size(); ++length) {
+        INFO("the first " << length << " of " << jpeg.size() << " bytes");
+        CHECK_THAT(error_of(decode_image(std::span(jpeg).first(length), "cut.jpg")),
+                   Catch::Contains("image 'cut.jpg': is damaged"));
+    }
+    append({0, 0xff, 1, 2, 3});
+    CHECK(decode_image(jpeg, "a.jpg"));
+}
+
 TEST_CASE("premultiplied colors are the colors times their alpha, rounded") {
     Image image{{3, 1}, {10, 20, 30, 255, 200, 100, 1, 51, 255, 255, 255, 0}};
     premultiply(image);
