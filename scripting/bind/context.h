@@ -73,7 +73,7 @@ struct Context {
     std::span<const engine::InputEvent> events{};  ///< of the update that runs
     engine::Actions actions{};
     int listener = LUA_NOREF;  ///< in the registry: what cairn.input.listen was given
-    Timers timers{};
+    Timers timers{services.updates_per_second};
     Tweens tweens{};
     std::vector<Scene> scenes{};  ///< the top one last
 

@@ -36,8 +36,7 @@ Pushed start(lua_State* L, double seconds, FunctionArgument action, bool repeats
     }
     lua_pushvalue(L, action.index);
     const int reference = luaL_ref(L, LUA_REGISTRYINDEX);
-    const std::uint64_t number =
-        context.timers.add(context.frame, context.frames_of(seconds), repeats, reference);
+    const std::uint64_t number = context.timers.add(context.frame, seconds, repeats, reference);
     new_object<TimerObject>(L, 0, number);
     return {1};
 }
@@ -66,7 +65,9 @@ constexpr Function kFunctions[] = {
     function_pushing<&after>("after", "seconds [s], action", "timer", kReturnsTimer,
                              "Calls `action()` once."),
     function_pushing<&every>("every", "seconds [s], action", "timer", kReturnsTimer,
-                             "Calls `action()` again and again, until it returns false."),
+                             "Calls `action()` again and again, until it returns false: in the first update "
+                             "after each whole number of "
+                             "periods, and at most once in an update."),
     function<&time>("time", "", "seconds [s]", "Game time since the start."),
     function<&frame>("frame", "", "count", "Updates since the start: 1 in the first."),
 };

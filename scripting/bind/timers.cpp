@@ -13,9 +13,9 @@ std::uint64_t Timers::frames_of(double time_s, int updates_per_second) {
     return static_cast<std::uint64_t>(std::clamp(frames, 1.0, kMost));
 }
 
-std::uint64_t Timers::add(std::uint64_t now, std::uint64_t delay, bool repeats, int function) {
-    const Timer timer{++made_, function, repeats ? delay : 0};
-    waiting_[{now + delay, timer.number}] = timer;
+std::uint64_t Timers::add(std::uint64_t now, double delay_s, bool repeats, int function) {
+    const Timer timer{++made_, function, repeats, delay_s, now, 0};
+    waiting_[{now + frames_of(delay_s, updates_per_second_), timer.number}] = timer;
     return timer.number;
 }
 
@@ -42,8 +42,11 @@ std::vector<int> Timers::take_all() {
     return functions;
 }
 
-void Timers::repeat(const Timer& timer, std::uint64_t now) {
-    waiting_[{now + timer.period, timer.number}] = timer;
+void Timers::repeat(Timer timer, std::uint64_t now) {
+    ++timer.turns;
+    const double passed_s = static_cast<double>(timer.turns + 1) * timer.period_s;
+    const std::uint64_t due = std::max(now + 1, timer.start + frames_of(passed_s, updates_per_second_));
+    waiting_[{due, timer.number}] = timer;
 }
 
 }  // namespace cairn::scripting

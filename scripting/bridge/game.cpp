@@ -276,11 +276,11 @@ std::optional<ScriptError> Game::run_timers() {
     while (const auto timer = context_.timers.take_due(context_.frame)) {
         lua_rawgeti(L, LUA_REGISTRYINDEX, timer->function);
         // Put back first, so that the action can cancel its own timer.
-        if (timer->period > 0) context_.timers.repeat(*timer, context_.frame);
+        if (timer->repeats) context_.timers.repeat(*timer, context_.frame);
         if (auto error = protected_call(L, 0, 1)) return error;
         const bool is_over = lua_isboolean(L, -1) && lua_toboolean(L, -1) == 0;
         lua_pop(L, 1);
-        bool is_done = timer->period == 0;
+        bool is_done = !timer->repeats;
         // Not when the action has cancelled its own timer, which gave the reference back.
         if (!is_done && is_over) is_done = context_.timers.cancel(timer->number).has_value();
         if (is_done) luaL_unref(L, LUA_REGISTRYINDEX, timer->function);

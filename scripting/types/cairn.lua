@@ -3359,7 +3359,7 @@ cairn.timer = {}
 ---@return Timer timer
 function cairn.timer.after(seconds, action) end
 
----Calls `action()` again and again, until it returns false.
+---Calls `action()` again and again, until it returns false: in the first update after each whole number of periods, and at most once in an update.
 ---@param seconds number [s] at least 0
 ---@param action function
 ---@return Timer timer

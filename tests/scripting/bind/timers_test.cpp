@@ -53,6 +53,25 @@ TEST_CASE("with another step, seconds are as many updates as conf.lua says") {
     }
 }
 
+TEST_CASE(
+    "what is called again and again keeps its mean rate, whatever the update, but for one call in each") {
+    struct Case {
+        const char* period_s;
+        int calls_in_10_s;
+    };
+    const Case c = GENERATE(Case{"0.025", 400}, Case{"0.04", 250}, Case{"1 / 7", 70}, Case{"0.1", 100},
+                            Case{"1 / 60", 600}, Case{"0.001", 600}, Case{"0", 600}, Case{"7", 1});
+    LuaBench bench;
+    REQUIRE(bench.run(std::string("calls, longest, last = 0, 0, 0 cairn.timer.every(") + c.period_s +
+                      ", function() local now = cairn.timer.frame() longest = math.max(longest, now - last) "
+                      "last = now calls = calls + 1 end)") == "");
+    run(bench, 600);
+    INFO("every " << c.period_s);
+    CHECK(bench.value("calls") == std::to_string(c.calls_in_10_s));
+    const double period = std::stod(bench.value(std::string(c.period_s) + " + 0.0"));
+    CHECK(std::stod(bench.value("longest")) <= std::max(60 * period, 1.0) + 1);
+}
+
 TEST_CASE("timers end by cancel, by false, and after once") {
     LuaBench bench;
     REQUIRE(bench.run("n, m, k = 0, 0, 0 t = cairn.timer.every(1 / 60, function() n = n + 1 if n == 3 then "
