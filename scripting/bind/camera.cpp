@@ -64,7 +64,9 @@ void attach(lua_State* L, CameraRef self) {
     engine::Renderer& renderer = context.services.renderer;
     const AttachedCamera attached{&self.object, renderer.current_canvas(), renderer.transform_depth()};
     check_or_raise(L, renderer.push_transform());
-    renderer.apply_transform(self.rig.camera_at(static_cast<float>(context.alpha)).world_to_screen());
+    engine::Camera2D camera = self.rig.camera_at(static_cast<float>(context.alpha));
+    if (!attached.canvas.is_null()) camera.set_screen_size(renderer.target_size());
+    renderer.apply_transform(camera.world_to_screen());
     context.draw.cameras.push_back(attached);
     if (attached.canvas.is_null()) context.world_view = renderer.transform();
 }
@@ -160,8 +162,11 @@ constexpr Function kModuleFunctions[] = {
 };
 
 constexpr Function kMethods[] = {
-    function<&attach>("attach", "", "",
-                      "From here on drawing is in the world's metres, y up; only in `cairn.draw`."),
+    function<&attach>(
+        "attach", "", "",
+        "From here on drawing is in the world's metres, y up; only in `cairn.draw`. In a canvas the camera "
+        "looks at "
+        "the canvas: its position is in the middle of that, and its height from the bottom to the top."),
     function<&detach>("detach", "", "", "Drawing is again as it was before `attach`."),
     function<&to_world>("to_world", "x [px], y [px]", "x [m], y [m]",
                         "Where in the world a point of the screen is."),

@@ -1,7 +1,9 @@
 // The default look of bodies: the outlines of their shapes, filled with a color or an image.
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
+#include "bind/fields.h"
 #include "bind/graphics_objects.h"
 #include "bind/outline_corners.h"
 #include "lua/state.h"
@@ -45,7 +47,7 @@ bool is_line(const physics::Outline& outline) {
     return outline.count == 2 && outline.radius_m == 0;
 }
 
-void draw_textured(engine::Renderer& renderer, const physics::Outline& outline, engine::TextureId texture,
+void draw_textured(engine::Renderer& renderer, const physics::Outline& outline, const Picture& picture,
                    Color tint) {
     const std::vector<Vec2> corners = rounded_corners(outline);
     Vec2 low = corners.front();
@@ -58,7 +60,8 @@ void draw_textured(engine::Renderer& renderer, const physics::Outline& outline, 
     const engine::Affine2 uv_from_local{
         1 / (high.x - low.x),     0, 0, 1 / (low.y - high.y), -low.x / (high.x - low.x),
         high.y / (high.y - low.y)};
-    renderer.fill_convex_polygon(corners, texture, uv_from_local, tint);
+    const engine::Affine2 within = picture.texture_from_picture(renderer.texture_size(picture.texture));
+    renderer.fill_convex_polygon(corners, picture.texture, within * uv_from_local, tint);
 }
 
 void draw_plain(engine::Renderer& renderer, const physics::Outline& outline, Color color, float rim) {
@@ -87,8 +90,15 @@ bool push_field(lua_State* L, const char* name) {
     return !lua_isnil(L, -1);
 }
 
-/// { r, g, b, a? } on top of the stack.
-Color read_color(lua_State* L) {
+/// For messages, as bodies have no names.
+std::string place_text(physics::Body body) {
+    std::ostringstream text;
+    text << "the body at (" << body.position().x << ", " << body.position().y << ')';
+    return text.str();
+}
+
+/// { r, g, b, a? } on top of the stack; a color of that body.
+Color read_color(lua_State* L, physics::Body body) {
     Color color;
     float* const parts[] = {&color.r, &color.g, &color.b, &color.a};
     for (int i = 0; i < 4; ++i) {
@@ -96,7 +106,8 @@ Color read_color(lua_State* L) {
         if (lua_type(L, -1) == LUA_TNUMBER) {
             *parts[i] = static_cast<float>(lua_tonumber(L, -1));
         } else if (i < 3) {
-            call_error(L, "body.data.color must be {r, g, b} or {r, g, b, a} with numbers from 0 to 1");
+            call_error(L, "data.color of " + place_text(body) +
+                              " must be {r, g, b} or {r, g, b, a} with numbers from 0 to 1");
         }
         lua_pop(L, 1);
     }
@@ -138,7 +149,7 @@ std::vector<Vec2> rounded_corners(const physics::Outline& outline) {
 void draw_body(lua_State* L, Context& context, const BodyObject& object, physics::Body body, int body_index) {
     Color color = default_color(body.type());
     bool has_color = false;
-    engine::TextureId texture;
+    std::optional<Picture> picture;
     const int top = lua_gettop(L);
     lua_getfield(L, body_index, "data");
     if (push_field(L, "visible") && lua_toboolean(L, -1) == 0) {
@@ -147,16 +158,21 @@ void draw_body(lua_State* L, Context& context, const BodyObject& object, physics
     }
     lua_pop(L, 1);
     if (push_field(L, "color")) {
-        if (!lua_istable(L, -1)) call_error(L, "body.data.color must be a table {r, g, b, a?}");
-        color = read_color(L);
+        if (!lua_istable(L, -1)) {
+            call_error(L, "data.color of " + place_text(body) + " is " + describe_value(L, -1) +
+                              "; expected a table {r, g, b, a?}");
+        }
+        color = read_color(L, body);
         has_color = true;
     }
     lua_pop(L, 1);
     if (push_field(L, "image")) {
-        const auto* image = object_at<ImageObject>(L, -1);
-        if (image == nullptr)
-            call_error(L, "body.data.image must be an Image, made by cairn.graphics.new_image");
-        texture = image->texture;
+        picture = picture_at(L, -1);
+        if (!picture) {
+            call_error(L, "data.image of " + place_text(body) + " is " + describe_value(L, -1) +
+                              "; expected an Image, a Canvas or a Quad");
+        }
+        check_drawable(L, picture->texture);
     }
     lua_settop(L, top);
 
@@ -170,8 +186,8 @@ void draw_body(lua_State* L, Context& context, const BodyObject& object, physics
     for (const physics::ShapeId id : body.shapes()) {
         const auto shape = object.world->world->shape(id);
         if (!shape || shape->is_sensor()) continue;
-        if (!texture.is_null() && !is_line(shape->outline())) {
-            draw_textured(renderer, shape->outline(), texture, has_color ? color : Color{});
+        if (picture && !is_line(shape->outline())) {
+            draw_textured(renderer, shape->outline(), *picture, has_color ? color : Color{});
         } else {
             draw_plain(renderer, shape->outline(), color, rim);
         }

@@ -133,6 +133,7 @@ Pushed new_image(lua_State* L, std::string_view path, std::optional<std::string_
 /// The image is mirrored where y points up, so that it stands upright there too.
 void draw_upright(lua_State* L, const Picture& picture, engine::ImageDraw draw) {
     Context& context = drawing_context(L);
+    check_drawable(L, picture.texture);
     if (is_y_up(context.services.renderer)) draw.scale.y = -draw.scale.y;
     draw.tint = context.draw.color;
     context.services.renderer.draw_image(picture.texture, draw);
@@ -164,6 +165,18 @@ void draw_sized(lua_State* L, Picture picture, float x, float y, float width, fl
 void draw_region(lua_State* L, Picture picture, float source_x, float source_y, Positive source_width,
                  Positive source_height, float x, float y, float width, float height,
                  std::optional<float> angle) {
+    // Of a pixel: what rounding may make of parts that were computed.
+    constexpr float kRounding = 0.01f;
+    const engine::Rect& whole = picture.source;
+    if (!(source_x >= -kRounding && source_y >= -kRounding &&
+          source_x + source_width <= whole.width + kRounding &&
+          source_y + source_height <= whole.height + kRounding)) {
+        call_error(L, "source_x, source_y, source_width, source_height is " + describe_value(L, 2) + ", " +
+                          describe_value(L, 3) + ", " + describe_value(L, 4) + ", " + describe_value(L, 5) +
+                          "; it must lie inside the image, which has " +
+                          std::to_string(static_cast<int>(whole.width)) + " x " +
+                          std::to_string(static_cast<int>(whole.height)) + " pixels");
+    }
     draw_upright(L, picture,
                  {.position = {x, y},
                   .rotation_rad = angle.value_or(0),
@@ -200,6 +213,7 @@ std::optional<engine::Affine2> uv_map(const std::vector<Vec2>& points, const std
 
 void draw_polygon(lua_State* L, Picture picture, TableArgument points, TableArgument uvs) {
     Context& context = drawing_context(L);
+    check_drawable(L, picture.texture);
     const std::vector<Vec2> corners = read_point_list(L, points, 3);
     const std::vector<Vec2> places = read_point_list(L, uvs, 3);
     if (places.size() != corners.size()) {
@@ -220,6 +234,7 @@ void draw_nine_patch(lua_State* L, Picture picture, float x, float y, NotNegativ
                      NotNegative left, std::optional<NotNegative> top, std::optional<NotNegative> right,
                      std::optional<NotNegative> bottom, std::optional<Positive> scale) {
     Context& context = drawing_context(L);
+    check_drawable(L, picture.texture);
     engine::NinePatchDraw patch{.area = {x, y, width, height},
                                 .left = left,
                                 .top = top.value_or(left),
@@ -425,8 +440,8 @@ constexpr Function kFunctions[] = {
         "letters keep their size in pixels."),
     function<&draw_one_body>(
         "draw_body", "body", "",
-        "Draws the body's shapes between the last two steps: with `body.data.image`, an Image spread "
-        "over each shape, or `body.data.color`, {r, g, b, a?}, or a default. Not when "
+        "Draws the body's shapes between the last two steps: with `body.data.image`, an Image, "
+        "Canvas or Quad spread over each shape, or `body.data.color`, {r, g, b, a?}, or a default. Not when "
         "`body.data.visible` is false."),
     function<&draw_world>("draw_world", "world", "",
                           "Draws every body, in the order of `world:bodies()`, without its sensors."),

@@ -37,6 +37,11 @@ struct Picture {
     /// From places in the picture, 0 to 1 from its top left, to those in its texture.
     [[nodiscard]] engine::Affine2 texture_from_picture(engine::Size texture_size) const;
 };
+/// The picture at an index, or nothing when something else stands there.
+std::optional<Picture> picture_at(lua_State* L, int index);
+/// Raises an error when what is to be drawn is the canvas that is drawn into.
+void check_drawable(lua_State* L, engine::TextureId texture);
+
 template <>
 struct Argument<Picture> {
     static constexpr std::string_view kType = "Image|Canvas|Quad";

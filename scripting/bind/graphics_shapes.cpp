@@ -165,6 +165,7 @@ void line(lua_State* L, FurtherArguments points) {
 
 void mesh(lua_State* L, TableArgument vertices, std::optional<Picture> image) {
     Context& context = drawing_context(L);
+    if (image) check_drawable(L, image->texture);
     const std::size_t stride = image ? 8 : 6;
     std::vector<float> numbers;
     read_numbers(L, vertices.index, numbers);

@@ -199,6 +199,7 @@ void update(ParticlesObject* self, StepTime dt) {
 }
 void draw(lua_State* L, ParticlesObject* self) {
     Context& context = drawing_context(L);
+    check_drawable(L, self->texture);
     engine::Renderer& renderer = context.services.renderer;
     const engine::BlendMode before = renderer.blend_mode();
     renderer.set_blend_mode(self->blend);

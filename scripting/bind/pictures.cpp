@@ -17,15 +17,26 @@ engine::Affine2 Picture::texture_from_picture(engine::Size size) const {
     return {source.width / width, 0, 0, source.height / height, source.x / width, source.y / height};
 }
 
-Picture Argument<Picture>::get(lua_State* L, int index) {
+std::optional<Picture> picture_at(lua_State* L, int index) {
     const auto whole = [](engine::TextureId texture, engine::Size size) {
         return Picture{texture, {0, 0, static_cast<float>(size.width), static_cast<float>(size.height)}};
     };
     if (const auto* image = object_at<ImageObject>(L, index))
         return whole(image->texture, context_of(L).services.renderer.texture_size(image->texture));
     if (const auto* canvas = object_at<CanvasObject>(L, index)) return whole(canvas->texture, canvas->size);
-    if (const auto* quad = object_at<QuadObject>(L, index)) return {quad->texture, quad->source};
-    argument_error(L, index, "an Image, a Canvas or a Quad");
+    if (const auto* quad = object_at<QuadObject>(L, index)) return Picture{quad->texture, quad->source};
+    return std::nullopt;
+}
+
+Picture Argument<Picture>::get(lua_State* L, int index) {
+    const std::optional<Picture> picture = picture_at(L, index);
+    if (!picture) argument_error(L, index, "an Image, a Canvas or a Quad");
+    return *picture;
+}
+
+void check_drawable(lua_State* L, engine::TextureId texture) {
+    if (!texture.is_null() && texture == context_of(L).services.renderer.current_canvas())
+        call_error(L, "the canvas is being drawn into and cannot be drawn at the same time; detach it first");
 }
 
 // ---- Canvas

@@ -49,6 +49,13 @@ int count_characters(std::string_view text) {
     return count;
 }
 
+/// Whole, with whatever bytes it has.
+std::string_view string_at(lua_State* L, int index) {
+    std::size_t length = 0;
+    const char* text = lua_tolstring(L, index, &length);
+    return {text, length};
+}
+
 /// The part { text, r, g, b, a? } on top of the stack.
 void add_colored(lua_State* L, TextObject& object, lua_Integer number) {
     const auto fail = [&] {
@@ -67,7 +74,7 @@ void add_colored(lua_State* L, TextObject& object, lua_Integer number) {
     }
     if (lua_rawgeti(L, -1, 1) != LUA_TSTRING) fail();
     object.spans.push_back({count_characters(object.text), color});
-    object.text += lua_tostring(L, -1);
+    object.text += string_at(L, -1);
     lua_pop(L, 1);
 }
 
@@ -76,7 +83,7 @@ void read_parts(lua_State* L, int index, TextObject& object) {
     object.text.clear();
     object.spans.clear();
     if (lua_type(L, index) == LUA_TSTRING) {
-        object.text = lua_tostring(L, index);
+        object.text = string_at(L, index);
         return;
     }
     if (!lua_istable(L, index)) argument_error(L, index, "a string, or a list of parts");
@@ -87,7 +94,7 @@ void read_parts(lua_State* L, int index, TextObject& object) {
             add_colored(L, object, i);
         } else if (type == LUA_TSTRING) {
             object.spans.push_back({count_characters(object.text), {}});
-            object.text += lua_tostring(L, -1);
+            object.text += string_at(L, -1);
         } else {
             call_error(L, "parts[" + std::to_string(i) + "] is " + describe_value(L, -1) +
                               "; expected a string, or { string, r, g, b, a? }");

@@ -2169,7 +2169,7 @@ function cairn.camera.new(fields) end
 ---@class Camera
 local Camera = {}
 
----From here on drawing is in the world's metres, y up; only in `cairn.draw`.
+---From here on drawing is in the world's metres, y up; only in `cairn.draw`. In a canvas the camera looks at the canvas: its position is in the middle of that, and its height from the bottom to the top.
 function Camera:attach() end
 
 ---Drawing is again as it was before `attach`.
@@ -2487,7 +2487,7 @@ function cairn.graphics.set_font(font) end
 ---@param wrap_width number? [px] at least 0
 function cairn.graphics.print(text, x, y, align, wrap_width) end
 
----Draws the body's shapes between the last two steps: with `body.data.image`, an Image spread over each shape, or `body.data.color`, {r, g, b, a?}, or a default. Not when `body.data.visible` is false.
+---Draws the body's shapes between the last two steps: with `body.data.image`, an Image, Canvas or Quad spread over each shape, or `body.data.color`, {r, g, b, a?}, or a default. Not when `body.data.visible` is false.
 ---@param body Body
 function cairn.graphics.draw_body(body) end
 

@@ -102,6 +102,41 @@ TEST_CASE_METHOD(Pictures, "a quad keeps its canvas alive, and a canvas that nob
     CHECK_FALSE(renderer.is_valid(texture));
 }
 
+TEST_CASE_METHOD(Pictures, "a body shows an image, a canvas or a quad, and an error names it by its place") {
+    REQUIRE(run("camera = cairn.camera.new{ x = 0, y = 0, height = 10 } w = cairn.physics.new_world{} "
+                "canvas = g.new_canvas(4, 4) w:add_box{ x = -5, width = 2, height = 2, "
+                "data = { image = g.new_quad(image, 16, 0, 16, 16) } } "
+                "w:add_box{ x = 5, width = 2, height = 2, data = { image = canvas } }") == "");
+    const engine::Image picture = picture_of(
+        *this, "canvas:attach(1, 0.5, 0) canvas:detach() camera:attach() g.draw_world(w) camera:detach()");
+    // Of the palette the right half: blue and white above cyan and magenta.
+    is_color(picture, 45, 45, 0, 0, 255);
+    is_color(picture, 55, 45, 255, 255, 255);
+    is_color(picture, 45, 55, 0, 255, 255);
+    is_color(picture, 55, 55, 255, 0, 255);
+    is_color(picture, 150, 50, 255, 128, 0);
+    REQUIRE(run("w:add_box{ x = 1.5, y = 2, width = 1, height = 1, data = { image = 'palette.png' } }") ==
+            "");
+    CHECK_THAT(draw_error(*this, "g.draw_world(w)"),
+               Catch::Contains("data.image of the body at (1.5, 2) is \"palette.png\"; expected an Image, a "
+                               "Canvas or a Quad"));
+}
+
+TEST_CASE_METHOD(Pictures, "in a canvas a camera looks at the canvas") {
+    REQUIRE(run("camera = cairn.camera.new{ x = 7, y = 3, height = 10 } canvas = g.new_canvas(40, 60)") ==
+            "");
+    // A metre is six pixels of the canvas, whatever the window; (7, 3) is in its middle, and y is up.
+    const engine::Image picture = picture_of(
+        *this,
+        "canvas:attach(0, 0, 1) camera:attach() g.set_color(1, 0, 0) g.rectangle('fill', 6, 3, 2, 1) "
+        "camera:detach() canvas:detach() g.set_color(1, 1, 1) g.draw(canvas, 0, 0)");
+    is_color(picture, 15, 27, 255, 0, 0);
+    is_color(picture, 25, 25, 255, 0, 0);
+    is_color(picture, 20, 32, 0, 0, 255);
+    is_color(picture, 12, 27, 0, 0, 255);
+    is_color(picture, 20, 22, 0, 0, 255);
+}
+
 TEST_CASE_METHOD(Pictures, "wrong uses of canvases say what is wrong") {
     CHECK(run("g.new_canvas(0, 5)") ==
           "test.lua:1: cairn.graphics.new_canvas: width is 0; expected an integer from 1 to 8192 px");
@@ -111,6 +146,23 @@ TEST_CASE_METHOD(Pictures, "wrong uses of canvases say what is wrong") {
     CHECK(error_of("a:detach()").find("not the canvas that was attached last") != std::string::npos);
     CHECK(error_of("a:attach() b:attach() a:detach()").find("attached last") != std::string::npos);
     CHECK(error_of("a:attach() a:attach()").find("being drawn into already") != std::string::npos);
+    REQUIRE(
+        run("part = g.new_quad(a, 0, 0, 2, 2) batch = g.new_batch(a) batch:add(0, 0) w = "
+            "cairn.physics.new_world{} body = w:add_box{ width = 1, height = 1, data = { image = part } } "
+            "sparks = cairn.particles.new({}, part)") == "");
+    for (const char* drawing :
+         {"g.draw(a, 0, 0)", "g.draw_sized(part, 0, 0, 2, 2)", "g.draw_region(a, 0, 0, 1, 1, 0, 0, 5, 5)",
+          "g.draw_polygon(a, { 0, 0, 9, 0, 0, 9 }, { 0, 0, 1, 0, 0, 1 })",
+          "g.draw_nine_patch(a, 0, 0, 9, 9, 1)", "batch:draw()", "sparks:draw()", "g.draw_body(body)",
+          "g.mesh({ 0, 0, 1, 1, 1, 1, 0, 0, 9, 0, 1, 1, 1, 1, 1, 0, 0, 9, 1, 1, 1, 1, 0, 1 }, a)"}) {
+        INFO(drawing);
+        CHECK_THAT(error_of(std::string("a:attach() ") + drawing),
+                   Catch::Contains("the canvas is being drawn into and cannot be drawn at the same time"));
+        CHECK(error_of(std::string("b:attach() ") + drawing + " b:detach()").empty());
+    }
+    CHECK(error_of("g.draw_region(image, 24, 0, 16, 1, 0, 0, 5, 5)") ==
+          "test.lua:1: cairn.graphics.draw_region: source_x, source_y, source_width, source_height is 24, 0, "
+          "16, 1; it must lie inside the image, which has 32 x 16 pixels");
     CHECK(error_of("g.draw(3, 0, 0)") ==
           "test.lua:1: cairn.graphics.draw: image is 3; expected an Image, a Canvas or a Quad");
 }

@@ -27,6 +27,8 @@ TEST_CASE("parts in colors of their own make one text, broken and measured as on
     CHECK(bench.value("table.concat({ one:size() }, ' ') == table.concat({ parts:size() }, ' ')") == "true");
     CHECK(bench.value("one:length()") == "13");
     CHECK(bench.value("cairn.text.new('\xc3\xa4'):length()") == "1");
+    CHECK(bench.value("cairn.text.new('a\\0b'):length()") == "3");
+    CHECK(bench.value("cairn.text.new{ 'a\\0b', { 'c\\0', 1, 0, 0 } }:length()") == "5");
     CHECK(bench.value("table.concat(cairn.text.wrap('one two three', 80), '|')") == "one two|three");
     const auto white = light(picture_of(bench, "one:draw(10, 10)"));
     const auto mixed = light(picture_of(bench, "parts:draw(10, 10)"));
