@@ -2885,14 +2885,14 @@ function Ui:add_slider(fields) end
 function Ui:add_choice(fields) end
 
 ---@class Ui.add_text.Fields
----@field value? string
+---@field value? string at most max_length characters
 ---@field max_length? integer from 1 to 1000; characters
 ---@field changed? function called with the text
 ---@field text? string what stands on it
 ---@field enabled? boolean whether it can be used
 ---@field same_row? boolean stands beside the widget before it
 
----Adds a field that text is typed into.
+---Adds a field that text is typed into while it is open: return, space, a click or the gamepad's "a" opens it; return, escape, tab or a click elsewhere closes it. All keys and texts meanwhile go into it alone: neither callbacks, `cairn.input` and actions nor other menus get them. Releases of keys that were held before still come.
 ---@param fields Ui.add_text.Fields
 ---@return integer widget
 function Ui:add_text(fields) end
@@ -2908,7 +2908,7 @@ function Ui:draw() end
 ---@return any value
 function Ui:value(widget) end
 
----Without calling `changed`.
+---Without calling `changed`. A value that the widget cannot have is an error.
 ---@param widget integer
 ---@param value any
 function Ui:set_value(widget, value) end
@@ -2929,8 +2929,13 @@ function Ui:set_title(title) end
 ---@return integer widget
 function Ui:focus() end
 
+---Of a label or a disabled widget it is an error.
 ---@param widget integer
 function Ui:set_focus(widget) end
+
+---Whether a text field of it is open, so that keys go there and not to the game.
+---@return boolean typing
+function Ui:is_typing() end
 
 ---Takes all widgets out.
 function Ui:clear() end
