@@ -3564,7 +3564,7 @@ function Level:draw(layer) end
 
 cairn.test = {}
 
----Adds a test: `body()` runs in a fresh state and fails by raising an error.
+---Adds a test: `body()` runs in a fresh state and fails by raising an error. No two tests of a file have the same name.
 ---@param name string
 ---@param body function
 function cairn.test.test(name, body) end
