@@ -128,11 +128,6 @@ constexpr Function kFunctions[] = {
 
 // ---- Slips
 
-bool is_callback(std::string_view name) {
-    const auto callbacks = callback_names();
-    return std::find(callbacks.begin(), callbacks.end(), name) != callbacks.end();
-}
-
 /// __index of `cairn`: reached for callbacks, and for names that are not there.
 int get_member(lua_State* L) {
     if (lua_type(L, 2) != LUA_TSTRING) return 0;
