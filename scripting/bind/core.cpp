@@ -169,6 +169,12 @@ std::string module_path(lua_State* L, std::string_view name) {
         }
     }
     std::replace(path.begin(), path.end(), '.', '/');
+    if (('/' + path + '/').find("//") != std::string::npos) {
+        raise(
+            L,
+            "require: the module name \"" + std::string(name) +
+                "\" must be names with one . or / between them, from the game's folder on, such as src.aim");
+    }
     return path + ".lua";
 }
 
