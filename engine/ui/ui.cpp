@@ -32,6 +32,14 @@ int character_count(std::string_view text) {
     return count;
 }
 
+bool has_control_characters(std::string_view text) {
+    while (!text.empty()) {
+        const char32_t c = take_character(text);
+        if (c < 0x20 || (c >= 0x7f && c < 0xa0)) return true;
+    }
+    return false;
+}
+
 void remove_last_character(std::string& text) {
     while (!text.empty() && (static_cast<unsigned char>(text.back()) & 0xc0) == 0x80) text.pop_back();
     if (!text.empty()) text.pop_back();
@@ -46,6 +54,12 @@ int stick_direction(float value, int before) {
 }
 
 }  // namespace
+
+std::string missing_of_entry(std::string_view entry, int max_length) {
+    if (has_control_characters(entry)) return "no control characters";
+    if (character_count(entry) <= max_length) return "";
+    return "at most " + std::to_string(max_length) + (max_length == 1 ? " character" : " characters");
+}
 
 int Ui::add(Widget widget) {
     widgets_.push_back(std::move(widget));
@@ -325,6 +339,15 @@ void Ui::edit_key(Key key) {
     }
 }
 
+void Ui::enter(const std::string& text) {
+    if (!is_editing_) return;
+    if (std::exchange(skips_blank_, false) && text == " ") return;
+    Widget& field = widgets_[focus_];
+    if (!missing_of_entry(field.entry + text, field.max_length).empty()) return;
+    field.entry += text;
+    events_.push_back({UiEvent::Kind::Changed, focus_});
+}
+
 void Ui::press_key(const InputEvent& event) {
     if (is_editing_) return edit_key(event.key);
     const Key key = event.key;
@@ -333,7 +356,11 @@ void Ui::press_key(const InputEvent& event) {
     if (key == Key::Left) return move({-1, 0});
     if (key == Key::Right) return move({1, 0});
     if (event.is_repeat) return;
-    if (key == Key::Return || key == Key::KeypadEnter || key == Key::Space) return accept();
+    if (key == Key::Return || key == Key::KeypadEnter || key == Key::Space) {
+        accept();
+        skips_blank_ = is_editing_ && key == Key::Space;
+        return;
+    }
     if (key == Key::Escape) cancel();
 }
 
@@ -351,12 +378,7 @@ void Ui::apply(const InputEvent& event) {
         case InputKind::KeyPressed:
             return press_key(event);
         case InputKind::TextEntered:
-            if (is_editing_ && character_count(widgets_[focus_].entry) + character_count(event.text) <=
-                                   widgets_[focus_].max_length) {
-                widgets_[focus_].entry += event.text;
-                events_.push_back({UiEvent::Kind::Changed, focus_});
-            }
-            return;
+            return enter(event.text);
         case InputKind::MouseMoved:
             if (pressed_ >= 0) return drag(event.position);
             if (const int place = widget_at(event.position); !is_editing_ && can_focus(place))
@@ -404,6 +426,7 @@ void Ui::apply(const InputEvent& event) {
 }
 
 void Ui::update(int updates_per_second) {
+    skips_blank_ = false;  // it comes with its key
     if (held_.x == 0 && held_.y == 0) return;
     ++held_updates_;
     const int after = std::max(1, kRepeatAfter * updates_per_second / 60);

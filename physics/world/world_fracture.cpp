@@ -19,8 +19,7 @@ check::Fault validate_cut(Position from, Position to) {
     }
     const double way = length(RingPoint{to.x - from.x, to.y - from.y});
     return check::require(way > static_cast<double>(tuning::kLinearSlop_m) && way <= 1e9,
-                          "the distance from cut.from_m to cut.to_m", way,
-                          "greater than 0.005 m and at most 1e9 m");
+                          "the length of the cut", way, "greater than 0.005 m and at most 1e9 m");
 }
 
 // The body's way under the cut, from where it enters the body first to where it leaves it last; nothing when

@@ -320,7 +320,9 @@ constexpr Function kFunctions[] = {
                            "least two, or an empty "
                            "one when it still hangs together; then nothing has changed. Pieces move on as "
                            "the material was moving, "
-                           "and have copies of the body's data; the body itself is gone."),
+                           "and have copies of the body's data; the body itself is gone. A copy is a new "
+                           "table with the same values: "
+                           "tables within it are shared by all pieces."),
     function_pushing<&fracture>(
         "fracture", "fields", "pieces", kReturnsTable,
         "Breaks the body about an impact: a list of the new bodies, or an empty one when it is too small for "

@@ -11,8 +11,14 @@
 
 namespace cairn::scripting {
 
-/// Every name that is called in `cairn`; scenes have them too.
-std::span<const std::string_view> callback_names();
+/// What the game may put into `cairn`; scenes have them too.
+struct Callback {
+    const char* name;
+    const char* parameters;  ///< "key, is_repeat"
+    const char* doc;         ///< when it is called, or what it is told
+};
+std::span<const Callback> callbacks();
+bool is_callback(std::string_view name);
 
 /// Makes the table of callbacks, or empties it.
 void clear_callbacks(lua_State* L);

@@ -22,6 +22,7 @@
 #include "bind/matter.h"
 #include "bind/timers.h"
 #include "bind/tweens.h"
+#include "bind/typing.h"
 
 namespace cairn::scripting {
 
@@ -72,6 +73,7 @@ struct Context {
     engine::InputState input{};
     std::span<const engine::InputEvent> events{};  ///< of the update that runs
     engine::Actions actions{};
+    Typing typing{};
     int listener = LUA_NOREF;  ///< in the registry: what cairn.input.listen was given
     Timers timers{services.updates_per_second};
     Tweens tweens{};

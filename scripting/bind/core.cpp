@@ -128,11 +128,6 @@ constexpr Function kFunctions[] = {
 
 // ---- Slips
 
-bool is_callback(std::string_view name) {
-    const auto callbacks = callback_names();
-    return std::find(callbacks.begin(), callbacks.end(), name) != callbacks.end();
-}
-
 /// __index of `cairn`: reached for callbacks, and for names that are not there.
 int get_member(lua_State* L) {
     if (lua_type(L, 2) != LUA_TSTRING) return 0;
@@ -174,6 +169,12 @@ std::string module_path(lua_State* L, std::string_view name) {
         }
     }
     std::replace(path.begin(), path.end(), '.', '/');
+    if (('/' + path + '/').find("//") != std::string::npos) {
+        raise(
+            L,
+            "require: the module name \"" + std::string(name) +
+                "\" must be names with one . or / between them, from the game's folder on, such as src.aim");
+    }
     return path + ".lua";
 }
 

@@ -40,6 +40,13 @@ std::string_view author_name(std::string_view word) {
     return word.substr(word.rfind('.') + 1);  // all of it without a dot
 }
 
+/// "revolute_joint", as the physics calls a kind, becomes "revolute joint".
+std::string author_kind(std::string_view word) {
+    constexpr std::string_view kJoint = "_joint";
+    if (!word.ends_with(kJoint)) return std::string(word);
+    return std::string(word.substr(0, word.size() - kJoint.size())) + " joint";
+}
+
 /// The physics counts from 0, and Lua from 1: "[2]" at the beginning of a text becomes "[3]". Takes it out of
 /// the text; what is no such index is left there.
 std::string take_index(std::string_view& text) {
@@ -60,8 +67,12 @@ std::string author_words(std::string_view physics_message) {
         while (length < physics_message.size() && is_name_character(physics_message[length])) ++length;
         const std::string_view name = author_name(physics_message.substr(0, length));
         if (name == "nan" && words.ends_with('-')) words.pop_back();
-        words += name;
         physics_message.remove_prefix(length);
+        if (physics_message.starts_with("::")) {  // the type of a member
+            physics_message.remove_prefix(2);
+            continue;
+        }
+        words += author_kind(name);
         const std::string index = length > 0 ? take_index(physics_message) : "";
         words += index;
         if (index.empty() && !physics_message.empty()) {

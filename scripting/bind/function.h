@@ -70,7 +70,8 @@ bool is_method(lua_State* L);
 [[noreturn]] void call_error(lua_State* L, const std::string& message);
 
 /// What the physics says about a field, in the names of the Lua API: without the name of the C++ type before
-/// it and the unit behind it, "nan" without a sign, and places in lists counted from 1.
+/// it and the unit behind it, kinds of joints in two words, "nan" without a sign, and places in lists counted
+/// from 1.
 std::string author_words(std::string_view physics_message);
 
 /// Raises "NAME: message" at the caller's place.

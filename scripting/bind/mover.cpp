@@ -86,7 +86,10 @@ Pushed new_mover(lua_State* L, std::optional<TableArgument> fields) {
     const FieldReader reader(L, fields ? fields->index : -1, kMoverFields);
     const float height_m = reader.real(kHeight);
     const float radius_m = reader.real(kRadius);
-    if (!(2 * radius_m < height_m)) reader.fail(kRadius, "must be less than half the height");
+    if (!(2 * radius_m < height_m)) {
+        if (reader.has(kRadius)) reader.fail(kRadius, "must be less than half the height");
+        reader.fail(kHeight, "must be more than twice the radius, which is 0.3 unless given");
+    }
     const Vec2 up{reader.real(kUpX), reader.real(kUpY)};
     const float length = physics::length(up);
     if (!(length > 0)) call_error(L, "up_x, up_y = 0, 0: must be a direction");

@@ -88,7 +88,12 @@ constexpr const Field* kBodyOwn[] = {&kX,
                                      &kData};
 
 // ---- Shape
-constexpr Field kDensity = at_least(number_field("density", 1, "1", "kg/m^2"), 0);
+constexpr Field kDensity = at_least(
+    number_field(
+        "density", 1, "1",
+        "kg/m^2; a dynamic body whose shapes all have 0 has no mass: no force moves it, gravity neither, and "
+        "only its velocity, if it is given one, does"),
+    0);
 constexpr Field kFriction = at_least(number_field("friction", 0.6, "0.6", "Coulomb coefficient"), 0);
 constexpr Field kRestitution =
     within(number_field("restitution", 0, "0", "share of the approach speed given back"), 0, 1);

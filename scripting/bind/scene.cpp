@@ -24,8 +24,8 @@ void check_methods(lua_State* L, int scene) {
         lua_pop(L, 1);
     };
     for (const char* name : {"enter", "leave", "pause", "resume"}) check(name);
-    for (const std::string_view name : callback_names())
-        if (name != "load") check(std::string(name).c_str());
+    for (const Callback& callback : callbacks())
+        if (std::string_view(callback.name) != "load") check(callback.name);
 }
 
 /// Calls scene:name(...) with the values from `first` to the top of the stack, if the scene has such a

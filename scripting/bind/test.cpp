@@ -19,6 +19,8 @@ TestDriver& driver(lua_State* L) {
 }
 
 void test(lua_State* L, std::string_view name, FunctionArgument body) {
+    if (driver(L).has_test(std::string(name)))
+        call_error(L, "name is \"" + std::string(name) + "\": another test of this file is called so");
     lua_pushvalue(L, body.index);
     driver(L).add_test(L, std::string(name));
 }
@@ -238,7 +240,8 @@ constexpr std::array<std::string_view, 1> kReturnsResult = {"table?"};
 
 constexpr Function kFunctions[] = {
     function<&test>("test", "name, body", "",
-                    "Adds a test: `body()` runs in a fresh state and fails by raising an error."),
+                    "Adds a test: `body()` runs in a fresh state and fails by raising an error. "
+                    "No two tests of a file have the same name."),
     function<&start>("start", "fields = {}", "", "Runs main.lua and `cairn.load`.", &kStartFields),
     function<&run>("run", "frames", "", "Runs that many updates."),
     function<&run_until>("run_until", "condition, max_frames", "reached",

@@ -18,6 +18,8 @@ class TestDriver {
   public:
     virtual ~TestDriver() = default;
 
+    /// Whether a test of the file at hand is called so.
+    [[nodiscard]] virtual bool has_test(const std::string& name) const = 0;
     /// Registers the function on top of the stack, which is popped.
     virtual void add_test(lua_State* L, const std::string& name) = 0;
     /// Runs main.lua and cairn.load.

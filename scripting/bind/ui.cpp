@@ -81,7 +81,7 @@ constexpr Field kChoices = required_field("choices", FieldType::Table, "a list o
 constexpr Field kChoiceValue = integer_field("value", 1, "1", "counts from 1");
 constexpr Field kChoiceChanged =
     optional_field("changed", FieldType::Function, "called with the number and the string");
-constexpr Field kEntry{"value", FieldType::String, "", ""};
+constexpr Field kEntry{"value", FieldType::String, "", "at most max_length characters"};
 constexpr Field kMaxLength = within(integer_field("max_length", 32, "32", "characters"), 1, 1000);
 constexpr Field kEntryChanged = optional_field("changed", FieldType::Function, "called with the text");
 
@@ -247,6 +247,9 @@ std::int64_t add_text(lua_State* L, UiObject* self, TableArgument fields) {
     Widget widget = common(reader, WidgetKind::TextField);
     widget.entry = reader.text(kEntry);
     widget.max_length = static_cast<int>(reader.integer(kMaxLength));
+    if (const std::string missing = engine::missing_of_entry(widget.entry, widget.max_length);
+        !missing.empty())
+        reader.fail(kEntry, "must have " + missing);
     return add(L, *self, std::move(widget), reader, &kEntryChanged);
 }
 
@@ -256,6 +259,11 @@ int to_place(lua_State* L, const UiObject& self, std::int64_t number) {
     const auto count = static_cast<std::int64_t>(self.ui.widgets().size());
     if (number < 1 || number > count) argument_error(L, 2, "a widget, from 1 to " + std::to_string(count));
     return static_cast<int>(number - 1);
+}
+
+/// "widget 3 \"Volume\"", for messages.
+std::string widget_name(int place, const Widget& widget) {
+    return "widget " + std::to_string(place + 1) + " \"" + widget.text + '"';
 }
 
 /// Pushes what a widget is set to, as its `changed` gets it, and gives the number of values.
@@ -293,7 +301,7 @@ Pushed widget_value(lua_State* L, UiObject* self, std::int64_t number) {
 void set_value(lua_State* L, UiObject* self, std::int64_t number, AnyArgument value) {
     const int place = to_place(L, *self, number);
     const Widget& widget = self->ui.widgets()[place];
-    const auto check = [&](bool is_right, const char* expected) {
+    const auto check = [&](bool is_right, const std::string& expected) {
         if (!is_right) argument_error(L, value.index, expected);
     };
     switch (widget.kind) {
@@ -304,8 +312,9 @@ void set_value(lua_State* L, UiObject* self, std::int64_t number, AnyArgument va
             check(lua_isboolean(L, value.index), "true or false");
             return self->ui.set_value(place, lua_toboolean(L, value.index));
         case WidgetKind::Slider:
-            check(lua_type(L, value.index) == LUA_TNUMBER && std::isfinite(lua_tonumber(L, value.index)),
-                  "a finite number");
+            check(lua_type(L, value.index) == LUA_TNUMBER && lua_tonumber(L, value.index) >= widget.low &&
+                      lua_tonumber(L, value.index) <= widget.high,
+                  "a number " + slider_rule(widget) + " for " + widget_name(place, widget));
             return self->ui.set_value(place, lua_tonumber(L, value.index));
         case WidgetKind::Choice: {
             check(is_integral(L, value.index) && lua_tointeger(L, value.index) >= 1 &&
@@ -313,9 +322,12 @@ void set_value(lua_State* L, UiObject* self, std::int64_t number, AnyArgument va
                   "the number of a choice");
             return self->ui.set_value(place, lua_tonumber(L, value.index) - 1);
         }
-        case WidgetKind::TextField:
-            check(lua_type(L, value.index) == LUA_TSTRING, "a string");
-            return self->ui.set_entry(place, lua_tostring(L, value.index));
+        case WidgetKind::TextField: {
+            std::string entry(Argument<std::string_view>::get(L, value.index));
+            const std::string missing = engine::missing_of_entry(entry, widget.max_length);
+            check(missing.empty(), "a text with " + missing + " for " + widget_name(place, widget));
+            return self->ui.set_entry(place, std::move(entry));
+        }
     }
 }
 
@@ -334,7 +346,15 @@ std::int64_t focus(UiObject* self) {
     return self->ui.focus() + 1;
 }
 void set_focus(lua_State* L, UiObject* self, std::int64_t number) {
-    self->ui.set_focus(to_place(L, *self, number));
+    const int place = to_place(L, *self, number);
+    const Widget& widget = self->ui.widgets()[place];
+    const std::string expected = "one that can be used; " + widget_name(place, widget);
+    if (widget.kind == WidgetKind::Label) argument_error(L, 2, expected + " is a label");
+    if (!widget.is_enabled) argument_error(L, 2, expected + " is disabled");
+    self->ui.set_focus(place);
+}
+bool is_typing(UiObject* self) {
+    return self->ui.is_editing();
 }
 void clear(lua_State* L, UiObject* self) {
     self->ui.clear();
@@ -368,12 +388,14 @@ void update(lua_State* L, UiObject* self) {
     if (std::exchange(self->frame, context.frame) == context.frame) return;  // these events were applied
     follow_screen(L, *self);
     // One after the other: the second of two presses meets the menu that the first has made.
-    for (const engine::InputEvent& event : context.events) {
-        self->ui.apply(event);
+    for (std::size_t i = 0; i < context.events.size(); ++i) {
+        if (context.typing.is_of_another(self->ui, i)) continue;
+        self->ui.apply(context.events[i]);
         tell(L, *self);
     }
     self->ui.update(context.services.updates_per_second);
     tell(L, *self);
+    context.typing.follow(L, 1, self->ui);
 }
 
 void draw(lua_State* L, UiObject* self) {
@@ -403,8 +425,13 @@ constexpr Function kMethods[] = {
     function<&add_slider>("add_slider", "fields", "widget", "Adds a number between two ends.",
                           &kSliderFields),
     function<&add_choice>("add_choice", "fields", "widget", "Adds one of several words.", &kChoiceFields),
-    function<&add_text>("add_text", "fields", "widget", "Adds a field that text is typed into.",
-                        &kTextFields),
+    function<&add_text>(
+        "add_text", "fields", "widget",
+        "Adds a field that text is typed into while it is open: return, space, a click or the "
+        "gamepad's \"a\" opens it; return, escape, tab or a click elsewhere closes it. All keys and "
+        "texts meanwhile go into it alone: neither callbacks, `cairn.input` and actions nor other "
+        "menus get them. Releases of keys that were held before still come.",
+        &kTextFields),
     function<&update>(
         "update", "", "",
         "Takes the events of this update, and calls what was given for the widgets. Once per update of the "
@@ -413,12 +440,15 @@ constexpr Function kMethods[] = {
     function_pushing<&widget_value>(
         "value", "widget", "value", kReturnsValue,
         "A boolean, a number, the number of a choice, or a text; nil of labels and buttons."),
-    function<&set_value>("set_value", "widget, value", "", "Without calling `changed`."),
+    function<&set_value>("set_value", "widget, value", "",
+                         "Without calling `changed`. A value that the widget cannot have is an error."),
     function<&set_text>("set_text", "widget, text", "", "What stands on it."),
     function<&set_enabled>("set_enabled", "widget, enabled", "", ""),
     function<&set_title>("set_title", "title", "", ""),
     function<&focus>("focus", "", "widget", "The one that keys and gamepads act on; 0: none."),
-    function<&set_focus>("set_focus", "widget", "", ""),
+    function<&set_focus>("set_focus", "widget", "", "Of a label or a disabled widget it is an error."),
+    function<&is_typing>("is_typing", "", "typing",
+                         "Whether a text field of it is open, so that keys go there and not to the game."),
     function<&clear>("clear", "", "", "Takes all widgets out."),
 };
 

@@ -280,7 +280,8 @@ constexpr Function kWorldFunctions[] = {
         "joint_breaks", "", "iterator", kReturnsBreakIterator,
         "Iterates over the joints that the last step loaded beyond their strength: `for joint, a, b, x, y, "
         "fx, fy, torque in world:joint_breaks() do`. The joint is gone, and its value is still the one that "
-        "`add_..._joint` returned; `a` and `b` are its bodies, `x, y` the anchor on b (m), `fx, fy` (N) and "
+        "`add_..._joint` returned, with its `data`; `a` and `b` are its bodies, `x, y` the anchor on b (m), "
+        "`fx, fy` (N) and "
         "`torque` (N m) what it did to b, as the mean over the step."),
     function_pushing<&breaks>(
         "breaks", "", "iterator", kReturnsBodyBreakIterator,

@@ -1,5 +1,7 @@
-// conf.lua by a schema, like any other data file.
+// conf.lua by a schema, like any other data file. The schema is that of the described fields.
 #include "bridge/conf.h"
+
+#include <algorithm>
 
 #include <cairn/engine/files.h>
 
@@ -9,56 +11,89 @@
 namespace cairn::scripting {
 namespace {
 
-Schema schema_of(SchemaType type) {
+constexpr Range kSides{1, engine::kMaxWindowSide};
+constexpr Field kTitle = optional_field("title", FieldType::String, "of the window; absent: the game's name");
+constexpr Field kIdentity =
+    optional_field("identity", FieldType::String, "name of the save folder; absent: the game's name");
+constexpr Field kWidth =
+    within(integer_field("width", 1280, "1280",
+                         "logical pixels: what the game draws in, whatever the window's size"),
+           kSides);
+constexpr Field kHeight = within(integer_field("height", 720, "720", "logical pixels"), kSides);
+constexpr Field kWindowWidth =
+    within(optional_field("window_width", FieldType::Integer,
+                          "of the window itself, in the desktop's points; absent: `width`"),
+           kSides);
+constexpr Field kWindowHeight =
+    within(optional_field("window_height", FieldType::Integer, "absent: `height`"), kSides);
+constexpr Field kScaling =
+    choice_field("scaling", "fit", "fit follow",
+                 "the picture is scaled to fit the window; \"follow\": width and height follow it instead");
+constexpr Field kResizable =
+    boolean_field("resizable", true, "whether the player can change the window's size");
+constexpr Field kFullscreen = boolean_field("fullscreen", false, "over the whole display from the start");
+constexpr Field kHighDpi = boolean_field(
+    "high_dpi", true, "every pixel of a dense display is drawn; false: one for each point of the desktop");
+constexpr Field kVsync = boolean_field("vsync", true, "pictures wait for the display");
+constexpr Field kUpdates =
+    within(integer_field("updates_per_second", 60, "60", "the fixed step is one of these parts of a second"),
+           kLeastUpdates, kMostUpdates);
+constexpr Field kBackground{"background", FieldType::Table, "{0, 0, 0}",
+                            "color of the picture before cairn.draw"};
+constexpr Field kDeveloperKeys = boolean_field(
+    "developer_keys", true,
+    "whether F1 to F10 open the [tools](games.md#tools-in-every-game); false gives them to the game");
+constexpr const Field* kConfFields[] = {
+    &kTitle,     &kIdentity,   &kWidth,   &kHeight, &kWindowWidth, &kWindowHeight, &kScaling,
+    &kResizable, &kFullscreen, &kHighDpi, &kVsync,  &kUpdates,     &kBackground,   &kDeveloperKeys};
+
+SchemaType schema_type(FieldType type) {
+    if (type == FieldType::Integer) return SchemaType::Integer;
+    if (type == FieldType::Boolean) return SchemaType::Boolean;
+    return type == FieldType::String ? SchemaType::String : SchemaType::Any;
+}
+
+Schema color_schema() {
+    Schema part;
+    part.type = SchemaType::Number;
+    part.min = 0;
+    part.max = 1;
+    Schema color;
+    color.type = SchemaType::List;
+    color.min_length = color.max_length = 3;
+    color.items = std::make_unique<Schema>(std::move(part));
+    return color;
+}
+
+Schema schema_of(const Field& field) {
+    if (&field == &kBackground) return color_schema();
     Schema schema;
-    schema.type = type;
+    schema.type = schema_type(field.type);
+    if (schema.type == SchemaType::Integer) {
+        schema.min = field.range.low;
+        schema.max = field.range.high;
+    }
+    if (!field.choices.empty()) {
+        schema.what = field.name;
+        schema.one_of = words_of(field.choices);
+    }
+    if (&field == &kIdentity) {
+        schema.min_length = 1;
+        schema.check = [](const Value& value) -> std::optional<std::string> {
+            if (engine::is_save_identity(value.text())) return std::nullopt;
+            return std::string(engine::kSaveIdentityRule);
+        };
+    }
     return schema;
 }
 
-Schema side_schema() {
-    Schema side = schema_of(SchemaType::Integer);
-    side.min = 1;
-    side.max = engine::kMaxWindowSide;
-    return side;
-}
-
 Schema conf_schema() {
-    Schema part = schema_of(SchemaType::Number);
-    part.min = 0;
-    part.max = 1;
-    Schema color = schema_of(SchemaType::List);
-    color.min_length = color.max_length = 3;
-    color.items = std::make_unique<Schema>(std::move(part));
-    Schema identity = schema_of(SchemaType::String);
-    identity.min_length = 1;
-    identity.check = [](const Value& value) -> std::optional<std::string> {
-        if (engine::is_save_identity(value.text())) return std::nullopt;
-        return std::string(engine::kSaveIdentityRule);
-    };
-    Schema scaling = schema_of(SchemaType::String);
-    scaling.what = "scaling";
-    scaling.one_of = {"fit", "follow"};
-
-    Schema updates = schema_of(SchemaType::Integer);
-    updates.min = kLeastUpdates;
-    updates.max = kMostUpdates;
-
-    Schema conf = schema_of(SchemaType::Table);
+    Schema conf;
+    conf.type = SchemaType::Table;
     conf.has_fields = true;
-    conf.fields.push_back({"background", std::move(color)});
-    conf.fields.push_back({"developer_keys", schema_of(SchemaType::Boolean)});
-    conf.fields.push_back({"fullscreen", schema_of(SchemaType::Boolean)});
-    conf.fields.push_back({"height", side_schema()});
-    conf.fields.push_back({"high_dpi", schema_of(SchemaType::Boolean)});
-    conf.fields.push_back({"identity", std::move(identity)});
-    conf.fields.push_back({"resizable", schema_of(SchemaType::Boolean)});
-    conf.fields.push_back({"scaling", std::move(scaling)});
-    conf.fields.push_back({"title", schema_of(SchemaType::String)});
-    conf.fields.push_back({"updates_per_second", std::move(updates)});
-    conf.fields.push_back({"vsync", schema_of(SchemaType::Boolean)});
-    conf.fields.push_back({"width", side_schema()});
-    conf.fields.push_back({"window_height", side_schema()});
-    conf.fields.push_back({"window_width", side_schema()});
+    for (const Field* field : kConfFields) conf.fields.push_back({field->name, schema_of(*field)});
+    std::sort(conf.fields.begin(), conf.fields.end(),
+              [](const SchemaField& a, const SchemaField& b) { return a.name < b.name; });
     return conf;
 }
 
@@ -94,6 +129,10 @@ std::vector<std::string> faults_of(const Value& conf, const std::string& path) {
 }
 
 }  // namespace
+
+std::span<const Field* const> conf_fields() {
+    return kConfFields;
+}
 
 Conf default_conf(const std::string& game_name) {
     Conf conf;

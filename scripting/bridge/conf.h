@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -9,6 +10,8 @@
 #include <cairn/engine/geometry.h>
 #include <cairn/engine/platform.h>
 #include <cairn/engine/result.h>
+
+#include "bind/fields.h"
 
 namespace cairn::scripting {
 
@@ -32,6 +35,9 @@ struct Conf {
 
     [[nodiscard]] engine::WindowDef window() const;
 };
+
+/// What it may say, in the order of the reference.
+std::span<const Field* const> conf_fields();
 
 /// Of a game without conf.lua.
 Conf default_conf(const std::string& game_name);

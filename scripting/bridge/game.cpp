@@ -186,6 +186,7 @@ std::optional<ScriptError> Game::call_load(const std::vector<std::string>& argum
 }
 
 std::optional<ScriptError> Game::deliver(const InputEvent& event) {
+    if (context_.typing.takes(event, context_.input)) return std::nullopt;
     context_.input.apply(event);
     if (context_.listener != LUA_NOREF) {
         if (const auto source = engine::pressed_source(event)) {
@@ -291,6 +292,7 @@ std::optional<ScriptError> Game::run_timers() {
 std::optional<ScriptError> Game::update(std::span<const InputEvent> events) {
     ++context_.frame;
     context_.actions.begin_update();
+    context_.typing.begin_update(state_.get(), events);
     context_.events = events;
     auto error = update_within(events);
     context_.events = {};  // after an error too: the game may go on by other scripts

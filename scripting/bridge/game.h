@@ -38,13 +38,17 @@ class Game {
                                         const std::vector<std::string>& arguments = {});
     /// Runs main.lua, then cairn.load.
     std::optional<ScriptError> load(const std::string& main_path, const std::vector<std::string>& arguments);
-    /// Whether the game has cairn.before_reload, and so says how to go on with changed scripts.
+    /// Whether the game has cairn.before_reload, and so says how to go on with changed scripts, or has said
+    /// it.
     [[nodiscard]] bool can_reload() const;
+    /// Whether new scripts failed before they had taken what is kept for them: it waits for the next ones.
+    [[nodiscard]] bool waits_for_scripts() const { return kept_ != LUA_NOREF; }
     struct Reloaded {
         std::optional<ScriptError> error;
         bool is_unchanged = false;  ///< after an error: of cairn.before_reload, so that nothing has changed
     };
-    /// Runs the scripts anew, keeping what cairn.before_reload returns for cairn.after_reload.
+    /// Runs the scripts anew, keeping what cairn.before_reload returns for cairn.after_reload. Where one of
+    /// them raises an error, it is kept for the next reload.
     Reloaded reload(const std::string& main_path, const std::vector<std::string>& arguments);
     /// As if keys, buttons, sticks and fingers had been let go of, without calling anything: whoever saw the
     /// events meanwhile was not the game.
@@ -88,7 +92,8 @@ class Game {
 
     Context context_;  // outlives the state, which uses it when it closes
     State state_;
-    int cairn_ = 0;  ///< reference to the table of that name, whatever scripts do to the global
+    int cairn_ = 0;         ///< reference to the table of that name, whatever scripts do to the global
+    int kept_ = LUA_NOREF;  ///< in the registry: for cairn.after_reload, until it has returned
 };
 
 }  // namespace cairn::scripting

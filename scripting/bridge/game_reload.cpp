@@ -1,6 +1,8 @@
 // Running a game's scripts again in the state that they have made. What the game wants to keep goes from
 // cairn.before_reload to cairn.after_reload; its callbacks, modules, timers, tweens and scenes are those of
 // the new scripts alone.
+#include <utility>
+
 #include "bind/callbacks.h"
 #include "bind/core.h"
 #include "bridge/game.h"
@@ -39,6 +41,7 @@ void unref_all(lua_State* L, Context& context) {
 }  // namespace
 
 bool Game::can_reload() const {
+    if (waits_for_scripts()) return true;
     lua_State* L = state_.get();
     const bool can = push_callback(L, "before_reload");
     if (can) lua_pop(L, 1);
@@ -48,12 +51,15 @@ bool Game::can_reload() const {
 Game::Reloaded Game::reload(const std::string& main_path, const std::vector<std::string>& arguments) {
     lua_State* L = state_.get();
     const int top = lua_gettop(L);
-    if (!push_callback(L, "before_reload")) return {load(main_path, arguments)};
-    if (auto error = protected_call(L, 0, 1)) {
-        lua_settop(L, top);
-        return {std::move(error), true};
+    // The scripts of now may be ones that failed before they had what was kept: theirs is not asked for.
+    if (!waits_for_scripts()) {
+        if (!push_callback(L, "before_reload")) return {load(main_path, arguments)};
+        if (auto error = protected_call(L, 0, 1)) {
+            lua_settop(L, top);
+            return {std::move(error), true};
+        }
+        kept_ = luaL_ref(L, LUA_REGISTRYINDEX);  // of nil too
     }
-    const int kept = luaL_ref(L, LUA_REGISTRYINDEX);  // of nil too
     lua_rawgeti(L, LUA_REGISTRYINDEX, cairn_);
     forget_functions(L, lua_gettop(L));
     forget_modules(L);
@@ -62,13 +68,13 @@ Game::Reloaded Game::reload(const std::string& main_path, const std::vector<std:
     if (!error) {
         hint_at_slips();
         if (push_callback(L, "after_reload")) {
-            lua_rawgeti(L, LUA_REGISTRYINDEX, kept);
+            lua_rawgeti(L, LUA_REGISTRYINDEX, kept_);
             error = protected_call(L, 1, 0);
         } else {
             error = call_load(arguments);
         }
     }
-    luaL_unref(L, LUA_REGISTRYINDEX, kept);
+    if (!error) luaL_unref(L, LUA_REGISTRYINDEX, std::exchange(kept_, LUA_NOREF));
     lua_settop(L, top);
     return {std::move(error)};
 }

@@ -122,7 +122,8 @@ HotReload::Outcome HotReload::take_in(Game& game, bool has_failed) {
     if (auto error = reload_levels(game.lua(), changed_, level_files))
         return {.error = std::move(error), .wants_restart = false, .keeps_the_game = true};
     for (const std::string& path : level_files) changed_.erase(path);
-    if (changed_.empty()) return {};
+    // Whatever has changed may be what the new scripts failed of.
+    if (changed_.empty() && !game.waits_for_scripts()) return {};
 
     if (auto error = check_syntax(game, changed_))
         return {.error = std::move(error), .wants_restart = false, .keeps_the_game = true};

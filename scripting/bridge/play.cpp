@@ -302,7 +302,9 @@ class Session {
 
     /// Whether the game that ended with an error may take in what was saved: the error was one of a file that
     /// it has not taken in, or it says what to keep.
-    bool can_go_on() const { return keeps_game_ || (is_loaded_ && game_->can_reload()); }
+    bool can_go_on() const {
+        return keeps_game_ || game_->waits_for_scripts() || (is_loaded_ && game_->can_reload());
+    }
 
     /// After the error screen, which saw what keys did meanwhile.
     Outcome go_on() {
@@ -316,7 +318,7 @@ class Session {
         tools_.forget_past();
         if (taken.wants_restart) return start();
         keeps_game_ = taken.keeps_the_game;
-        if (taken.error && !keeps_game_) is_loaded_ = false;
+        if (!keeps_game_) is_loaded_ = !taken.error;
         return std::move(taken.error);
     }
 

@@ -1,10 +1,13 @@
 // Writes the reference and the editor annotations from the descriptions of the bindings.
+#include <algorithm>
 #include <string_view>
 
 #include <cairn/scripting/reference.h>
 
+#include "bind/callbacks.h"
 #include "bind/fields.h"
 #include "bind/module.h"
+#include "bridge/conf.h"
 #include "bridge/field_table.h"
 #include "data/nearest.h"
 
@@ -16,8 +19,8 @@ constexpr std::string_view kFieldsParameter = "fields";
 
 constexpr const char* kPreamble = R"(# The Lua API
 
-One global table, `cairn`, holds everything; a game puts its callbacks into it. How a game's folder looks, what `conf.lua`
-says and which callbacks there are stands in [Games](games.md); the format of recordings in [Replays](replays.md).
+One global table, `cairn`, holds everything; a game puts its callbacks into it. How a game's folder looks
+and how games are run stands in [Games](games.md); the format of recordings in [Replays](replays.md).
 
 - Getters are nouns and return plain values (`local x, y = body:position()`), setters begin with `set_`, creators with
   `new_` or `add_`.
@@ -132,7 +135,29 @@ void write_function(const Function& function, const Module& module, std::string&
     if (function.fields != nullptr) out += field_table(all_fields(*function.fields));
 }
 
+// ---- What a game gives: its callbacks and conf.lua
+
+std::string signature(const Callback& callback) {
+    return std::string("cairn.") + callback.name + '(' + callback.parameters + ')';
+}
+
+void write_callbacks(std::string& out) {
+    out +=
+        "## Callbacks\n\nFunctions that the game puts into `cairn`; all may be left out. The scene on top of "
+        "the "
+        "stack of `cairn.scene` gets the same, but `load`, as methods.\n\n| callback | called |\n|---|---|\n";
+    for (const Callback& callback : callbacks())
+        out += "| `" + signature(callback) + "` | " + callback.doc + " |\n";
+}
+
+void write_conf(std::string& out) {
+    out += "## conf.lua\n\n`return { title = \"Slingshot\", width = 1280 }`: read as data and never run.\n" +
+           field_table(conf_fields());
+}
+
 // ---- One name
+
+constexpr std::string_view kGlobal = "cairn.";
 
 /// In lower case and without what an author may write or leave out: "World:step()" and "cairn.audio.play"
 /// become "world:step" and "audio.play".
@@ -140,7 +165,6 @@ std::string plain_name(std::string_view name) {
     std::string plain;
     for (const char c : name.substr(0, name.find('(')))
         plain += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    constexpr std::string_view kGlobal = "cairn.";
     return plain.starts_with(kGlobal) ? plain.substr(kGlobal.size()) : plain;
 }
 
@@ -152,6 +176,68 @@ std::string plain_name(const Function& function, const Module& module) {
 void write_summary(const Module& module, std::string& out) {
     out += std::string("## ") + module.name + "\n\n" + module.doc + "\n\n";
     for (const Function& function : module.functions) out += "    " + signature(function, module) + '\n';
+}
+
+/// What is found under a name, and all names that there are.
+struct Search {
+    std::string wanted;
+    std::vector<std::string> names = {};
+    std::string found = {};
+
+    bool is(const std::string& name) {
+        names.push_back(name);
+        return name == wanted;
+    }
+};
+
+void search_parts(Search& search) {
+    for (const Module* module : all_modules())
+        if (search.is(plain_name(module->name))) write_summary(*module, search.found);
+    if (search.is("callbacks")) write_callbacks(search.found);
+    if (search.is("conf.lua")) write_conf(search.found);
+}
+
+void search_given(Search& search) {
+    for (const Callback& callback : callbacks()) {
+        if (search.is(callback.name))
+            search.found += "\n### `" + signature(callback) + "`\n\nA callback: " + callback.doc + ".\n";
+    }
+    for (const Field* field : conf_fields()) {
+        if (search.is(field->name))
+            search.found +=
+                std::string("\n### `") + field->name + "` in conf.lua\n" + field_table({&field, 1});
+    }
+}
+
+/// Functions by their whole names, or also by their own alone.
+void search_functions(Search& search, bool by_own_name) {
+    for (const Module* module : all_modules()) {
+        for (const Function& function : module->functions) {
+            const bool is_it = search.is(plain_name(function, *module));
+            if (is_it || (by_own_name && function.name == search.wanted))
+                write_function(function, *module, search.found);
+        }
+    }
+}
+
+/// Those with the words of what is wanted among theirs: "world:add_wheel_joint" for "wheel". Not those that
+/// are called just so.
+std::string related_names(const Search& search) {
+    constexpr int kMost = 12;
+    const auto words = [](std::string name) {
+        std::replace_if(
+            name.begin(), name.end(), [](char c) { return c == '.' || c == ':'; }, '_');
+        return '_' + name + '_';
+    };
+    const std::string wanted = words(search.wanted);
+    std::string text;
+    int count = 0;
+    for (const std::string& name : search.names) {
+        const std::string own = words(name.substr(name.find_first_of(".:") + 1));  // all of it without one
+        if (own == wanted || own.find(wanted) == std::string::npos || ++count > kMost) continue;
+        text += (text.empty() ? "" : ", ") + name;
+    }
+    return text + (count > kMost ? ", ..." : "");
 }
 
 // ---- Annotations
@@ -210,7 +296,10 @@ void annotate(const Function& function, const Module& module, std::string& out) 
 }  // namespace
 
 std::string reference_markdown() {
-    std::string out = kPreamble;
+    std::string out = std::string(kPreamble) + '\n';
+    write_callbacks(out);
+    out += '\n';
+    write_conf(out);
     for (const Module* module : all_modules()) {
         out += std::string("\n## ") + module->name + "\n\n" + module->doc + '\n';
         for (const Function& function : module->functions) write_function(function, *module, out);
@@ -219,26 +308,24 @@ std::string reference_markdown() {
 }
 
 engine::Result<std::string> reference_of(std::string_view name) {
-    const std::string wanted = plain_name(name);
-    std::string found;
-    std::vector<std::string> names;
-    for (const Module* module : all_modules()) {
-        names.push_back(plain_name(module->name));
-        if (names.back() == wanted) write_summary(*module, found);
+    Search search{.wanted = plain_name(name)};
+    search_parts(search);
+    const bool is_part = !search.found.empty();
+    search_given(search);
+    // "update" is also what cameras have of that name, "cairn.update" is the callback alone.
+    const bool is_callback_alone = name.starts_with(kGlobal) && is_callback(search.wanted);
+    search_functions(search, !is_part && !is_callback_alone);
+    const std::string related = related_names(search);
+    if (search.found.empty()) {
+        for (const Module* module : all_modules())
+            for (const Function& function : module->functions) search.names.emplace_back(function.name);
+        const std::string_view best = nearest(search.wanted, search.names);
+        return engine::Error{"the reference has nothing that is called \"" + std::string(name) + '"' +
+                             (best.empty() ? "" : "; did you mean \"" + std::string(best) + "\"?") +
+                             (related.empty() ? "" : "; see also " + related)};
     }
-    for (const Module* module : all_modules()) {
-        for (const Function& function : module->functions) {
-            names.push_back(plain_name(function, *module));
-            if (names.back() == wanted || (function.name == wanted && found.find("## ") != 0))
-                write_function(function, *module, found);
-        }
-    }
-    if (!found.empty()) return found.substr(found.find_first_not_of('\n'));
-    for (const Module* module : all_modules())
-        for (const Function& function : module->functions) names.emplace_back(function.name);
-    const std::string_view best = nearest(wanted, names);
-    return engine::Error{"the reference has nothing that is called \"" + std::string(name) + '"' +
-                         (best.empty() ? "" : "; did you mean \"" + std::string(best) + "\"?")};
+    if (!is_part && !related.empty()) search.found += "\nSee also " + related + ".\n";
+    return search.found.substr(search.found.find_first_not_of('\n'));
 }
 
 std::string editor_annotations() {

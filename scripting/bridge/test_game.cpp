@@ -1,4 +1,5 @@
 // Every test gets a state of its own: the file is run anew for each, and then the one test is called.
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
@@ -28,6 +29,9 @@ class Driver : public TestDriver {
     };
     [[nodiscard]] const std::vector<Test>& tests() const { return tests_; }
 
+    [[nodiscard]] bool has_test(const std::string& name) const override {
+        return std::any_of(tests_.begin(), tests_.end(), [&](const Test& test) { return test.name == name; });
+    }
     void add_test(lua_State* L, const std::string& name) override {
         tests_.push_back({name, luaL_ref(L, LUA_REGISTRYINDEX)});
     }

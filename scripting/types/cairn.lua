@@ -40,7 +40,7 @@ cairn.physics = {}
 function cairn.physics.new_world(fields) end
 
 ---@class cairn.physics.define_material.Fields
----@field density? number at least 0; kg/m^2
+---@field density? number at least 0; kg/m^2; a dynamic body whose shapes all have 0 has no mass: no force moves it, gravity neither, and only its velocity, if it is given one, does
 ---@field friction? number at least 0; Coulomb coefficient
 ---@field restitution? number from 0 to 1; share of the approach speed given back
 ---@field rolling_resistance? number at least 0; coefficient: a torque of this times the normal force times the radius resists rolling
@@ -163,7 +163,7 @@ function World:new_body(fields) end
 ---@field sleep_speed? number at least 0; m/s; may sleep when slower than this for half a second; at 0 it never does
 ---@field data? table becomes body.data
 ---@field material? string a name of `cairn.physics.define_material`; what is not said beside it is as there
----@field density? number at least 0; kg/m^2
+---@field density? number at least 0; kg/m^2; a dynamic body whose shapes all have 0 has no mass: no force moves it, gravity neither, and only its velocity, if it is given one, does
 ---@field friction? number at least 0; Coulomb coefficient
 ---@field restitution? number from 0 to 1; share of the approach speed given back
 ---@field rolling_resistance? number at least 0; coefficient: a torque of this times the normal force times the radius resists rolling
@@ -204,7 +204,7 @@ function World:add_box(fields) end
 ---@field sleep_speed? number at least 0; m/s; may sleep when slower than this for half a second; at 0 it never does
 ---@field data? table becomes body.data
 ---@field material? string a name of `cairn.physics.define_material`; what is not said beside it is as there
----@field density? number at least 0; kg/m^2
+---@field density? number at least 0; kg/m^2; a dynamic body whose shapes all have 0 has no mass: no force moves it, gravity neither, and only its velocity, if it is given one, does
 ---@field friction? number at least 0; Coulomb coefficient
 ---@field restitution? number from 0 to 1; share of the approach speed given back
 ---@field rolling_resistance? number at least 0; coefficient: a torque of this times the normal force times the radius resists rolling
@@ -246,7 +246,7 @@ function World:add_circle(fields) end
 ---@field sleep_speed? number at least 0; m/s; may sleep when slower than this for half a second; at 0 it never does
 ---@field data? table becomes body.data
 ---@field material? string a name of `cairn.physics.define_material`; what is not said beside it is as there
----@field density? number at least 0; kg/m^2
+---@field density? number at least 0; kg/m^2; a dynamic body whose shapes all have 0 has no mass: no force moves it, gravity neither, and only its velocity, if it is given one, does
 ---@field friction? number at least 0; Coulomb coefficient
 ---@field restitution? number from 0 to 1; share of the approach speed given back
 ---@field rolling_resistance? number at least 0; coefficient: a torque of this times the normal force times the radius resists rolling
@@ -288,7 +288,7 @@ function World:add_capsule(fields) end
 ---@field sleep_speed? number at least 0; m/s; may sleep when slower than this for half a second; at 0 it never does
 ---@field data? table becomes body.data
 ---@field material? string a name of `cairn.physics.define_material`; what is not said beside it is as there
----@field density? number at least 0; kg/m^2
+---@field density? number at least 0; kg/m^2; a dynamic body whose shapes all have 0 has no mass: no force moves it, gravity neither, and only its velocity, if it is given one, does
 ---@field friction? number at least 0; Coulomb coefficient
 ---@field restitution? number from 0 to 1; share of the approach speed given back
 ---@field rolling_resistance? number at least 0; coefficient: a torque of this times the normal force times the radius resists rolling
@@ -332,7 +332,7 @@ function World:add_polygon(fields) end
 ---@field sleep_speed? number at least 0; m/s; may sleep when slower than this for half a second; at 0 it never does
 ---@field data? table becomes body.data
 ---@field material? string a name of `cairn.physics.define_material`; what is not said beside it is as there
----@field density? number at least 0; kg/m^2
+---@field density? number at least 0; kg/m^2; a dynamic body whose shapes all have 0 has no mass: no force moves it, gravity neither, and only its velocity, if it is given one, does
 ---@field friction? number at least 0; Coulomb coefficient
 ---@field restitution? number from 0 to 1; share of the approach speed given back
 ---@field rolling_resistance? number at least 0; coefficient: a torque of this times the normal force times the radius resists rolling
@@ -669,7 +669,7 @@ function World:destroy_bodies(bodies) end
 ---@return Body body
 function World:ground() end
 
----Iterates over the joints that the last step loaded beyond their strength: `for joint, a, b, x, y, fx, fy, torque in world:joint_breaks() do`. The joint is gone, and its value is still the one that `add_..._joint` returned; `a` and `b` are its bodies, `x, y` the anchor on b (m), `fx, fy` (N) and `torque` (N m) what it did to b, as the mean over the step.
+---Iterates over the joints that the last step loaded beyond their strength: `for joint, a, b, x, y, fx, fy, torque in world:joint_breaks() do`. The joint is gone, and its value is still the one that `add_..._joint` returned, with its `data`; `a` and `b` are its bodies, `x, y` the anchor on b (m), `fx, fy` (N) and `torque` (N m) what it did to b, as the mean over the step.
 ---@return fun(): Joint, Body, Body, number, number, number, number, number iterator
 function World:joint_breaks() end
 
@@ -1131,7 +1131,7 @@ function Body:set_sleep_speed(speed) end
 ---@field y? number from -1e+12 to 1e+12; m
 ---@field angle? number rad
 ---@field material? string a name of `cairn.physics.define_material`; what is not said beside it is as there
----@field density? number at least 0; kg/m^2
+---@field density? number at least 0; kg/m^2; a dynamic body whose shapes all have 0 has no mass: no force moves it, gravity neither, and only its velocity, if it is given one, does
 ---@field friction? number at least 0; Coulomb coefficient
 ---@field restitution? number from 0 to 1; share of the approach speed given back
 ---@field rolling_resistance? number at least 0; coefficient: a torque of this times the normal force times the radius resists rolling
@@ -1159,7 +1159,7 @@ function Body:add_box(fields) end
 ---@field y? number from -1e+12 to 1e+12; m
 ---@field angle? number rad
 ---@field material? string a name of `cairn.physics.define_material`; what is not said beside it is as there
----@field density? number at least 0; kg/m^2
+---@field density? number at least 0; kg/m^2; a dynamic body whose shapes all have 0 has no mass: no force moves it, gravity neither, and only its velocity, if it is given one, does
 ---@field friction? number at least 0; Coulomb coefficient
 ---@field restitution? number from 0 to 1; share of the approach speed given back
 ---@field rolling_resistance? number at least 0; coefficient: a torque of this times the normal force times the radius resists rolling
@@ -1188,7 +1188,7 @@ function Body:add_circle(fields) end
 ---@field y? number from -1e+12 to 1e+12; m
 ---@field angle? number rad
 ---@field material? string a name of `cairn.physics.define_material`; what is not said beside it is as there
----@field density? number at least 0; kg/m^2
+---@field density? number at least 0; kg/m^2; a dynamic body whose shapes all have 0 has no mass: no force moves it, gravity neither, and only its velocity, if it is given one, does
 ---@field friction? number at least 0; Coulomb coefficient
 ---@field restitution? number from 0 to 1; share of the approach speed given back
 ---@field rolling_resistance? number at least 0; coefficient: a torque of this times the normal force times the radius resists rolling
@@ -1217,7 +1217,7 @@ function Body:add_capsule(fields) end
 ---@field y? number from -1e+12 to 1e+12; m
 ---@field angle? number rad
 ---@field material? string a name of `cairn.physics.define_material`; what is not said beside it is as there
----@field density? number at least 0; kg/m^2
+---@field density? number at least 0; kg/m^2; a dynamic body whose shapes all have 0 has no mass: no force moves it, gravity neither, and only its velocity, if it is given one, does
 ---@field friction? number at least 0; Coulomb coefficient
 ---@field restitution? number from 0 to 1; share of the approach speed given back
 ---@field rolling_resistance? number at least 0; coefficient: a torque of this times the normal force times the radius resists rolling
@@ -1248,7 +1248,7 @@ function Body:add_polygon(fields) end
 ---@field y? number from -1e+12 to 1e+12; m
 ---@field angle? number rad
 ---@field material? string a name of `cairn.physics.define_material`; what is not said beside it is as there
----@field density? number at least 0; kg/m^2
+---@field density? number at least 0; kg/m^2; a dynamic body whose shapes all have 0 has no mass: no force moves it, gravity neither, and only its velocity, if it is given one, does
 ---@field friction? number at least 0; Coulomb coefficient
 ---@field restitution? number from 0 to 1; share of the approach speed given back
 ---@field rolling_resistance? number at least 0; coefficient: a torque of this times the normal force times the radius resists rolling
@@ -1309,7 +1309,7 @@ function Body:contacts() end
 ---@return World world
 function Body:world() end
 
----Cuts the body along a segment, from side to side: a list of the new bodies, at least two, or an empty one when it still hangs together; then nothing has changed. Pieces move on as the material was moving, and have copies of the body's data; the body itself is gone.
+---Cuts the body along a segment, from side to side: a list of the new bodies, at least two, or an empty one when it still hangs together; then nothing has changed. Pieces move on as the material was moving, and have copies of the body's data; the body itself is gone. A copy is a new table with the same values: tables within it are shared by all pieces.
 ---@param x1 number [m]
 ---@param y1 number [m]
 ---@param x2 number [m]
@@ -2885,14 +2885,14 @@ function Ui:add_slider(fields) end
 function Ui:add_choice(fields) end
 
 ---@class Ui.add_text.Fields
----@field value? string
+---@field value? string at most max_length characters
 ---@field max_length? integer from 1 to 1000; characters
 ---@field changed? function called with the text
 ---@field text? string what stands on it
 ---@field enabled? boolean whether it can be used
 ---@field same_row? boolean stands beside the widget before it
 
----Adds a field that text is typed into.
+---Adds a field that text is typed into while it is open: return, space, a click or the gamepad's "a" opens it; return, escape, tab or a click elsewhere closes it. All keys and texts meanwhile go into it alone: neither callbacks, `cairn.input` and actions nor other menus get them. Releases of keys that were held before still come.
 ---@param fields Ui.add_text.Fields
 ---@return integer widget
 function Ui:add_text(fields) end
@@ -2908,7 +2908,7 @@ function Ui:draw() end
 ---@return any value
 function Ui:value(widget) end
 
----Without calling `changed`.
+---Without calling `changed`. A value that the widget cannot have is an error.
 ---@param widget integer
 ---@param value any
 function Ui:set_value(widget, value) end
@@ -2929,8 +2929,13 @@ function Ui:set_title(title) end
 ---@return integer widget
 function Ui:focus() end
 
+---Of a label or a disabled widget it is an error.
 ---@param widget integer
 function Ui:set_focus(widget) end
+
+---Whether a text field of it is open, so that keys go there and not to the game.
+---@return boolean typing
+function Ui:is_typing() end
 
 ---Takes all widgets out.
 function Ui:clear() end
@@ -3559,7 +3564,7 @@ function Level:draw(layer) end
 
 cairn.test = {}
 
----Adds a test: `body()` runs in a fresh state and fails by raising an error.
+---Adds a test: `body()` runs in a fresh state and fails by raising an error. No two tests of a file have the same name.
 ---@param name string
 ---@param body function
 function cairn.test.test(name, body) end

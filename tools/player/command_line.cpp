@@ -171,7 +171,9 @@ ParsedLine parse_command_line(int argc, char** argv, bool can_launch) {
         ->required();
     play_command->add_option("ARGS", line.arguments, "arguments for cairn.load; after --");
     play_command->add_flag("--headless", play.headless, "without window and sound, as fast as possible");
-    play_command->add_option("--frames", texts.frames, "end after N updates (headless default: 600)")
+    play_command
+        ->add_option("--frames", texts.frames,
+                     "end after N updates, or at the first error (headless default: 600)")
         ->type_name("N");
     play_command->add_option("--seed", texts.seed, "of the gameplay random stream (headless default: 1)")
         ->type_name("S");

@@ -186,6 +186,9 @@ TEST_CASE_METHOD(Menu, "a text field takes typed text up to its length, whole ch
           "bcd");
     for (int i = 0; i < 4; ++i) key(Key::Backspace);
     CHECK(ui.widgets()[kName].entry == "a");
+    type("\n");
+    type("\x7f");
+    CHECK(ui.widgets()[kName].entry == "a");
     key(Key::Escape);
     CHECK_FALSE(ui.is_editing());
     CHECK(happened().find("cancelled") == std::string::npos);

@@ -360,6 +360,13 @@ TEST_CASE("what the physics itself refuses comes in the author's words") {
           "the distance from points[1] to points[20] is 0.001, [at] [2, 3] [");
     CHECK_THAT(bench.run("w:add_chain{ points = { {0, 0}, {-1, 0}, {-1, 0.001}, {-2, 0} } }"),
                Catch::Contains("the distance from points[2] to points[3] is 0.001"));
+    CHECK(author_words("gear_joint.joint_2 is a distance_joint, but must be revolute or prismatic") ==
+          "joint_2 is a distance joint, but must be revolute or prismatic");
+    CHECK(author_words("the shape is no sensor, but must be one (ShapeDef::sensor)") ==
+          "the shape is no sensor, but must be one (sensor)");
+    CHECK(bench.run("b:cut(1, 2, 1, 2)") ==
+          "test.lua:1: Body:cut: the length of the cut is 0, but must be greater than 0.005 m and at most "
+          "1e9 m");
     CHECK(author_words("the distance is 0.001, but must be greater than 0.005 m (-nan)") ==
           "the distance is 0.001, but must be greater than 0.005 m (nan)");
 }

@@ -40,28 +40,6 @@ std::string hints_of(const std::string& main) {
 
 }  // namespace
 
-TEST_CASE("the callbacks are those of the handbook") {
-    std::ifstream file(CAIRN_SOURCE_DIR "/docs/reference/games.md");
-    std::stringstream all;
-    all << file.rdbuf();
-    const std::string text = all.str();
-    const std::size_t begin = text.find("| callback | called |");
-    REQUIRE(begin != std::string::npos);
-    const std::string table = text.substr(begin, text.find("\n\n", begin) - begin);
-    std::size_t documented = 0;
-    for (std::size_t at = table.find("`cairn."); at != std::string::npos;
-         at = table.find("`cairn.", at + 1)) {
-        const std::size_t name = at + 7;
-        const std::string callback = table.substr(name, table.find_first_of("(`", name) - name);
-        if (table[name + callback.size()] != '(' || callback.find('.') != std::string::npos) continue;
-        ++documented;
-        INFO(callback);
-        const auto names = callback_names();
-        CHECK(std::find(names.begin(), names.end(), callback) != names.end());
-    }
-    CHECK(documented == callback_names().size());
-}
-
 TEST_CASE("a slip in the name of a callback is told once, with the name that was meant") {
     CHECK(hints_of("function cairn.udpate() end") ==
           "cairn.udpate is never called: there is no such callback; did you mean \"update\"?\n");
@@ -84,7 +62,7 @@ TEST_CASE("functions of a game's own and good callbacks are no slips") {
             "cairn.helper = function() end cairn.update_enemies = print cairn.levels = {}\n"
             "cairn.scene.push{ update = function() end, enter = function() end, leave = function() end }") ==
         "");
-    for (const std::string_view name : callback_names()) CHECK(meant_callback(name).empty());
+    for (const Callback& callback : callbacks()) CHECK(meant_callback(callback.name).empty());
 }
 
 }  // namespace cairn::scripting::test

@@ -217,8 +217,8 @@ TEST_CASE("a misspelt module or function of cairn names the nearest, and all els
           "test.lua:1: cairn has no \"sorted_pair\"; did you mean \"sorted_pairs\"?");
     CHECK(bench.run("cairn.Audio.stop_all()") ==
           "test.lua:1: cairn has no \"Audio\"; did you mean \"audio\"?");
-    for (const std::string_view callback : callback_names())
-        CHECK(bench.value("cairn." + std::string(callback)) == "nil");
+    for (const Callback& callback : callbacks())
+        CHECK(bench.value(std::string("cairn.") + callback.name) == "nil");
     for (const char* name : {"test", "updat", "player", "my_levels", "x"})
         CHECK(bench.value("cairn." + std::string(name)) == "nil");
     CHECK(bench.value("cairn[1]") == "nil");

@@ -80,7 +80,7 @@ TEST_CASE_METHOD(Menus, "a menu that is open keeps to the middle of a screen tha
 }
 
 TEST_CASE_METHOD(Menus, "values set by the game are not told") {
-    REQUIRE(run("menu:set_value(sound, false) menu:set_value(volume, 99) menu:set_value(detail, 1) "
+    REQUIRE(run("menu:set_value(sound, false) menu:set_value(volume, 10) menu:set_value(detail, 1) "
                 "menu:set_value(name, "
                 "'Al') menu:set_text(play, 'Go') menu:set_title('Title') menu:set_enabled(play, false)") ==
             "");
@@ -129,8 +129,119 @@ TEST_CASE_METHOD(Menus, "wrong widgets name the field, the value and the rule") 
     CHECK(run("menu:set_value(detail, 1.5)").find("the number of a choice") != std::string::npos);
     CHECK(run("menu:set_value(detail, 4 / 2)") == "");
     CHECK(run("cairn.ui.new{ accent = { 1 } }").find("must be {r, g, b}") != std::string::npos);
+    CHECK(run("menu:set_value(volume, 99)") ==
+          "test.lua:1: Ui:set_value: value is 99; expected a number from 0 to 10 for widget 4 \"Volume\"");
+    CHECK(run("menu:set_value(volume, 0/0)").find("expected a number from 0 to 10") != std::string::npos);
+    CHECK(run("menu:set_focus(1)") ==
+          "test.lua:1: Ui:set_focus: widget is 1; expected one that can be used; widget 1 \"Hello\" is a "
+          "label");
+    CHECK(run("menu:set_enabled(play, false) menu:set_focus(play)") ==
+          "test.lua:1: Ui:set_focus: widget is 2; expected one that can be used; widget 2 \"Play\" is "
+          "disabled");
     CHECK(draw_error(*this, "menu:draw()") == "");
     CHECK(run("menu:draw()").find("call it inside cairn.draw") != std::string::npos);
+}
+
+TEST_CASE_METHOD(Menus, "the game gives a field no text that the player could not type") {
+    REQUIRE(run("short = menu:add_text{ text = 'Short', value = 'fünf!', max_length = 5 }") == "");
+    CHECK(run("menu:add_text{ value = 'sechs!', max_length = 5 }") ==
+          "test.lua:1: Ui:add_text: value = \"sechs!\": must have at most 5 characters");
+    CHECK(run("menu:add_text{ value = 'a\\nb' }").find("must have no control characters") !=
+          std::string::npos);
+    CHECK(run("menu:set_value(short, 'sechs!')") ==
+          "test.lua:1: Ui:set_value: value is \"sechs!\"; expected a text with at most 5 characters for "
+          "widget 7 "
+          "\"Short\"");
+    CHECK(run("menu:set_value(short, 'a\\127')").find("a text with no control characters") !=
+          std::string::npos);
+    CHECK(run("menu:set_value(short, 3)").find("expected a string") != std::string::npos);
+    CHECK(value("menu:value(short)") == "fünf!");
+}
+
+namespace {
+
+/// A menu with the focus on a field, in a game that notes what it gets.
+struct TypingMenus : Menus {
+    TypingMenus() {
+        REQUIRE(run("menu:set_focus(name) cairn.input.bind('jump', { 'w' }) "
+                    "function note(name) return function(what) log[#log + 1] = name .. ' ' .. tostring(what) "
+                    "end end "
+                    "for _, name in ipairs{ 'key_pressed', 'key_released', 'text_input', 'action_pressed', "
+                    "'action_released', 'mouse_pressed' } do cairn[name] = note(name) end") == "");
+        lines({});
+    }
+};
+
+}  // namespace
+
+TEST_CASE_METHOD(TypingMenus, "what is typed into a field of a menu does not reach the game") {
+    CHECK(value("menu:is_typing()") == "false");
+    lines({"key_pressed w", "text_entered w", "key_released w"});
+    CHECK(take() == "key_pressed w, action_pressed jump, text_input w, key_released w, action_released jump");
+    lines({"key_pressed return", "key_released return"});
+    CHECK(take() == "key_pressed return, key_released return");  // the field is not open yet
+    CHECK(value("menu:is_typing()") == "true");
+    lines({"key_pressed w", "text_entered w"});
+    CHECK(take() == "name Jow");
+    CHECK(value("cairn.input.is_down('w')") == "false");
+    CHECK(value("cairn.input.is_action_down('jump')") == "false");
+    lines({"key_released w", "key_pressed escape"});
+    CHECK(take() == "");  // closes the field, and neither the menu nor what the game does for escape
+    CHECK(value("menu:is_typing()") == "false");
+    lines({"key_pressed escape repeat", "key_released escape"});
+    CHECK(take() == "");
+    lines({"key_pressed escape", "key_released escape"});
+    CHECK(take() == "key_pressed escape, key_released escape, back");
+}
+
+TEST_CASE_METHOD(TypingMenus,
+                 "a key that was held when a field was opened is let go of, one that went into it is not") {
+    lines({"key_pressed w", "key_pressed return"});
+    REQUIRE(value("cairn.input.is_action_down('jump')") == "true");
+    REQUIRE(take() == "key_pressed w, action_pressed jump, key_pressed return");
+    lines({"key_pressed w repeat", "text_entered w", "key_pressed x", "key_released w"});
+    CHECK(take() == "key_released w, action_released jump, name Jow");
+    CHECK(value("cairn.input.is_down('w')") == "false");
+    lines({"key_pressed escape", "key_pressed x repeat", "key_released x", "key_pressed x"});
+    CHECK(take() == "key_pressed x");
+    CHECK(value("cairn.input.is_down('x')") == "true");
+}
+
+TEST_CASE_METHOD(TypingMenus,
+                 "within an update, events before a field is opened or behind its end are the game's") {
+    lines({"key_pressed w", "key_pressed return", "text_entered n", "key_pressed return", "key_pressed x"});
+    CHECK(take() == "key_pressed w, action_pressed jump, key_pressed return, key_pressed x, name Jon");
+    lines({"key_pressed return"});
+    REQUIRE(take() == "key_pressed return");
+    lines({"text_entered a", "mouse_pressed left 1 1", "text_entered b"});
+    CHECK(take() == "mouse_pressed 1.0, text_input b, name Jona");
+}
+
+TEST_CASE_METHOD(TypingMenus,
+                 "a field that is typed into takes its keys from other menus too, while it is updated") {
+    REQUIRE(
+        run("chat = menu menu = cairn.ui.new{ back = note('back of') } menu:add_button{ action = function() "
+            "note('pressed')('button') end } function cairn.update() chat:update() if menu then "
+            "menu:update() end "
+            "end") == "");
+    lines({});
+    lines({"mouse_pressed left 1 1"});
+    lines({"key_pressed return"});
+    REQUIRE(take() == "mouse_pressed 1.0, key_pressed return, pressed button");
+    lines({"text_entered a", "key_pressed escape"});
+    CHECK(take() == "name Joa");
+    lines({"key_pressed return"});
+    REQUIRE(take() == "key_pressed return, pressed button");
+    REQUIRE(run("function cairn.update() menu:update() end") == "");
+    lines({"key_pressed q"});  // the chat could still have been there
+    lines({"key_pressed w", "key_pressed escape"});
+    CHECK(take() == "key_pressed w, action_pressed jump, key_pressed escape, back of nil");
+}
+
+TEST_CASE_METHOD(TypingMenus, "a field that the blank key opens does not begin with a blank") {
+    lines({"key_pressed space", "text_entered %20"});
+    lines({"text_entered %20", "text_entered a"});
+    CHECK(take() == "key_pressed space, name Jo , name Jo a");
 }
 
 }  // namespace cairn::scripting::test

@@ -267,6 +267,8 @@ TEST_CASE("a mover walks on the ground, stops at walls, and is carried by nothin
     CHECK(bench.value("m:is_grounded()") == "false");
     CHECK_THAT(bench.run("cairn.physics.new_mover{ radius = 1 }"),
                Contains("must be less than half the height"));
+    CHECK_THAT(bench.run("cairn.physics.new_mover{ height = 0.1 }"),
+               Contains("height = 0.1: must be more than twice the radius, which is 0.3 unless given"));
     CHECK_THAT(bench.run("cairn.physics.new_mover{ up_y = 0 }"), Contains("must be a direction"));
 }
 

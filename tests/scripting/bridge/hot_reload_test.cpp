@@ -193,12 +193,38 @@ TEST_CASE("a game that says what to keep goes on with its world, by new scripts 
     REQUIRE_FALSE(run.game->update({}));
     CHECK(run.value("speed") == "2.25");
 
-    // An error of the new scripts themselves is one that only a new start mends.
+    // An error of the new scripts themselves leaves no game, but the world for the next ones: twice, and
+    // whether they fail when they run or when they take it.
     run.save("helper.lua", "error 'no'");
     REQUIRE(run.look());
     outcome = run.reload->take_in(*run.game);
     REQUIRE(outcome.error);
     CHECK_FALSE(outcome.keeps_the_game);
+    const std::string low = run.value("height()");
+    run.save("helper.lua", "return 0.125");
+    run.save("main.lua", script("3") + "function cairn.after_reload(kept) error('no ' .. kept.word) end");
+    REQUIRE(run.look());
+    outcome = run.reload->take_in(*run.game);
+    REQUIRE(outcome.error);
+    CHECK_THAT(outcome.error->message, Contains("field 'word'"));
+    CHECK(run.game->can_reload());
+    run.save("main.lua", script("3"));
+    REQUIRE(run.look());
+    outcome = run.reload->take_in(*run.game);
+    if (outcome.error) FAIL(outcome.error->message);
+    CHECK_FALSE(outcome.wants_restart);
+    CHECK(run.value("height()") == low);
+    CHECK(run.value("loads") == "1");
+    REQUIRE_FALSE(run.game->update({}));
+    CHECK(run.value("speed") == "3.125");
+
+    // What was kept has been taken: the next scripts get what these say.
+    run.save("main.lua", script("4"));
+    REQUIRE(run.look());
+    REQUIRE_FALSE(run.reload->take_in(*run.game).error);
+    REQUIRE_FALSE(run.game->update({}));
+    CHECK(run.value("speed") == "4.125");
+    CHECK(run.value("height()") != low);
 }
 
 TEST_CASE("a file that the game does not use changes nothing, whatever is in it") {

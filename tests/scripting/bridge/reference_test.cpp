@@ -51,6 +51,24 @@ TEST_CASE("a name is found as an author would type it") {
                                   Catch::Contains("    cairn.audio.stop(voice)\n") &&
                                   !Catch::Contains("###"));
     CHECK_THAT(text("Body"), Catch::StartsWith("## Body\n") && Catch::Contains("    body:mass() -> mass\n"));
+    // What a game gives is found as what it is given.
+    CHECK_THAT(text("key_pressed"),
+               Catch::StartsWith("### `cairn.key_pressed(key, is_repeat)`\n\nA callback: "));
+    CHECK_THAT(text("update"),
+               Catch::Contains("`cairn.update(dt)`") && Catch::Contains("`camera:update(dt)`"));
+    CHECK_THAT(text("cairn.update"),
+               Catch::StartsWith("### `cairn.update(dt)`") && !Catch::Contains("`camera:update(dt)`"));
+    CHECK_THAT(text("cairn.step"), Catch::StartsWith("### `world:step(dt)`"));
+    CHECK_THAT(text("callbacks"), Catch::Contains("`cairn.quit_requested()`"));
+    CHECK_THAT(text("conf.lua"), Catch::Contains("| `vsync` | boolean | true |"));
+    CHECK_THAT(text("updates_per_second"), Catch::StartsWith("### `updates_per_second` in conf.lua\n") &&
+                                               Catch::Contains("| 60 |") &&
+                                               Catch::Contains("from 10 to 240"));
+    CHECK_THAT(text("wheel"), Catch::Contains("`cairn.wheel(dx, dy)`") &&
+                                  Catch::Contains("See also world:add_wheel_joint.\n"));
+    CHECK_THAT(text("wheels"), Catch::Contains("did you mean \"wheel\"?"));
+    CHECK_THAT(text("key_presed"), Catch::Contains("did you mean \"key_pressed\"?"));
+    CHECK_THAT(text("particle"), Catch::Contains("did you mean \"particles\"?"));
     CHECK_THAT(text("world:stepp"), Catch::Contains("did you mean \"world:step\"?"));
     CHECK_THAT(text("aply_force"), Catch::Contains("did you mean \"apply_force\"?"));
     CHECK_THAT(text("qqqqqqq"), Catch::Equals("the reference has nothing that is called \"qqqqqqq\""));

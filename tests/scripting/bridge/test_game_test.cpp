@@ -25,6 +25,10 @@ TEST_CASE("tests pass or fail by the errors that they raise") {
     CHECK(status_of("cairn.test.test('bad', function() error('no') end)") == 1);
     CHECK(status_of("cairn.test.test('fine', function() end) cairn.test.test('bad', function() "
                     "cairn.test.expect(false) end)") == 1);
+    CHECK(status_of("cairn.test.test('one', function() end) cairn.test.test('one', function() end)") == 1);
+    CHECK(status_of("cairn.test.test('one', function() end) cairn.test.expect_error(function() "
+                    "cairn.test.test('one', print) end, 'cairn.test.test: name is \"one\": another test')") ==
+          0);
     CHECK(status_of("syntax error") == 1);
     CHECK(status_of("") == 1);
 }

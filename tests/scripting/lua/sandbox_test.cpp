@@ -88,6 +88,10 @@ TEST_CASE("require finds the game's own files only, once") {
     CHECK(bench.value("require('src.counter').name") == "src.counter");
     CHECK(bench.value("require('src.counter') == require('src/counter') and count") == "1");
     CHECK(bench.value("require('empty')") == "true");
+    for (const char* name : {"../x", "..x", ".x", "./x", "/x", "a//b", "a..b", "x/", ""})
+        CHECK_THAT(bench.run(std::string("require('") + name + "')"),
+                   Catch::Contains(std::string("require: the module name \"") + name +
+                                   "\" must be names with one . or / between them"));
     CHECK(bench.run("require('loop')").find("requires itself") != std::string::npos);
     CHECK(bench.run("require('broken')").find("broken.lua:3:") == 0);
     CHECK(bench.run("require('broken')").find("broken.lua:3:") == 0);

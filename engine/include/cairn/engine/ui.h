@@ -5,6 +5,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <cairn/engine/geometry.h>
@@ -38,6 +39,10 @@ struct Widget {
     float text_width = 0;  ///< what stands before the track of a slider, logical pixels; fit_text sets it
 };
 
+/// What a text would need to be the entry of a field: "at most 5 characters", "no control characters"; empty:
+/// nothing more.
+std::string missing_of_entry(std::string_view entry, int max_length);
+
 struct UiStyle {
     float width = 420;      ///< logical pixels
     float row_height = 46;  ///< what a finger hits without aiming
@@ -70,7 +75,9 @@ class Ui {
     int add(Widget widget);
     void clear();
     const std::vector<Widget>& widgets() const { return widgets_; }
+    /// Takes the nearest that the widget can have.
     void set_value(int place, double value);
+    /// Of a text that missing_of_entry has nothing to say of.
     void set_entry(int place, std::string entry);
     void set_text(int place, std::string text) { widgets_[place].text = std::move(text); }
     void set_enabled(int place, bool enabled);
@@ -85,6 +92,7 @@ class Ui {
     const UiStyle& style() const { return style_; }
 
     int focus() const { return focus_; }  ///< -1: none
+    /// Of a label or a disabled widget: stays where it is.
     void set_focus(int place);
     /// Whether typed text goes into the field that has the focus.
     bool is_editing() const { return is_editing_; }
@@ -137,6 +145,7 @@ class Ui {
     void press_key(const InputEvent& event);
     void press_button(GamepadButton button);
     void edit_key(Key key);
+    void enter(const std::string& text);
 
     Vec2 center_;
     UiStyle style_;
@@ -145,6 +154,7 @@ class Ui {
     int focus_ = -1;
     int pressed_ = -1;  ///< under the mouse button or finger that is down
     bool is_editing_ = false;
+    bool skips_blank_ = false;  ///< that the key types which has just opened a field
     float scroll_ = 0;
     Direction held_;  ///< on a gamepad
     Direction stick_;
