@@ -251,8 +251,12 @@ void Ui::change(int place, int steps) {
         const auto count = static_cast<int>(w.choices.size());
         if (count > 0) assign(place, ((static_cast<int>(w.value) + steps) % count + count) % count);
     } else if (w.kind == WidgetKind::Slider) {
-        // On the steps themselves, whatever the value was and however 0.1 rounds.
-        assign(place, w.low + (std::round((w.value - w.low) / w.step) + steps) * w.step);
+        // To the next of the steps, which begin at the low end, whatever the value was and however 0.1
+        // rounds.
+        constexpr double kRounding = 1e-6;
+        const double here = (w.value - w.low) / w.step;
+        const double from = steps > 0 ? std::floor(here + kRounding) : std::ceil(here - kRounding);
+        assign(place, w.low + (from + steps) * w.step);
     }
 }
 
@@ -300,7 +304,8 @@ void Ui::drag(Vec2 point) {
     const Widget& w = widgets_[pressed_];
     if (!(track.width > 0)) return;
     const double share = std::clamp((point.x - track.x) / track.width, 0.0f, 1.0f);
-    assign(pressed_, w.low + std::round(share * (w.high - w.low) / w.step) * w.step);
+    // The high end need not be on a step, and can be reached by keys too.
+    assign(pressed_, share == 1 ? w.high : w.low + std::round(share * (w.high - w.low) / w.step) * w.step);
 }
 
 void Ui::press(Vec2 point) {

@@ -73,7 +73,8 @@ constexpr Field kToggleValue = boolean_field("value", false, "");
 constexpr Field kToggleChanged = optional_field("changed", FieldType::Function, "called with true or false");
 constexpr Field kLow = number_field("low", 0, "0", "");
 constexpr Field kHigh = number_field("high", 1, "1", "above low");
-constexpr Field kStep = above(number_field("step", 0.1, "0.1", "what one press changes"), 0);
+constexpr Field kStep =
+    above(number_field("step", 0.1, "0.1", "what one press changes; steps begin at low"), 0);
 constexpr Field kSliderValue =
     optional_field("value", FieldType::Number, "from low to high; absent: 0, or the end next to it");
 constexpr Field kSliderChanged = optional_field("changed", FieldType::Function, "called with the number");

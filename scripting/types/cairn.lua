@@ -2860,7 +2860,7 @@ function Ui:add_toggle(fields) end
 ---@field value? number from low to high; absent: 0, or the end next to it
 ---@field low? number
 ---@field high? number above low
----@field step? number above 0; what one press changes
+---@field step? number above 0; what one press changes; steps begin at low
 ---@field changed? function called with the number
 ---@field text? string what stands on it
 ---@field enabled? boolean whether it can be used

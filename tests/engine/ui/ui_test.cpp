@@ -169,6 +169,26 @@ TEST_CASE_METHOD(Menu, "the mouse points, presses what it lets go on, and drags 
     CHECK(happened() == "changed 4, changed 4");
 }
 
+TEST_CASE_METHOD(Menu,
+                 "the steps of a slider begin at its low end, and its high end is reached wherever it lies") {
+    const int odd = ui.add({.kind = WidgetKind::Slider, .value = 4, .low = 1, .high = 10, .step = 2});
+    ui.set_value(odd, 4);
+    ui.set_focus(odd);
+    std::vector<double> way;
+    const auto press = [&](Key direction) {
+        key(direction);
+        way.push_back(value(odd));
+    };
+    for (int i = 0; i < 4; ++i) press(Key::Right);
+    for (int i = 0; i < 5; ++i) press(Key::Left);
+    CHECK(way == std::vector<double>{5, 7, 9, 10, 9, 7, 5, 3, 1});
+    const Rect r = ui.area(odd);
+    mouse(InputKind::MousePressed, {r.x + r.width - 1, r.y + 5});
+    CHECK(value(odd) == 10);
+    ui.apply({.kind = InputKind::MouseMoved, .position = middle(odd)});
+    CHECK(value(odd) == 1);
+}
+
 TEST_CASE_METHOD(Menu, "a text field takes typed text up to its length, whole characters at a time") {
     ui.set_focus(kName);
     type("x");  // not before it was asked to
