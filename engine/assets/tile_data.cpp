@@ -6,6 +6,8 @@
 #include <charconv>
 #include <zlib.h>
 
+#include "assets/json_text.h"
+
 namespace cairn::engine {
 namespace {
 
@@ -29,7 +31,7 @@ Result<std::vector<std::uint8_t>> decode_base64(std::string_view text) {
     for (const char c : text) {
         if (is_space(c) || c == '=') continue;
         const int value = letter_value(c);
-        if (value < 0) return Error{"'" + std::string(1, c) + "' is no letter of base64"};
+        if (value < 0) return Error{excerpt(std::string(1, c)) + " is no letter of base64"};
         bits = bits << 6 | static_cast<std::uint32_t>(value);
         if (++count < 4) continue;
         for (const int shift : {16, 8, 0}) bytes.push_back(static_cast<std::uint8_t>(bits >> shift));
@@ -79,7 +81,7 @@ Result<std::vector<std::uint32_t>> tiles_from_csv(std::string_view text, std::si
         std::uint32_t value = 0;
         const auto end = std::from_chars(text.data(), text.data() + text.size(), value);
         if (end.ec != std::errc{})
-            return Error{"'" + std::string(text.substr(0, 12)) + "' is no tile number"};
+            return Error{excerpt(std::string(text.substr(0, 12))) + " is no tile number"};
         text.remove_prefix(static_cast<std::size_t>(end.ptr - text.data()));
         if (tiles.size() == cells) return wrong_count(cells + 1, cells);
         tiles.push_back(value);

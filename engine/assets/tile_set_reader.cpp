@@ -28,11 +28,8 @@ std::string tiled_path_beside(std::string_view path, const std::string& name) {
 Json read_tiled_file(const Files& files, std::string_view path) {
     const Result<std::string> text = files.read_text(path);
     if (!text) throw Fault{text.error().message};
-    if (path.ends_with(".tmx") || path.ends_with(".tsx") || path.ends_with(".xml")) {
-        Result<Json> json = tiled_json_from_xml(*text);
-        if (!json) throw Fault{json.error().message};
-        return std::move(*json);
-    }
+    if (path.ends_with(".tmx") || path.ends_with(".tsx") || path.ends_with(".xml"))
+        return tiled_json_from_xml(*text);
     Result<Json> json = json_with_lines(*text);
     if (!json) throw Fault{json.error().message};
     return std::move(*json);

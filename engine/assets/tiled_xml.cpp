@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "assets/json_text.h"
+#include "assets/tiled_node.h"
 
 namespace cairn::engine {
 namespace {
@@ -224,19 +224,19 @@ struct NestingCheck : pugi::xml_tree_walker {
 
 }  // namespace
 
-Result<Json> tiled_json_from_xml(std::string_view xml) {
+Json tiled_json_from_xml(std::string_view xml) {
     const Rewriter rewriter(xml);
     pugi::xml_document document;
     const pugi::xml_parse_result parsed = document.load_buffer(xml.data(), xml.size());
     if (!parsed)
-        return Error{"the XML is broken in line " + std::to_string(rewriter.line_at(parsed.offset)) + ": " +
-                     parsed.description()};
+        throw Fault{std::string("the XML is broken: ") + parsed.description(),
+                    static_cast<int>(rewriter.line_at(parsed.offset))};
     NestingCheck check;
     if (!document.traverse(check))
-        return Error{"the XML is nested more than " + std::to_string(kMaxNesting) + " deep"};
+        throw Fault{"the XML is nested more than " + std::to_string(kMaxNesting) + " deep"};
     if (const pugi::xml_node set = document.child("tileset")) return rewriter.tile_set(set);
     const pugi::xml_node map = document.child("map");
-    if (!map) return Error{"it holds neither a <map> nor a <tileset>"};
+    if (!map) throw Fault{"it holds neither a <map> nor a <tileset>"};
     return rewriter.map(map);
 }
 

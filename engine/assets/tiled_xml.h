@@ -5,12 +5,10 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
-#include <cairn/engine/result.h>
-
 namespace cairn::engine {
 
 /// Of a map (.tmx) or a tile set (.tsx). Objects keep their line as those of
-/// `json_with_lines` do. The error says in which line the XML is broken.
-Result<nlohmann::ordered_json> tiled_json_from_xml(std::string_view xml);
+/// `json_with_lines` do. Throws a Fault with the line in which the XML is broken.
+nlohmann::ordered_json tiled_json_from_xml(std::string_view xml);
 
 }  // namespace cairn::engine

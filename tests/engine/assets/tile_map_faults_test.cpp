@@ -54,14 +54,16 @@ TEST_CASE_METHOD(Maps, "a wrong map is an error that names the file, the place a
     const auto data = [&](const std::string& d) { return message(tmx(d)); };
     CHECK_THAT(load_tile_map(*files, "none.tmx").error().message,
                Catch::Contains("'none.tmx'") && Catch::Contains("not found"));
-    CHECK_THAT(message("<map"), Catch::StartsWith("maps/w.tmx: the XML is broken in line 1: "));
+    CHECK_THAT(message("<map"), Catch::StartsWith("maps/w.tmx:1: the XML is broken: "));
     CHECK_THAT(message("<game/>"), Catch::Contains("neither a <map> nor a <tileset>"));
     CHECK_THAT(data("<data encoding=\"csv\">1,2,3</data>"),
                Catch::StartsWith("maps/w.tmx:") &&
                    Catch::Contains("layer \"ground\": it has 3 tiles, but the layer has 6 cells"));
     CHECK_THAT(data("<data encoding=\"csv\">1,2,3,4,5,6,7</data>"), Catch::Contains("7 tiles"));
     CHECK_THAT(data("<data encoding=\"csv\">1,2,x,4,5,6</data>"),
-               Catch::Contains("'x,4,5,6' is no tile number"));
+               Catch::Contains("\"x,4,5,6\" is no tile number"));
+    CHECK_THAT(data("<data encoding=\"csv\">1,\x7f\n\xff,3</data>"),
+               Catch::Contains("\"\x7f\\n\xef\xbf\xbd,3\" is no tile number"));
     CHECK_THAT(data("<data encoding=\"csv\">1,2,9,4,5,6</data>"),
                Catch::Contains("a tile 9 that no tile set has"));
     CHECK_THAT(data("<data encoding=\"base64\">!!!!</data>"), Catch::Contains("no letter of base64"));
