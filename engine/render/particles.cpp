@@ -84,7 +84,7 @@ void ParticleSystem::draw(Renderer& renderer, TextureId texture, const std::opti
         uv = {source->x / width, source->y / height, source->width / width, source->height / height};
     }
     // Where y points up, a square is put on its head, so that its picture stands upright.
-    const float up = renderer.transform().determinant() < 0 ? -1.0f : 1.0f;
+    const float up = renderer.is_y_up() ? -1.0f : 1.0f;
     vertices_.clear();
     indices_.clear();
     for (int i = 0; i < count(); ++i) {

@@ -221,7 +221,7 @@ void Renderer::begin_frame(Color clear) {
     s.end_all_canvases();
     s.viewport = s.backend->viewport();
     s.batch.reset_stats();
-    s.transforms.assign(1, {});
+    s.frames.assign(1, {});
     s.batch.set_blend_mode(BlendMode::Alpha);
     clear.a = 1;
     if (!s.viewport.has_bars()) {
@@ -240,7 +240,7 @@ void Renderer::end_frame() {
     s.end_all_canvases();
     s.batch.flush();
     s.last_frame = s.batch.stats();
-    s.transforms.assign(1, {});
+    s.frames.assign(1, {});
     s.backend->present();
 }
 
@@ -264,19 +264,19 @@ Result<void> Renderer::push_transform() {
     if (transform_depth() >= kMaxTransforms)
         return Error{"push: the stack of transforms holds " + std::to_string(kMaxTransforms) +
                      " already; is a pop missing?"};
-    state_->transforms.push_back(state_->transforms.back());
+    state_->frames.push_back(state_->frames.back());
     return {};
 }
 
 Result<void> Renderer::pop_transform() {
     if (transform_depth() == 0)
         return Error{"pop: the stack of transforms is empty; there was no push to undo"};
-    state_->transforms.pop_back();
+    state_->frames.pop_back();
     return {};
 }
 
 int Renderer::transform_depth() const {
-    return static_cast<int>(state_->transforms.size()) - 1;
+    return static_cast<int>(state_->frames.size()) - 1;
 }
 
 void Renderer::translate(Vec2 offset) {
@@ -290,15 +290,23 @@ void Renderer::scale(Vec2 factors) {
 }
 
 void Renderer::apply_transform(const Affine2& local) {
-    Affine2& current = state_->transforms.back();
+    Affine2& current = state_->frames.back().to_logical;
     current = current * local;
 }
 
 void Renderer::reset_transform() {
-    state_->transforms.back() = {};
+    state_->frames.back() = {};
 }
 Affine2 Renderer::transform() const {
-    return state_->transforms.back();
+    return state_->frames.back().to_logical;
+}
+
+void Renderer::apply_camera(const Camera2D& camera) {
+    apply_transform(camera.world_to_screen());
+    state_->frames.back().is_y_up = true;
+}
+bool Renderer::is_y_up() const {
+    return state_->frames.back().is_y_up;
 }
 
 void Renderer::set_blend_mode(BlendMode mode) {

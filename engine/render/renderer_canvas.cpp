@@ -44,7 +44,7 @@ Result<void> Renderer::begin_canvas(TextureId canvas, std::optional<Color> clear
 
     s.batch.flush();
     s.suspended.push_back(
-        {s.canvas, s.viewport, std::exchange(s.transforms, {Affine2{}}), s.batch.blend_mode(), s.scissor});
+        {s.canvas, s.viewport, std::exchange(s.frames, {DrawingFrame{}}), s.batch.blend_mode(), s.scissor});
     s.canvas = canvas;
     s.viewport = {.output = found->size, .logical = found->size, .scale = 1, .offset = {}};
     s.backend->set_target(found->backend_texture);
@@ -62,7 +62,7 @@ Result<void> Renderer::end_canvas() {
     s.suspended.pop_back();
     s.canvas = before.canvas;
     s.viewport = before.viewport;
-    s.transforms = std::move(before.transforms);
+    s.frames = std::move(before.frames);
     const Texture* target = s.textures.find(s.canvas);
     s.backend->set_target(target ? target->backend_texture : 0);
     s.batch.set_blend_mode(before.blend);
@@ -82,7 +82,7 @@ void Renderer::State::end_all_canvases() {
     if (!suspended.empty()) {
         batch.flush();
         viewport = suspended.front().viewport;
-        transforms = std::move(suspended.front().transforms);
+        frames = std::move(suspended.front().frames);
         suspended.clear();
         canvas = {};
         backend->set_target(0);

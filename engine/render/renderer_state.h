@@ -1,5 +1,5 @@
 // What a Renderer consists of. The functions that draw are spread over renderer*.cpp by what they draw.
-// Invariant: transforms.back() is the current transform, from drawing coordinates to logical pixels.
+// Invariant: frames.back() is what is drawn in.
 #pragma once
 
 #include <array>
@@ -41,11 +41,17 @@ struct Texture {
     bool is_canvas = false;
 };
 
+/// A level of the stack of transforms.
+struct DrawingFrame {
+    Affine2 to_logical;  ///< from drawing coordinates to logical pixels
+    bool is_y_up = false;
+};
+
 /// Where drawing went before a canvas was begun, and how.
 struct SuspendedTarget {
     TextureId canvas;  ///< null: the output
     Viewport viewport;
-    std::vector<Affine2> transforms;
+    std::vector<DrawingFrame> frames;
     BlendMode blend;
     std::optional<Rect> scissor;
 };
@@ -57,7 +63,7 @@ struct Renderer::State {
     Result<Texture> read_texture(const TextureSource& source);
 
     /// Drawing coordinates to output pixels.
-    Affine2 output_transform() const { return viewport.output_from_logical() * transforms.back(); }
+    Affine2 output_transform() const { return viewport.output_from_logical() * frames.back().to_logical; }
 
     /// Makes the points fit to be drawn: false when one is not finite, or when all lie outside of the picture
     /// by more than `margin` pixels. Points that are far outside are pulled to where the back-ends can still
@@ -86,7 +92,7 @@ struct Renderer::State {
     const Files& files;
     std::unique_ptr<RenderBackend> backend;
     Viewport viewport;
-    std::vector<Affine2> transforms = {Affine2{}};
+    std::vector<DrawingFrame> frames = {DrawingFrame{}};
 
     HandleTable<TextureId, Texture> textures;
     std::map<TextureSource, TextureId> textures_by_source;

@@ -66,7 +66,7 @@ void attach(lua_State* L, CameraRef self) {
     check_or_raise(L, renderer.push_transform());
     engine::Camera2D camera = self.rig.camera_at(static_cast<float>(context.alpha));
     if (!attached.canvas.is_null()) camera.set_screen_size(renderer.target_size());
-    renderer.apply_transform(camera.world_to_screen());
+    renderer.apply_camera(camera);
     context.draw.cameras.push_back(attached);
     if (attached.canvas.is_null()) context.world_view = renderer.transform();
 }

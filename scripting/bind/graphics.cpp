@@ -33,10 +33,6 @@ engine::FontId default_font(lua_State* L) {
     return context.default_font;
 }
 
-bool is_y_up(const engine::Renderer& renderer) {
-    return renderer.transform().determinant() < 0;
-}
-
 namespace {
 
 using engine::Color;
@@ -134,7 +130,7 @@ Pushed new_image(lua_State* L, std::string_view path, std::optional<std::string_
 void draw_upright(lua_State* L, const Picture& picture, engine::ImageDraw draw) {
     Context& context = drawing_context(L);
     check_drawable(L, picture.texture);
-    if (is_y_up(context.services.renderer)) draw.scale.y = -draw.scale.y;
+    if (context.services.renderer.is_y_up()) draw.scale.y = -draw.scale.y;
     draw.tint = context.draw.color;
     context.services.renderer.draw_image(picture.texture, draw);
 }
@@ -249,7 +245,7 @@ void draw_nine_patch(lua_State* L, Picture picture, float x, float y, NotNegativ
             "the borders must leave room: left + right is more than the image's width, or top + bottom "
             "more than its height");
     engine::Renderer& renderer = context.services.renderer;
-    if (!is_y_up(renderer)) return renderer.draw_nine_patch(picture.texture, patch);
+    if (!renderer.is_y_up()) return renderer.draw_nine_patch(picture.texture, patch);
     // Turned upside down about the area's middle, so that it stands upright.
     check_or_raise(L, renderer.push_transform());
     renderer.translate({0, 2 * y + height});
@@ -291,7 +287,7 @@ void print(lua_State* L, AnyArgument text, float x, float y, std::optional<std::
     push_text(L, text.index);
     std::size_t length = 0;
     const char* bytes = lua_tolstring(L, -1, &length);
-    if (!is_y_up(renderer)) return renderer.draw_text(font, {bytes, length}, draw);
+    if (!renderer.is_y_up()) return renderer.draw_text(font, {bytes, length}, draw);
     // Letters keep their size in pixels under a camera.
     draw.position = renderer.transform().apply(draw.position);
     check_or_raise(L, renderer.push_transform());

@@ -103,9 +103,6 @@ engine::TextureFilter to_filter(lua_State* L, int index, std::optional<std::stri
 /// The default font, which is loaded when it is first needed.
 engine::FontId default_font(lua_State* L);
 
-/// True when y points up, as under a camera.
-bool is_y_up(const engine::Renderer& renderer);
-
 /// The numbers of { x1, y1, x2, y2, ... } as points.
 std::vector<engine::Vec2> read_point_list(lua_State* L, TableArgument list, std::size_t least);
 

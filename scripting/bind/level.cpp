@@ -351,7 +351,7 @@ void draw(lua_State* L, LevelObject* self, std::optional<std::string_view> layer
         call_error(L, "layer is \"" + std::string(*layer) + "\"; expected \"back\" or \"front\"");
     engine::Renderer& renderer = drawing_context(L).services.renderer;
     if (!self->has_images) load_images(L, *self);
-    const float upright = is_y_up(renderer) ? -1.0f : 1.0f;
+    const float upright = renderer.is_y_up() ? -1.0f : 1.0f;
     for (const DecorationImage& image : self->images) {
         if (image.is_front != (layer == "front")) continue;
         engine::ImageDraw sprite = image.draw;

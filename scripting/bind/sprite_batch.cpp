@@ -117,7 +117,7 @@ std::int64_t count(BatchObject* self) {
 void draw(lua_State* L, BatchObject* self) {
     engine::Renderer& renderer = drawing_context(L).services.renderer;
     check_drawable(L, self->picture.texture);
-    const float upright = is_y_up(renderer) ? -1.0f : 1.0f;
+    const float upright = renderer.is_y_up() ? -1.0f : 1.0f;
     for (engine::ImageDraw sprite : self->sprites) {
         sprite.scale.y *= upright;
         renderer.draw_image(self->picture.texture, sprite);

@@ -165,7 +165,7 @@ void draw(lua_State* L, TextObject* self, float x, float y) {
                           .line_spacing = self->line_spacing,
                           .spans = self->spans,
                           .shown = self->shown};
-    if (!is_y_up(renderer)) return renderer.draw_text(self->font, self->text, text);
+    if (!renderer.is_y_up()) return renderer.draw_text(self->font, self->text, text);
     // Letters keep their size in pixels under a camera.
     text.position = renderer.transform().apply(text.position);
     check_or_raise(L, renderer.push_transform());

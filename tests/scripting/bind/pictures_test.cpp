@@ -122,6 +122,23 @@ TEST_CASE_METHOD(Pictures, "a body shows an image, a canvas or a quad, and an er
                                "Canvas or a Quad"));
 }
 
+TEST_CASE_METHOD(Pictures, "what is mirrored is mirrored, with and without a camera, and stays upright") {
+    // The right half of the palette: blue and white above cyan and magenta; mirrored, blue and cyan are
+    // right.
+    REQUIRE(run("half = g.new_quad(image, 16, 0, 16, 16) batch = g.new_batch(half) batch:add(0, 0, 0, 1, 1, "
+                "8, 8) "
+                "camera = cairn.camera.new{ x = 0, y = 0, height = 100 }") == "");
+    const auto* drawing = GENERATE("g.draw_sized(half, 0, 0, 16, 16)", "batch:draw()",
+                                   "g.draw_nine_patch(half, -8, -8, 16, 16, 1)");
+    const auto* where = GENERATE("g.translate(50, 50)", "camera:attach() g.translate(-50, 0)");
+    INFO(where << ' ' << drawing);
+    const engine::Image picture = picture_of(*this, std::string(where) + " g.scale(-1, 1) " + drawing);
+    is_color(picture, 54, 46, 0, 0, 255);
+    is_color(picture, 46, 46, 255, 255, 255);
+    is_color(picture, 54, 54, 0, 255, 255);
+    is_color(picture, 46, 54, 255, 0, 255);
+}
+
 TEST_CASE_METHOD(Pictures, "in a canvas a camera looks at the canvas") {
     REQUIRE(run("camera = cairn.camera.new{ x = 7, y = 3, height = 10 } canvas = g.new_canvas(40, 60)") ==
             "");

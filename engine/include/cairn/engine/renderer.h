@@ -16,6 +16,7 @@
 #include <string_view>
 #include <vector>
 
+#include <cairn/engine/camera.h>
 #include <cairn/engine/geometry.h>
 #include <cairn/engine/handle.h>
 #include <cairn/engine/image.h>
@@ -188,6 +189,12 @@ class Renderer {
     void reset_transform();
     /// From drawing coordinates to logical pixels.
     Affine2 transform() const;
+
+    /// As apply_transform; and from here on y points up, until the transform is reset or the stack is popped.
+    void apply_camera(const Camera2D& camera);
+    /// What should stand upright has to be put on its head then. A mirror does not change it: mirrored
+    /// pictures are meant to be.
+    bool is_y_up() const;
     void set_blend_mode(BlendMode mode);
     BlendMode blend_mode() const;
     /// In logical pixels, not moved by the transform; absent: the whole picture.
