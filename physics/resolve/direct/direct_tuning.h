@@ -31,10 +31,9 @@ inline constexpr double kNoArm_m = 1e-3;
 inline constexpr int kMaxEnlargements = 3;
 
 // Factorizations for the solution of a substep, and as many for all its closing ones; where they are used up,
-// each solution still has the fewest. Most need 2 to 10, and boxes that settle on taut bridges up to 100,
-// which pays: with 40 they come to rest later. Where more are needed things collide too hard for exact
-// friction.
-inline constexpr int kMaxFactorizations = 120;
+// each solution still has the fewest. Most need 2 to 10, boxes that settle on taut bridges up to 100, and two
+// bridges made across each other some more: given up early, they fly apart.
+inline constexpr int kMaxFactorizations = 500;
 inline constexpr int kFewestFactorizations = 6;
 // rad/s. In a singular pose roundings press the joints of a loop against each other with any impulse. Inertia
 // by that would stop what turns faster, so it gets no more than it has.
