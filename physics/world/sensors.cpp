@@ -60,9 +60,11 @@ Sweep make_sweep(const Stores& stores, int shape, const BodyWay& way, Position o
             way.chord == 0 ? 0 : (inverse(way.before) * place.rotation).angle_rad()};
 }
 
-float arm_of(const Stores& stores, int shape) {
+// How far the turn takes a point of the shape, at most.
+float swing(const Stores& stores, int shape, const BodyWay& way) {
+    if (way.chord == 0) return 0;
     const ShapeRecord& record = stores.shapes[shape];
-    return farthest_distance(record.convex, stores.bodies.slots[record.body].mass.center_m);
+    return way.chord * farthest_distance(record.convex, stores.bodies.slots[record.body].mass.center_m);
 }
 
 // Whether a shape that was outside before the step, and is after it, was inside in between. What moved less
@@ -70,7 +72,7 @@ float arm_of(const Stores& stores, int shape) {
 bool passed(const Stores& stores, int sensor, int shape) {
     const BodyWay own = way_of(stores, stores.shapes[sensor].body);
     const BodyWay other = way_of(stores, stores.shapes[shape].body);
-    const float turning = own.chord * arm_of(stores, sensor) + other.chord * arm_of(stores, shape);
+    const float turning = swing(stores, sensor, own) + swing(stores, shape, other);
     const Convex& visitor = stores.shapes[shape].convex;
     if (length(other.moved - own.moved) + turning <= kFastShare * inner_radius(visitor)) return false;
     const Position origin = stores.bodies.places[stores.shapes[sensor].body].center;
@@ -102,7 +104,7 @@ Aabb box_of_way(const Stores& stores, int sensor) {
     const Position before = stores.bodies.places[own.body].center + -way.moved;
     const Aabb start = bounds(own.convex, {before + -rotate(way.before, center), way.before});
     // What turns is at most this far from the straight way between its ends: less than its chord.
-    return grown(merged(start, box), way.chord * arm_of(stores, sensor));
+    return grown(merged(start, box), swing(stores, sensor, way));
 }
 
 // `strayed`: those of which the boxes no longer cover their ways.

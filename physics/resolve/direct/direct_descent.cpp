@@ -6,7 +6,8 @@
 // give a direction; along it, bent where a bound is met, f falls. Equations without bounds hold at each place
 // of the way, by factors of their own, which stay the same: a place costs one solution, a direction one
 // factorization. Wherever the way is left, the impulses keep their bounds, and f is the least so far and no
-// greater than without them: no energy comes from impulses that were never found.
+// greater than without them. (That bounds how far the equations are off, not energy: what is given up early
+// in one substep may be pushed apart in the next.)
 // Source: Bertsekas, "Projected Newton methods for optimization problems with simple constraints" (1982).
 #include <algorithm>
 #include <cmath>

@@ -23,7 +23,7 @@ inline constexpr double kMaxTurn_rad = 0.35;
 // rad. What whips keep their energy at: a part of a substep turns a body no farther.
 inline constexpr double kResolvedTurn_rad = 0.02;
 inline constexpr int kMaxParts = 32;
-// The same where contacts press, and take more energy than parts would save.
+// The same where contacts press, which take energy anyway.
 inline constexpr int kMaxPartsInContact = 4;
 // m. Bodies that turn about a joint at their centre are resolved at any speed.
 inline constexpr double kNoArm_m = 1e-3;

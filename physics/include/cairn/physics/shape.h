@@ -89,7 +89,8 @@ struct ShapeDef {
     bool contact_events = false;  ///< report begin and end of touching; either shape of a pair is enough
     bool hit_events = false;  ///< report impacts faster than WorldDef::hit_speed_m_s; either shape is enough
     /// A sensor collides with nothing and has no mass; it notes which shapes overlap it at the end of each
-    /// step, or passed through it within the step on a straight way: of static, kinematic, dynamic and
+    /// step, or passed through it within the step, on a straight way and turning by
+    /// less than half a round, chain segments from their front: of static, kinematic, dynamic and
     /// sleeping bodies alike, without waking them. It does not see other sensors, shapes of its own body,
     /// what the filters forbid, nor, on a static body, other static shapes. Rays and other queries do not see
     /// sensors.
