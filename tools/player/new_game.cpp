@@ -34,6 +34,9 @@ end
 -- Called 60 times a second of game time, however fast the computer is; dt is always 1/60.
 function cairn.update(dt)
     world:step(dt)
+    for _, body in ipairs(world:bodies()) do
+        body.data.flash = math.max((body.data.flash or 0) - 3 * dt, 0)
+    end
     for _, a, b, impulse in world:events("hit") do
         if impulse > 5 then
             a.data.flash, b.data.flash = 1, 1
@@ -46,6 +49,13 @@ function cairn.draw()
     cairn.graphics.clear(0.93, 0.90, 0.84)
     camera:attach()
     cairn.graphics.draw_world(world)
+    for _, body in ipairs(world:bodies()) do
+        if (body.data.flash or 0) > 0 and body:type() == "dynamic" then
+            local x, y = body:position()
+            cairn.graphics.set_color(1, 1, 1, body.data.flash)
+            cairn.graphics.circle("fill", x, y, 0.3)
+        end
+    end
     camera:detach()
     cairn.graphics.set_color(0.25, 0.22, 0.20)
     cairn.graphics.print("Click to throw a ball. R: again", 16, 12)
@@ -96,7 +106,7 @@ test.test("what is hit hard flashes", function()
     throw()
     local function flashes()
         for _, body in ipairs(world:bodies()) do
-            if body.data.flash then return true end
+            if (body.data.flash or 0) > 0 then return true end
         end
     end
     test.expect(test.run_until(flashes, 120), "nothing has flashed in two seconds")
