@@ -99,13 +99,23 @@ std::optional<Impulses> solve_both(const ContactConstraint& c, const Motion& a, 
     return Impulses{0, 0};
 }
 
+// Of joints that are solved directly, before contacts and after them. What it did to the bodies in the
+// meantime (mend its joints, take energy back) is not in the impulses of contacts: what these gave in the
+// last step, or in this substep, may be far more than what is there to be stopped, and to be let go.
+bool touches_structure(const ContactConstraint& c, const Motions& motions) {
+    return motions.mover[c.a] == Mover::Direct || motions.mover[c.b] == Mover::Direct;
+}
+
 // Gaps may close within the substep, but no more; what touches comes to rest.
-std::array<float, 2> relaxed_targets(ContactConstraint& c, const Motion& a, const Motion& b, float h_s) {
+std::array<float, 2> relaxed_targets(ContactConstraint& c, const Motion& a, const Motion& b, float h_s,
+                                     bool of_structure) {
     std::array<float, 2> targets{};
     for (int i = 0; i < c.count; ++i) {
         ContactPointConstraint& p = c.points[i];
         p.end_separation = current_separation(a, b, p, c.normal);
         targets[i] = is_apart(c, p.end_separation, base_of(p)) ? -p.end_separation / h_s : 0;
+        if (of_structure && targets[i] < 0)
+            targets[i] = std::clamp(normal_velocity(c, p, a, b), targets[i], 0.0f);
     }
     return targets;
 }
@@ -198,10 +208,19 @@ void warm_start_contact(ContactConstraint& c, Motions& motions, float step_ratio
     Motion a = motions.get(c.a);
     Motion b = motions.get(c.b);
     c.friction_impulse *= friction_ratio;
+    const bool of_structure = touches_structure(c, motions);
     for (int i = 0; i < c.count; ++i) {
         ContactPointConstraint& p = c.points[i];
         p.normal_impulse = first_guess(p.normal_impulse, p.static_impulse, step_ratio);
+        if (of_structure) {
+            const float stopping = p.normal_mass * std::max(0.0f, -normal_velocity(c, p, a, b));
+            p.normal_impulse = std::min(p.normal_impulse, p.static_impulse + stopping);
+        }
         apply(a, b, c.points[i].r_a, c.points[i].r_b, c.points[i].normal_impulse * c.normal);
+    }
+    if (of_structure) {
+        const float limit = c.friction * total_normal(c);
+        c.friction_impulse = std::clamp(c.friction_impulse, -limit, limit);
     }
     apply(a, b, c.friction_r_a, c.friction_r_b, c.friction_impulse * right_perp(c.normal));
     motions.set(c.a, a);
@@ -212,7 +231,7 @@ void solve_contact(ContactConstraint& c, Motions& motions, const ContactRules& r
     Motion a = motions.get(c.a);
     Motion b = motions.get(c.b);
     if (pass == Pass::Relax) {
-        const std::array<float, 2> targets = relaxed_targets(c, a, b, h_s);
+        const std::array<float, 2> targets = relaxed_targets(c, a, b, h_s, touches_structure(c, motions));
         reach_targets(c, a, b, targets);
         solve_rolling(c, a, b);
         solve_friction(c, a, b);

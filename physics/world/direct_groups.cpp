@@ -15,6 +15,10 @@ namespace {
 // to a bound. Where there are more, as in heaps, all of them are swept.
 constexpr int kMaxTakenUp = 16;
 constexpr int kMaxTakenUpByStructure = 64;
+// Contacts between bodies that move, for each that is taken up, and besides: more of them are loops, which
+// fill the factors.
+constexpr int kMaxContactsPerBody = 3;
+constexpr int kSpareContacts = 16;
 
 bool moves(const Stores& stores, int body) {
     const BodyRecord& record = stores.bodies.slots[body];
@@ -59,6 +63,7 @@ class Growth {
         groups_.reached.clear();
         groups_.found.clear();
         spare_ = kMaxTakenUp;
+        spare_contacts_ = kSpareContacts;
         take(body);
         if (reaches_all()) {
             add_group();
@@ -101,6 +106,7 @@ class Growth {
         const int found = groups_.structure_of[static_cast<std::size_t>(body)];
         if (found == kNone) {
             --spare_;
+            spare_contacts_ += kMaxContactsPerBody;
             return visit(body);
         }
         groups_.found.push_back(found);
@@ -111,11 +117,13 @@ class Growth {
     // Takes up what touches, or may within the step; false when that is too much.
     bool reaches_all() {
         bool met_too_many = false;
+        int contact_ends = 0;
         for (std::size_t next = 0; next < groups_.reached.size(); ++next) {
             const int first = stores_.bodies.slots[groups_.reached[next]].first_contact;
             for_each_edge(stores_.contacts.slots, first, [&](int contact, int) {
                 const ContactRecord& c = stores_.contacts.slots[contact];
                 if (special::has(c, special::kRefused)) return;
+                if (moves(stores_, c.body_a) && moves(stores_, c.body_b)) ++contact_ends;
                 for (const int other : {c.body_a, c.body_b}) {
                     if (!moves(stores_, other)) continue;
                     met_too_many = met_too_many || mark(other) == kTooMany;
@@ -124,7 +132,8 @@ class Growth {
             });
             if (spare_ < 0 || met_too_many) return false;
         }
-        return true;
+        // Each has been met from both of its bodies.
+        return contact_ends <= 2 * spare_contacts_;
     }
 
     // Its memory is that of an earlier step.
@@ -182,6 +191,7 @@ class Growth {
     Stores& stores_;
     DirectGroups& groups_;
     int spare_ = 0;  // bodies that may still be taken up
+    int spare_contacts_ = 0;
 };
 
 void forget_groups(Stores& stores, DirectGroups& groups) {

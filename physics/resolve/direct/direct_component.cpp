@@ -33,6 +33,24 @@ void DirectComponent::write(Motions& motions) const {
     }
 }
 
+void DirectComponent::note_spins(const Motions& motions) {
+    known_spins_.resize(rows_.size());
+    for (std::size_t i = 0; i < rows_.size(); ++i) known_spins_[i] = motions.spin(rows_[i]);
+}
+
+// What others turned the bodies by, they turned by the inertia of their own: as much angular momentum turns
+// I~ less. Left as it is, it would be I~/I times as much.
+void DirectComponent::weigh_spins(Motions& motions) const {
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+        const DirectBody& body = system_.bodies[i];
+        if (!body.turns || body.inertia <= body.own_inertia) continue;
+        Motion m = motions.get(rows_[i]);
+        if (m.w == known_spins_[i]) continue;
+        m.w = known_spins_[i] + static_cast<float>(body.own_inertia / body.inertia) * (m.w - known_spins_[i]);
+        motions.set(rows_[i], m);
+    }
+}
+
 // What links give as forces, whatever the direction, in a phase.
 template <class Set>
 void DirectComponent::measure_pulls(const Set& set) {
@@ -103,6 +121,7 @@ void DirectComponent::start(const DirectScene& scene, std::span<const float> ine
     }
     place_joints(scene);
     place_contacts(scene);
+    note_spins(motions);
     read(motions);
     // The speed that the last substep was solved for, before its closing half kick: with that of the kick in
     // it, springs would sag too far.
@@ -149,6 +168,7 @@ void DirectComponent::start(const DirectScene& scene, std::span<const float> ine
 void DirectComponent::solve(const DirectScene& scene) {
     const double h = d(scene.h_s);
     factorizations_left_ = kMaxFactorizations;
+    weigh_spins(scene.motions);
     read(scene.motions);
     inertia_before_.resize(rows_.size());
     for (std::size_t i = 0; i < rows_.size(); ++i) {
@@ -174,6 +194,7 @@ void DirectComponent::solve(const DirectScene& scene) {
     surplus_ = surplus(scene, kinetic_energy(velocity_before_), 1);
     note_spring_speeds();
     write(scene.motions);
+    note_spins(scene.motions);
     sweep_contacts(scene, Phase::Solve);
     give_impulses(scene);
 }
@@ -293,6 +314,7 @@ void DirectComponent::move(const DirectScene& scene) {
     DirectScene part = scene;
     part.h_s /= static_cast<float>(parts);
     for (int i = 1; i <= parts; ++i) {
+        weigh_spins(scene.motions);
         note_energy(scene.motions);
         advance(part);
         kicked_ = i == parts;
@@ -322,12 +344,14 @@ void DirectComponent::advance(const DirectScene& scene) {
 }
 
 void DirectComponent::kick(const DirectScene& scene) {
-    for (const int row : rows_) {
-        Motion m = scene.motions.get(row);
-        const Drive& drive = scene.drives[at(row)];
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+        const DirectBody& body = system_.bodies[i];
+        const Drive& drive = scene.drives[at(rows_[i])];
+        Motion m = scene.motions.get(rows_[i]);
         m.v += 0.5f * scene.h_s * drive.acceleration;
-        m.w += 0.5f * scene.h_s * drive.angular_acceleration;
-        scene.motions.set(row, m);
+        m.w += 0.5f * scene.h_s * static_cast<float>(body.own_inertia / body.inertia) *
+               drive.angular_acceleration;
+        scene.motions.set(rows_[i], m);
     }
 }
 
@@ -344,6 +368,7 @@ void DirectComponent::close(const DirectScene& scene, int parts) {
     const double gained = surplus(scene, energy_ + work_of_kick(scene, parts), parts);
     if (gained > 0) take_back(gained);
     write(motions);
+    note_spins(motions);
     sweep_contacts(scene, Phase::Close);
     give_impulses(scene);
     for (DirectEquation& e : system_.equations) e.impulse += e.before;

@@ -95,6 +95,8 @@ class DirectComponent {
     void place_contacts(const DirectScene& scene);
     void read(const Motions& motions);
     void write(Motions& motions) const;
+    void note_spins(const Motions& motions);
+    void weigh_spins(Motions& motions) const;
     void describe(const DirectScene& scene, Phase phase);
     void describe(const JointLaw& law, JointRow& row, DirectEquation& e, double h, Phase phase) const;
     void describe_contact(const DirectScene& scene, std::size_t contact, Phase phase);
@@ -117,6 +119,7 @@ class DirectComponent {
     [[nodiscard]] double kinetic_energy(std::span<const double> velocity) const;
     [[nodiscard]] double indifferent_energy(const DirectScene& scene) const;
     void note_energy(const Motions& motions);
+    [[nodiscard]] bool is_driven(const DirectScene& scene, std::size_t member, int equation) const;
     [[nodiscard]] double work_done(const DirectScene& scene) const;
     [[nodiscard]] double surplus(const DirectScene& scene, double energy_before, int parts) const;
     [[nodiscard]] double work_of_kick(const DirectScene& scene, int parts) const;
@@ -133,6 +136,7 @@ class DirectComponent {
     std::vector<JointRow> joint_rows_;  // the first equations of the system
     std::vector<Lever> links_;          // the first links
     std::vector<double> velocity_before_;
+    std::vector<float> known_spins_;        // rad/s, as the system left them
     std::vector<double> impulse_at_start_;  // of the phase
     std::vector<double> x_;
     bool is_weighed_ = false;  // since J changed

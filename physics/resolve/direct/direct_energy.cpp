@@ -1,5 +1,5 @@
-// Joints that hold do no work: what a substep has gained beyond what motors, springs, contacts and moving
-// supports did to it was made by errors, and is taken back.
+// Joints that hold do no work, and contacts take energy: what a substep has gained beyond what motors,
+// springs and moving supports did to it was made by errors, and is taken back.
 //
 // Where it comes from: a structure that is nearly taut (a straight bridge, a loop in a singular pose) must
 // move far to the side to mend a small error along it. The bias of the solution and the projection of
@@ -53,12 +53,23 @@ double DirectComponent::work_of_kick(const DirectScene& scene, int parts) const 
         const Drive& drive = scene.drives[at(rows_[i])];
         const double* v = system_.velocity.data() + 3 * i;
         sum += body.mass * (d(drive.acceleration.x) * v[0] + d(drive.acceleration.y) * v[1]);
-        if (body.turns) sum += body.inertia * d(drive.angular_acceleration) * v[2];
+        if (body.turns) sum += body.own_inertia * d(drive.angular_acceleration) * v[2];
     }
     return half_s * sum;
 }
 
-// By all but joints that hold bodies of the structure together; where it took energy out, nothing.
+// Whether an equation asks for motion by itself, instead of for less of it.
+bool DirectComponent::is_driven(const DirectScene& scene, std::size_t member, int equation) const {
+    if (member >= joints_.size()) {
+        const ContactMember& contact = contacts_[member - joints_.size()];
+        return scene.contacts[at(contact.place)].surface_speed_m_s != 0;
+    }
+    const JointConstraint& c = scene.joints[at(joints_[member].place)];
+    const LawKind kind = c.laws[at(joint_rows_[at(equation)].law)].kind;
+    return kind == LawKind::Motor || kind == LawKind::Spring;
+}
+
+// By motors, springs, and what moves outside of the structure; where it took energy out, nothing.
 double DirectComponent::work_done(const DirectScene& scene) const {
     double sum = 0;
     for (std::size_t m = 0; m < system_.members.size(); ++m) {
@@ -66,10 +77,7 @@ double DirectComponent::work_done(const DirectScene& scene) const {
         for (int i = member.first_equation; i < member.last_equation; ++i) {
             const DirectEquation& e = system_.equations[at(i)];
             if (e.impulse == 0) continue;
-            if (m < joints_.size() && e.drift == 0) {
-                const JointConstraint& c = scene.joints[at(joints_[m].place)];
-                if (c.laws[at(joint_rows_[at(i)].law)].kind == LawKind::Hold) continue;
-            }
+            if (e.drift == 0 && !is_driven(scene, m, i)) continue;
             double before = 0;
             double after = 0;
             for (int l = member.first_link; l < member.last_link; ++l) {

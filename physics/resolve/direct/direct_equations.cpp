@@ -22,6 +22,11 @@ constexpr float kStill_m = 0.02f * tuning::kLinearSlop_m;
 
 using State = DirectEquation::State;
 
+// What is round-off in an error would never let a structure rest.
+double without_roundings(double error) {
+    return error - std::clamp(error, -kNoError, kNoError);
+}
+
 double give_of_contact(const ContactPointConstraint& p, const DirectEquation& e) {
     const double load = std::max({e.impulse, e.before, d(p.static_impulse)});
     return std::min(kContactGive * e.inverse_mass, kSinking_m_s / load);
@@ -38,11 +43,12 @@ const std::array<DirectComponent::Attempt, 3> DirectComponent::kAttempts{{
 void DirectComponent::describe(const JointLaw& law, JointRow& row, DirectEquation& e, double h,
                                Phase phase) const {
     const bool closing = phase == Phase::Close;
+    const double most_m_s = contacts_.empty() ? kMaxClosingSpeed_m_s : kMaxClosingSpeedInContact_m_s;
     const State state_before = e.state;
     e.state = State::Acts;
     switch (law.kind) {
         case LawKind::Hold:
-            e.wanted = closing ? 0 : -std::clamp(row.error / h, -kMaxClosingSpeed_m_s, kMaxClosingSpeed_m_s);
+            e.wanted = closing ? 0 : -std::clamp(without_roundings(row.error) / h, -most_m_s, most_m_s);
             if (law.rigid) break;
             e.give = e.inverse_mass * d(law.softness.impulse_scale / law.softness.mass_scale);
             e.wanted = -d(law.softness.bias_rate) * row.error;
@@ -62,7 +68,7 @@ void DirectComponent::describe(const JointLaw& law, JointRow& row, DirectEquatio
             break;
         case LawKind::Lower:
         case LawKind::Upper:
-            e.wanted = std::min(-(closing ? std::max(row.error, 0.0) : row.error) / h, kMaxClosingSpeed_m_s);
+            e.wanted = std::min(-(closing ? std::max(row.error, 0.0) : row.error) / h, most_m_s);
             if (row.error > 0 && !(e.impulse > 0)) e.state = State::AtLow;
             break;
     }
@@ -86,6 +92,12 @@ void DirectComponent::describe_contact(const DirectScene& scene, std::size_t con
             e.wanted = 0;
         } else if (s > 0) {
             e.wanted = -d(s) / d(scene.h_s);
+            // What the solution pushed is let go as far as it parts the bodies: more would pull them
+            // together, where its energy has been taken back since.
+            if (closing && loaded) {
+                const int member = static_cast<int>(joints_.size() + contact);
+                e.wanted = std::clamp(system_.speed(member, i, velocity_before_), e.wanted, 0.0);
+            }
         } else {
             e.wanted = 0;
         }

@@ -84,12 +84,12 @@ void DirectSystem::weigh() {
     }
 }
 
-double DirectSystem::speed(int member, int equation) const {
+double DirectSystem::speed(int member, int equation, std::span<const double> of_bodies) const {
     const Member& m = members[at(member)];
     double sum = equations[at(equation)].drift;
     const double* j = j_.data() + m.first_j + 3 * (equation - m.first_equation);
     for (int l = m.first_link; l < m.last_link; ++l, j += 3 * m.equations()) {
-        const double* v = velocity.data() + 3 * links[at(l)].body;
+        const double* v = of_bodies.data() + 3 * links[at(l)].body;
         sum += j[0] * v[0] + j[1] * v[1] + j[2] * v[2];
     }
     return sum;

@@ -96,7 +96,9 @@ class DirectSystem {
     }
     /// After J or masses changed: sets inverse_mass of all equations, by own_inertia.
     void weigh();
-    [[nodiscard]] double speed(int member, int equation) const;
+    /// J v, with these velocities of the bodies.
+    [[nodiscard]] double speed(int member, int equation, std::span<const double> of_bodies) const;
+    [[nodiscard]] double speed(int member, int equation) const { return speed(member, equation, velocity); }
 
     /// Finds impulses, and velocities from those given, starting from the states that are set. Bounds are
     /// kept; equations too, but in systems that are too hard for so many factorizations: there equations

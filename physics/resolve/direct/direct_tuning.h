@@ -11,6 +11,8 @@ inline constexpr double kGiveOfContradictions = 1e-4;
 inline constexpr double kMostLeverage = 100;
 // m/s. Joints that were torn apart come together no faster.
 inline constexpr double kMaxClosingSpeed_m_s = 40;
+// The same where contacts may be what keeps them apart.
+inline constexpr double kMaxClosingSpeedInContact_m_s = 8;
 
 // m and rad. Errors beyond it are left to the velocities: a projection along rows of the Jacobian is local.
 inline constexpr double kMaxProjected = 0.05;
@@ -31,9 +33,10 @@ inline constexpr double kNoArm_m = 1e-3;
 inline constexpr int kMaxEnlargements = 3;
 
 // Factorizations for the solution of a substep, and as many for all its closing ones; where they are used up,
-// each solution still has the fewest. Most need 2 to 10, boxes that settle on taut bridges up to 100, and two
-// bridges made across each other some more: given up early, they fly apart.
-inline constexpr int kMaxFactorizations = 500;
+// each solution still has the fewest. Most need 2 to 10, and boxes that settle on taut bridges up to 100,
+// which pays: with 40 they come to rest later. Where more are needed things collide too hard for exact
+// friction.
+inline constexpr int kMaxFactorizations = 120;
 inline constexpr int kFewestFactorizations = 6;
 // rad/s. In a singular pose roundings press the joints of a loop against each other with any impulse. Inertia
 // by that would stop what turns faster, so it gets no more than it has.

@@ -42,6 +42,15 @@ void PinChain::read(const Motions& motions) {
     }
 }
 
+// As DirectComponent::weigh_spins.
+void PinChain::weigh_spins() {
+    for (std::size_t k = begin_; k < end_; ++k) {
+        double& w = line_.before.w[k];
+        if (line_.inertia[k] > line_.own_inertia[k])
+            w = line_.now.w[k] + line_.own_inertia[k] / line_.inertia[k] * (w - line_.now.w[k]);
+    }
+}
+
 void PinChain::write(Motions& motions) const {
     for (std::size_t k = begin_; k < end_; ++k) {
         VelocityRow& velocity = motions.velocity[rows_[k]];
@@ -99,6 +108,7 @@ void PinChain::satisfy(double rate) {
 void PinChain::solve(const DirectScene& scene) {
     const double h_s = d(scene.h_s);
     read(scene.motions);
+    weigh_spins();
     choose_inertia(line_, h_s, fastest_rad_s_, begin_, end_);
     for (int enlargement = 0; enlargement <= kMaxEnlargements; ++enlargement) {
         settle_inertia(line_, begin_, end_);
@@ -165,6 +175,7 @@ int PinChain::parts_needed(double h_s) const {
 // What cannot be moved has gone its way for the whole substep.
 void PinChain::move(const DirectScene& scene) {
     read(scene.motions);
+    weigh_spins();
     read_poses(scene.motions, 0, begin_);
     read_poses(scene.motions, end_, rows_.size());
     const int parts = parts_needed(d(scene.h_s));

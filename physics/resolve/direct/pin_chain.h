@@ -52,6 +52,7 @@ class PinChain {
     void write_poses(Motions& motions) const;
     void read(const Motions& motions);
     void write(Motions& motions) const;
+    void weigh_spins();
     void factor(double give);
     [[nodiscard]] double most_impulse() const;
     void satisfy(double rate);

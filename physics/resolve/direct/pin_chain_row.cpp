@@ -145,7 +145,8 @@ void PinChain::start(const DirectScene& scene, std::span<const float> inertia_be
         const Drive& drive = scene.drives[at(rows_[k])];
         line_.kick.x[k] = d(scene.h_s) / 2 * d(drive.acceleration.x);
         line_.kick.y[k] = d(scene.h_s) / 2 * d(drive.acceleration.y);
-        line_.kick.w[k] = is_turned ? d(scene.h_s) / 2 * d(drive.angular_acceleration) : 0;
+        line_.twist[k] =
+            is_turned ? d(scene.h_s) / 2 * d(drive.angular_acceleration) * line_.own_inertia[k] : 0;
     }
     for (std::size_t j = 0; j < pins_.size(); ++j) {
         const bool reversed = pins_[j].reversed;
@@ -172,6 +173,8 @@ void PinChain::start(const DirectScene& scene, std::span<const float> inertia_be
     line_.closed = line_.pulled;
     sum_levers(line_);
     read_poses(motions, 0, rows_.size());
+    read(motions);
+    line_.now = line_.before;
     greatest_error_ = place(line_);
 }
 

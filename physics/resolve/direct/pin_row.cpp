@@ -152,7 +152,9 @@ void settle_inertias(PinRow& row, std::size_t first, std::size_t last) {
         const auto before = get(d, row.inertia_before, i);
         const auto w = get(d, row.before.w, i);
         const auto turns = get(d, row.inverse_own_inertia, i) > hn::Zero(d);
-        put(d, hn::IfThenElseZero(turns, hn::Set(d, 1.0) / inertia), row.inverse_inertia, i);
+        const auto inverse = hn::IfThenElseZero(turns, hn::Set(d, 1.0) / inertia);
+        put(d, inverse, row.inverse_inertia, i);
+        put(d, get(d, row.twist, i) * inverse, row.kick.w, i);
         const auto grew = inertia > before;
         put(d, hn::IfThenElse(grew, w * (before / inertia), w), row.before.w, i);
         put(d, hn::IfThenElse(grew, inertia, before), row.inertia_before, i);
@@ -345,7 +347,7 @@ void PinRow::resize(std::size_t joints) {
                               &turned,  &cosine,          &sine,           &moved_x,
                               &moved_y, &before.x,        &before.y,       &before.w,
                               &now.x,   &now.y,           &now.w,          &kick.x,
-                              &kick.y,  &kick.w}) {
+                              &kick.y,  &kick.w,          &twist}) {
         of_bodies->resize(joints + 1);
     }
     for (Arms* of_arms : {&start, &arms}) {

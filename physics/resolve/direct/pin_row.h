@@ -30,6 +30,7 @@ struct PinRow {
     Values turned, cosine, sine;                      // rad, in this step
     Values moved_x, moved_y;                          // m, in this step
     Speeds kick;                                      // half of what forces do in a substep
+    Values twist;                                     // the same of torques, N m s
     Speeds before, now;                               // a solution
 
     // Of joints.

@@ -355,12 +355,28 @@ TEST_CASE("at every step of a crowd, sensors hold what the manifolds say, and ev
         bodies.push_back(body);
     }
     std::set<std::pair<std::uint64_t, std::uint64_t>> told;
+    std::vector<Place> before;
+    // As of what takes one second.
+    const auto way_taken = [&](int shape) {
+        const int body = stores.shapes[shape].body;
+        const Place& from = before[static_cast<std::size_t>(body)];
+        const Place& to = stores.bodies.places[body];
+        return Sweep{&stores.shapes[shape].convex,
+                     from.center - Position{},
+                     from.rotation,
+                     stores.bodies.slots[body].mass.center_m,
+                     to.center - from.center,
+                     (inverse(from.rotation) * to.rotation).angle_rad()};
+    };
     int overlaps = 0;
     for (int step = 0; step < 200; ++step) {
         if (step % 7 == 0) {
             const int body = bodies[static_cast<std::size_t>(random.below(static_cast<int>(bodies.size())))];
             teleport(stores, body, {random.real(-5, 5), random.real(-5, 5)}, random.real(-3, 3));
         }
+        before.clear();
+        for (int body = 0; body < stores.bodies.slots.end_index(); ++body)
+            before.push_back(stores.bodies.places[body]);
         step_world(world, kStep_s);
         for (const SensorBegin& e : world.events.sensor_begins) {
             REQUIRE(told.emplace(e.sensor.bits(), e.visitor.bits()).second);
@@ -390,7 +406,12 @@ TEST_CASE("at every step of a crowd, sensors hold what the manifolds say, and ev
                 const bool held =
                     std::count(sensor.inside.begin(), sensor.inside.end(), stores.shapes.id(shape)) == 1;
                 INFO("step " << step << ", gap " << gap);
-                REQUIRE(held == expected);
+                if (held && !expected && !hidden) {
+                    // It was inside within the step.
+                    REQUIRE(least_distance(way_taken(sensor.shape), way_taken(shape)) < 1e-3f);
+                } else {
+                    REQUIRE(held == expected);
+                }
                 const std::pair pair{stores.shapes.id(sensor.shape).bits(), stores.shapes.id(shape).bits()};
                 REQUIRE((told.count(pair) == 1) == held);
                 overlaps += held ? 1 : 0;

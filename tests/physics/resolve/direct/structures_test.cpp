@@ -166,6 +166,26 @@ TEST_CASE("ten welds that say the same share the load, and a torn loop finds a m
     }
 }
 
+TEST_CASE("a torque turns a link of a taut chain as far as the tension lets it") {
+    const bool is_plain = GENERATE(true, false);  // a row of pins has a solver of its own
+    const float torque_nm = GENERATE(-20.0f, 500.0f);
+    Hanging chain(10, 1000, false);
+    if (!is_plain) chain.world.joint(chain.joints[0])->set_limits(true, -3, 3).value();
+    for (const BodyId id : chain.bodies) {
+        chain.world.body(id)->set_linear_damping(2).value();
+        chain.world.body(id)->set_angular_damping(2).value();
+    }
+    const BodyId link = chain.bodies[4];
+    for (int i = 0; i < 1200; ++i) {
+        chain.world.body(link)->apply_torque(torque_nm).value();
+        chain.world.step(kStep_s).value();
+    }
+    // All others hang straight down, so the pins bear no more than what lies below them.
+    const double tension_n = 10 * (1000 + 5 + 0.5);
+    CHECK(std::sin(chain.world.body(link)->angle()) ==
+          Approx(d(torque_nm) / (0.5 * tension_n)).epsilon(2e-3));
+}
+
 TEST_CASE("limits and motors within a structure hold as they do alone") {
     // A boom of three arms: the first is driven against its limit with a load at the end, the others are
     // held.
