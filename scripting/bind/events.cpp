@@ -5,6 +5,7 @@
 #include <array>
 #include <string>
 
+#include "bind/joint_fields.h"
 #include "bind/physics_objects.h"
 #include "data/nearest.h"
 
@@ -87,7 +88,7 @@ int next_event(lua_State* L) {
     }
 }
 
-/// The iterator function of breaks: (cursor, previous joint) -> joint, a, b, x, y, fx, fy, torque.
+/// The iterator function of breaks: (cursor, previous joint) -> joint, a, b, x, y, fx, fy, torque, kind.
 int next_break(lua_State* L) {
     auto* cursor = object_at<EventCursor>(L, 1);
     if (cursor == nullptr || !cursor->in_use) return 0;
@@ -102,7 +103,8 @@ int next_break(lua_State* L) {
     push_bodies(L, event);
     push_numbers(L, {event.point_m.x, event.point_m.y, static_cast<double>(event.force_n.x),
                      static_cast<double>(event.force_n.y), static_cast<double>(event.torque_nm)});
-    return 8;
+    lua_pushstring(L, fields_of(event.kind).name);
+    return 9;
 }
 
 /// The iterator function of bodies that break: (cursor, previous body) -> body, other, impulse, x, y, nx, ny,

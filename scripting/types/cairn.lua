@@ -669,8 +669,8 @@ function World:destroy_bodies(bodies) end
 ---@return Body body
 function World:ground() end
 
----Iterates over the joints that the last step loaded beyond their strength: `for joint, a, b, x, y, fx, fy, torque in world:joint_breaks() do`. The joint is gone, and its value is still the one that `add_..._joint` returned, with its `data`; `a` and `b` are its bodies, `x, y` the anchor on b (m), `fx, fy` (N) and `torque` (N m) what it did to b, as the mean over the step.
----@return fun(): Joint, Body, Body, number, number, number, number, number iterator
+---Iterates over the joints that the last step loaded beyond their strength: `for joint, a, b, x, y, fx, fy, torque, kind in world:joint_breaks() do`. The joint is gone, and its value is still the one that `add_..._joint` returned, with its `data`; `a` and `b` are its bodies, `x, y` the anchor on b (m), `fx, fy` (N) and `torque` (N m) what it did to b, as the mean over the step, `kind` what `joint:kind()` says.
+---@return fun(): Joint, Body, Body, number, number, number, number, number, string iterator
 function World:joint_breaks() end
 
 ---Iterates over the breakable bodies on which something pressed harder in the last step than they withstand: `for body, other, impulse, x, y, nx, ny, speed, pieces in world:breaks() do`. `other` is what pressed, `impulse` (N s) how hard, `x, y` where, `nx, ny` the unit normal into the body, `speed` (m/s) how fast they met, `pieces` a list of the bodies into which the step broke it; it is empty when it was not automatic or too small to break.
@@ -1551,7 +1551,7 @@ function Chain:is_valid() end
 ---@field data table
 local Joint = {}
 
----"distance", "revolute", "prismatic", "weld", "wheel", "motor", "mouse", "gear", "pulley", "friction" or "filter".
+---"distance", "revolute", "prismatic", "weld", "wheel", "motor", "mouse", "gear", "pulley", "friction" or "filter". Of a joint that broke, too, until the next step.
 ---@return string kind
 function Joint:kind() end
 
