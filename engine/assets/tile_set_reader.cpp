@@ -100,6 +100,20 @@ std::optional<Color> read_tiled_color(const Node& node, const char* field) {
 namespace {
 
 void read_kind_of_tile(const Node& tile, TileSet& set, FaultList& faults) {
+/// As Tiled names the places of the nine, from the top left.
+std::optional<Vec2> read_object_anchor(const Node& set) {
+    constexpr const char* kNames[] = {"topleft", "top",        "topright", "left",       "center",
+                                      "right",   "bottomleft", "bottom",   "bottomright"};
+    const std::string name = set.text("objectalignment", "unspecified");
+    if (name == "unspecified") return std::nullopt;
+    for (int i = 0; i < 9; ++i)
+        if (name == kNames[i])
+            return Vec2{0.5f * static_cast<float>(i % 3), 0.5f * static_cast<float>(i / 3)};
+    set.fail("objectalignment",
+             "must be unspecified, topleft, top, topright, left, center, right, bottomleft, bottom or "
+             "bottomright");
+}
+
     const std::uint32_t id =
         set.first_id + static_cast<std::uint32_t>(tile.whole("id", 0, set.tile_count - 1));
     Names unreadable;
@@ -128,6 +142,7 @@ TileSet read_tile_set(const Node& node, std::uint32_t first_id, std::string_view
     });
     faults.attempt([&] { set.transparent = read_tiled_color(node, "transparentcolor"); });
     const auto whole = [&](int& to, const char* field, int low, int high) {
+    faults.attempt([&] { set.object_anchor = read_object_anchor(node); });
         faults.attempt([&] { to = node.whole(field, low, high); });
     };
     whole(set.tile_size.width, "tilewidth", 1, 4096);

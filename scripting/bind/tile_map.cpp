@@ -289,7 +289,8 @@ void push_map_object(lua_State* L, const TileMapObject& self, const MapObject& o
     };
     Vec2 center = place(object.size * 0.5f);
     if (object.shape == engine::MapShape::Tile) {  // stands upright
-        const Vec2 middle = {is_isometric ? 0 : 0.5f * object.size.x, -0.5f * object.size.y};
+        const Vec2 middle = {(0.5f - object.anchor.x) * object.size.x,
+                             (0.5f - object.anchor.y) * object.size.y};
         center = self.to_units(position + engine::Affine2::rotation(object.rotation_rad).apply(middle));
     }
     lua_createtable(L, 0, 12);
@@ -402,7 +403,9 @@ constexpr Function kMethods[] = {
                                "\"point\", \"polygon\", \"polyline\", "
                                "\"tile\" or \"text\"), x, y (the middle), width, height, angle, visible, "
                                "properties, points, tile, text. A rectangle on an isometric map is a "
-                               "parallelogram, with its corners as points."),
+                               "parallelogram, with its corners as points. A tile without a width or a "
+                               "height has that of its set, and the set's object alignment says where it "
+                               "stands, as in the editor."),
 };
 
 }  // namespace

@@ -39,18 +39,16 @@ class TileMesh {
         add(tile, {bottom_left + Vec2{0, -height}, bottom_left + Vec2{width, -height},
                    bottom_left + Vec2{width, 0}, bottom_left});
     }
-    /// An object that is a tile: in its own size, turned about its place.
+    /// An object that is a tile: in the size of the object, turned about its place.
     void add(const MapObject& object, Vec2 offset) {
-        Vec2 size = object.size;
-        const engine::Size own = set_of(object.tile).tile_size;
-        if (size.x == 0) size.x = static_cast<float>(own.width);
-        if (size.y == 0) size.y = static_cast<float>(own.height);
-        const float left = map_.map.grid == engine::MapGrid::Isometric ? -0.5f * size.x : 0;
+        const Vec2 size = object.size;
+        const Vec2 low = {-object.anchor.x * size.x, -object.anchor.y * size.y};
+        const Vec2 high = low + size;
         const engine::Affine2 turned =
             engine::Affine2::translation(map_.map.from_object(object.position) + offset) *
             engine::Affine2::rotation(object.rotation_rad);
-        add(object.tile, {turned.apply({left, -size.y}), turned.apply({left + size.x, -size.y}),
-                          turned.apply({left + size.x, 0}), turned.apply({left, 0})});
+        add(object.tile, {turned.apply(low), turned.apply({high.x, low.y}), turned.apply(high),
+                          turned.apply({low.x, high.y})});
     }
 
   private:

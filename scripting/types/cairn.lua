@@ -2798,7 +2798,7 @@ function TileMap:cell_center(column, row) end
 ---@return table rectangles
 function TileMap:solids(layer, property) end
 
----A new list of tables: id, name, class, shape ("rectangle", "ellipse", "point", "polygon", "polyline", "tile" or "text"), x, y (the middle), width, height, angle, visible, properties, points, tile, text. A rectangle on an isometric map is a parallelogram, with its corners as points.
+---A new list of tables: id, name, class, shape ("rectangle", "ellipse", "point", "polygon", "polyline", "tile" or "text"), x, y (the middle), width, height, angle, visible, properties, points, tile, text. A rectangle on an isometric map is a parallelogram, with its corners as points. A tile without a width or a height has that of its set, and the set's object alignment says where it stands, as in the editor.
 ---@param layer string?
 ---@return table objects
 function TileMap:objects(layer) end

@@ -265,3 +265,27 @@ TEST_CASE_METHOD(Maps, "a map cut off anywhere is an error and no crash") {
     for (std::size_t length = 0; length < whole.size(); length += 7)
         CHECK_FALSE(load("c.tmx", whole.substr(0, length)));
 }
+
+TEST_CASE_METHOD(
+    Maps,
+    "tiles as objects that are smaller than nothing or huge are faults, as is an alignment of nowhere") {
+    folder.put("maps/t.tmx",
+               R"(<map orientation="orthogonal" width="3" height="2" tilewidth="16" tileheight="8">
+<tileset firstgid="1" name="t" tilewidth="8" tileheight="8" tilecount="1" columns="1" objectalignment="middle">
+ <image source="t.png" width="8" height="8"/></tileset>
+<objectgroup name="o">
+ <object id="1" name="crate" gid="1" x="0" y="0" width="-16" height="1000001"/>
+ <object id="2" gid="1" x="0" y="0" width="1e39" height="nan"/>
+ <object id="3" gid="1" x="0" y="0" width="1000000" height="16"/>
+</objectgroup></map>)");
+    const std::string rule = ", but must be from 0 to 1000000 for a tile";
+    CHECK(read_tile_map(*files, "maps/t.tmx").faults ==
+          std::vector<std::string>{
+              "maps/t.tmx:2: tile set \"t\": objectalignment is \"middle\", but must be unspecified, "
+              "topleft, top, "
+              "topright, left, center, right, bottomleft, bottom or bottomright",
+              "maps/t.tmx:5: object 1 \"crate\" in layer \"o\": width is -16.0" + rule,
+              "maps/t.tmx:5: object 1 \"crate\" in layer \"o\": height is 1000001.0" + rule,
+              "maps/t.tmx:6: object 2 in layer \"o\": height is \"nan\", but must be a number",
+              "maps/t.tmx:6: object 2 in layer \"o\": width is 1e+39" + rule});
+}
