@@ -83,7 +83,7 @@ Result<Texture> Renderer::State::read_texture(const TextureSource& source) {
         texture.size = image->size;
         texture.backend_texture = *made;
     } else {
-        const Result<Size> size = read_image_size(*file, path);
+        const Result<Size> size = check_image(*file, path);
         if (!size) return size.error();
         texture.size = *size;
     }
