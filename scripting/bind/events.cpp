@@ -8,6 +8,7 @@
 #include "bind/joint_fields.h"
 #include "bind/physics_objects.h"
 #include "data/nearest.h"
+#include "data/table_writer.h"
 
 namespace cairn::scripting {
 namespace {
@@ -222,8 +223,8 @@ int push_events(lua_State* L, WorldRef world, std::optional<std::string_view> ki
         static const std::vector<std::string> kinds = {"begin", "hit", "end"};
         const auto found = std::find(kinds.begin(), kinds.end(), *kind);
         if (found == kinds.end()) {
-            call_error(L, "kind is \"" + std::string(*kind) + "\": no such kind of event" +
-                              suggestion(*kind, kinds));
+            call_error(L,
+                       "kind is " + quote_text(*kind) + ": no such kind of event" + suggestion(*kind, kinds));
         }
         first = last = static_cast<EventKind>(found - kinds.begin());
     }

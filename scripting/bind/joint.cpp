@@ -4,11 +4,11 @@
 #include "bind/pair_filter.h"
 #include "bind/physics_objects.h"
 #include "data/nearest.h"
+#include "data/table_writer.h"
 
 namespace cairn::scripting {
 namespace {
 
-using Change = physics::Result<void>;
 /// Of a joint that is there, or that broke in the last step: then it is gone, but an author who reads of it
 /// wants to know.
 struct KindOf {
@@ -34,6 +34,7 @@ struct Argument<KindOf> {
 
 namespace {
 
+using Change = physics::Result<void>;
 
 std::string_view kind(KindOf self) {
     return fields_of(self.kind).name;
@@ -86,7 +87,7 @@ Pushed parameter(lua_State* L, JointRef self, std::string_view name) {
         }
         names.emplace_back(candidate.field->name);
     }
-    call_error(L, "name is \"" + std::string(name) + "\": a " + fields.name + " joint has no such parameter" +
+    call_error(L, "name is " + quote_text(name) + ": a " + fields.name + " joint has no such parameter" +
                       suggestion(name, names));
 }
 

@@ -11,6 +11,7 @@
 #include "bind/modules.h"
 #include "bind/tile_map_object.h"
 #include "data/nearest.h"
+#include "data/table_writer.h"
 #include "lua/state.h"
 
 namespace cairn::scripting {
@@ -120,7 +121,7 @@ MapLayer& find_layer(lua_State* L, TileMapObject* self, std::string_view name, M
         if (layer.name == name) return layer;
         names.push_back(layer.name);
     }
-    call_error(L, "layer is \"" + std::string(name) + "\": no such layer of " +
+    call_error(L, "layer is " + quote_text(name) + ": no such layer of " +
                       (kind == MapLayer::Kind::Tiles ? "tiles" : "objects") + suggestion(name, names));
 }
 
@@ -346,7 +347,7 @@ void draw(lua_State* L, TileMapObject* self, std::optional<std::string_view> nam
     if (!name || self->map.layer(*name) != nullptr) return;
     std::vector<std::string> names;
     for (const MapLayer& layer : self->map.layers) names.push_back(layer.name);
-    call_error(L, "layer is \"" + std::string(*name) + "\": no such layer" + suggestion(*name, names));
+    call_error(L, "layer is " + quote_text(*name) + ": no such layer" + suggestion(*name, names));
 }
 
 constexpr std::array<std::string_view, 1> kReturnsMap = {"TileMap"};

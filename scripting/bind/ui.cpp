@@ -9,6 +9,7 @@
 #include "bind/fields.h"
 #include "bind/graphics_objects.h"
 #include "bind/modules.h"
+#include "data/table_writer.h"
 #include "lua/state.h"
 
 namespace cairn::scripting {
@@ -262,9 +263,9 @@ int to_place(lua_State* L, const UiObject& self, std::int64_t number) {
     return static_cast<int>(number - 1);
 }
 
-/// "widget 3 \"Volume\"", for messages.
+/// `widget 3 "Volume"`, for messages.
 std::string widget_name(int place, const Widget& widget) {
-    return "widget " + std::to_string(place + 1) + " \"" + widget.text + '"';
+    return "widget " + std::to_string(place + 1) + ' ' + quote_text(widget.text);
 }
 
 /// Pushes what a widget is set to, as its `changed` gets it, and gives the number of values.

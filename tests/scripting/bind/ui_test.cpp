@@ -155,6 +155,14 @@ TEST_CASE_METHOD(Menus, "the game gives a field no text that the player could no
     CHECK(run("menu:set_value(short, 'a\\127')").find("a text with no control characters") !=
           std::string::npos);
     CHECK(run("menu:set_value(short, 3)").find("expected a string") != std::string::npos);
+    CHECK(
+        run("menu:set_value(short, 'a\\255')") ==
+        "test.lua:1: Ui:set_value: value is \"a\\255\"; expected a text with no bytes that are not UTF-8 for "
+        "widget 7 \"Short\"");
+    CHECK(run("menu:add_text{ value = '\\xc3' }").find("must have no bytes that are not UTF-8") !=
+          std::string::npos);
+    CHECK(run("menu:set_value(short, '\\u{fffd}')") == "");
+    REQUIRE(run("menu:set_value(short, 'fünf!')") == "");
     CHECK(value("menu:value(short)") == "fünf!");
 }
 
