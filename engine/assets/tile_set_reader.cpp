@@ -30,8 +30,9 @@ Json read_tiled_file(const Files& files, std::string_view path) {
     if (!text) throw Fault{text.error().message};
     if (path.ends_with(".tmx") || path.ends_with(".tsx") || path.ends_with(".xml"))
         return tiled_json_from_xml(*text);
-    Result<Json> json = json_with_lines(*text);
-    if (!json) throw Fault{json.error().message};
+    int fault_line = 0;
+    Result<Json> json = json_with_lines(*text, fault_line);
+    if (!json) throw Fault{json.error().message, fault_line};
     return std::move(*json);
 }
 
@@ -99,7 +100,6 @@ std::optional<Color> read_tiled_color(const Node& node, const char* field) {
 
 namespace {
 
-void read_kind_of_tile(const Node& tile, TileSet& set, FaultList& faults) {
 /// As Tiled names the places of the nine, from the top left.
 std::optional<Vec2> read_object_anchor(const Node& set) {
     constexpr const char* kNames[] = {"topleft", "top",        "topright", "left",       "center",
@@ -114,6 +114,7 @@ std::optional<Vec2> read_object_anchor(const Node& set) {
              "bottomright");
 }
 
+void read_kind_of_tile(const Node& tile, TileSet& set, FaultList& faults) {
     const std::uint32_t id =
         set.first_id + static_cast<std::uint32_t>(tile.whole("id", 0, set.tile_count - 1));
     Names unreadable;
@@ -141,8 +142,8 @@ TileSet read_tile_set(const Node& node, std::uint32_t first_id, std::string_view
         set.image_path = tiled_path_beside(path, node.text("image"));
     });
     faults.attempt([&] { set.transparent = read_tiled_color(node, "transparentcolor"); });
-    const auto whole = [&](int& to, const char* field, int low, int high) {
     faults.attempt([&] { set.object_anchor = read_object_anchor(node); });
+    const auto whole = [&](int& to, const char* field, int low, int high) {
         faults.attempt([&] { to = node.whole(field, low, high); });
     };
     whole(set.tile_size.width, "tilewidth", 1, 4096);

@@ -216,8 +216,17 @@ TEST_CASE_METHOD(Maps, "bytes that are no text, numbers beyond all and endless n
                      "tileheight=\"8\"></map>"),
                Catch::Contains("orientation is \"ortho\xef\xbf\xbd\", but must be orthogonal"));
     CHECK_THAT(fault("u.tmj", "{\"orientation\": \"\xff\"}"),
-               Catch::Contains("is not JSON: parse error at line 1"));
-    CHECK_THAT(fault("o.tmj", "{\"width\": 1e999}"), Catch::Contains("is not JSON: number overflow"));
+               Catch::StartsWith("maps/u.tmj:1: is not JSON: column 18: "));
+    CHECK_THAT(fault("o.tmj", "{\"width\": 1e999}"),
+               Catch::StartsWith("maps/o.tmj:1: is not JSON: column 15: number overflow"));
+    CHECK_THAT(fault("s.tmj", "{\n\"width\": 1,\n\"height\" 2\n}"),
+               Catch::StartsWith("maps/s.tmj:3: is not JSON: column 10: syntax error"));
+    CHECK_THAT(fault("e.json", "{\n\"width\": tru\n}"),
+               Catch::StartsWith("maps/e.json:2: is not JSON: column 13: "));
+    CHECK_THAT(fault("l.tmj", "{\n\"width\": 1e999\n}"),
+               Catch::StartsWith("maps/l.tmj:2: is not JSON: column 14: number overflow"));
+    CHECK_THAT(fault("c.tmj", "{\n\"width\": 1,"), Catch::StartsWith("maps/c.tmj:2: is not JSON: column "));
+    CHECK_THAT(fault("b.tmj", ""), Catch::StartsWith("maps/b.tmj:1: is not JSON: column 1: "));
     const auto repeated = [](const std::string& text, int times) {
         std::string all;
         for (int i = 0; i < times; ++i) all += text;

@@ -115,6 +115,11 @@ TEST_CASE(
              "\"dynamic\"?"});
 }
 
+TEST_CASE("a level that is no JSON is told by its line") {
+    expect_faults({{"map.tmj", "{\n\"width\": 1,\n\"height\" 2\n}"}},
+                  {"3: is not JSON: column 10: syntax error"}, "map.tmj");
+}
+
 TEST_CASE("misspelt classes, kinds, fields and names of a map get the nearest one") {
     const std::string in = " in layer \"things\": ";
     expect_faults(
