@@ -1,7 +1,9 @@
 // The starter: short enough to be read at once, and moving from the first second.
 #include "new_game.h"
 
+#include <algorithm>
 #include <filesystem>
+#include <string_view>
 #include <vector>
 
 #include <cairn/engine/native_file.h>
@@ -193,3 +195,15 @@ engine::Result<void> new_game(const std::string& folder) {
 }
 
 }  // namespace cairn::player
+std::string shell_word(const std::string& path) {
+    const std::string named = path.starts_with('-') ? "./" + path : path;  // no option
+    const auto is_plain = [](char c) {
+        const bool is_letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+        return is_letter || std::string_view("_-./,:@%+=").find(c) != std::string_view::npos;
+    };
+    if (!named.empty() && std::all_of(named.begin(), named.end(), is_plain)) return named;
+    std::string quoted = "'";
+    for (const char c : named) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return quoted + '\'';
+}
+
