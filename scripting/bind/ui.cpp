@@ -430,9 +430,10 @@ constexpr Function kMethods[] = {
     function<&add_text>(
         "add_text", "fields", "widget",
         "Adds a field that text is typed into while it is open: return, space, a click or the "
-        "gamepad's \"a\" opens it; return, escape, tab or a click elsewhere closes it. All keys and "
-        "texts meanwhile go into it alone: neither callbacks, `cairn.input` and actions nor other "
-        "menus get them. Releases of keys that were held before still come.",
+        "gamepad's \"a\" opens it; return, escape, tab, a click elsewhere or \"a\" and \"b\" close it. "
+        "All keys, texts and buttons of gamepads meanwhile go into it alone: neither callbacks, "
+        "`cairn.input` and actions nor other menus get them. Sticks still move, and releases of what was "
+        "held before still come.",
         &kTextFields),
     function<&update>(
         "update", "", "",
@@ -449,8 +450,9 @@ constexpr Function kMethods[] = {
     function<&set_title>("set_title", "title", "", ""),
     function<&focus>("focus", "", "widget", "The one that keys and gamepads act on; 0: none."),
     function<&set_focus>("set_focus", "widget", "", "Of a label or a disabled widget it is an error."),
-    function<&is_typing>("is_typing", "", "typing",
-                         "Whether a text field of it is open, so that keys go there and not to the game."),
+    function<&is_typing>(
+        "is_typing", "", "typing",
+        "Whether a text field of it is open, so that keys and buttons go there and not to the game."),
     function<&clear>("clear", "", "", "Takes all widgets out."),
 };
 

@@ -2892,7 +2892,7 @@ function Ui:add_choice(fields) end
 ---@field enabled? boolean whether it can be used
 ---@field same_row? boolean stands beside the widget before it
 
----Adds a field that text is typed into while it is open: return, space, a click or the gamepad's "a" opens it; return, escape, tab or a click elsewhere closes it. All keys and texts meanwhile go into it alone: neither callbacks, `cairn.input` and actions nor other menus get them. Releases of keys that were held before still come.
+---Adds a field that text is typed into while it is open: return, space, a click or the gamepad's "a" opens it; return, escape, tab, a click elsewhere or "a" and "b" close it. All keys, texts and buttons of gamepads meanwhile go into it alone: neither callbacks, `cairn.input` and actions nor other menus get them. Sticks still move, and releases of what was held before still come.
 ---@param fields Ui.add_text.Fields
 ---@return integer widget
 function Ui:add_text(fields) end
@@ -2933,7 +2933,7 @@ function Ui:focus() end
 ---@param widget integer
 function Ui:set_focus(widget) end
 
----Whether a text field of it is open, so that keys go there and not to the game.
+---Whether a text field of it is open, so that keys and buttons go there and not to the game.
 ---@return boolean typing
 function Ui:is_typing() end
 

@@ -246,6 +246,42 @@ TEST_CASE_METHOD(TypingMenus,
     CHECK(take() == "key_pressed w, action_pressed jump, key_pressed escape, back of nil");
 }
 
+TEST_CASE_METHOD(TypingMenus,
+                 "buttons of gamepads that are pressed while a field is open do not reach the game") {
+    REQUIRE(run("cairn.input.bind('fire', { 'gamepad_a' }) for _, name in ipairs{ 'gamepad_pressed', "
+                "'gamepad_released' } do cairn[name] = function(pad, button) note(name)(button) end end") ==
+            "");
+    lines({"gamepad_connected 1 Pad", "gamepad_pressed 1 x"});
+    REQUIRE(take() == "gamepad_pressed x");
+    lines({"gamepad_pressed 1 a"});  // opens it, as return does
+    REQUIRE(value("menu:is_typing()") == "true");
+    REQUIRE(take() == "gamepad_pressed a, action_pressed fire");
+    // What was held is let go of; what goes down now is the field's, both ends of it.
+    lines({"gamepad_released 1 a", "gamepad_released 1 x"});
+    CHECK(take() == "gamepad_released a, action_released fire, gamepad_released x");
+    lines({"gamepad_pressed 1 dpad_up", "gamepad_pressed 1 start", "gamepad_moved 1 left_x 0.75"});
+    CHECK(take() == "");
+    CHECK(value("cairn.input.is_gamepad_down(1, 'start')") == "false");
+    CHECK(value("cairn.input.gamepad_axis(1, 'left_x')") == "0.75");
+    CHECK(value("menu:focus() == name") == "true");
+    lines({"gamepad_released 1 dpad_up", "gamepad_pressed 1 a"});
+    CHECK(value("menu:is_typing()") == "false");
+    CHECK(value("cairn.input.is_action_down('fire')") == "false");
+    lines({"gamepad_released 1 a", "gamepad_released 1 start"});
+    CHECK(take() == "");
+    lines({"gamepad_pressed 1 start"});
+    CHECK(take() == "gamepad_pressed start");
+    // "b" closes the field, and neither the menu nor what the game does for it.
+    lines({"key_pressed return", "key_released return"});
+    REQUIRE(value("menu:is_typing()") == "true");
+    REQUIRE(take() == "key_pressed return, key_released return");
+    lines({"gamepad_pressed 1 b", "gamepad_released 1 b"});
+    CHECK(take() == "");
+    CHECK(value("menu:is_typing()") == "false");
+    lines({"gamepad_pressed 1 b"});
+    CHECK(take() == "gamepad_pressed b, back");
+}
+
 TEST_CASE_METHOD(TypingMenus, "a field that the blank key opens does not begin with a blank") {
     lines({"key_pressed space", "text_entered %20"});
     lines({"text_entered %20", "text_entered a"});
