@@ -114,11 +114,37 @@ test.test("what is hit hard flashes", function()
     test.expect(test.run_until(flashes, 120), "nothing has flashed in two seconds")
 end)
 
+test.test("the pile stands still", function()
+    test.start{}
+    test.run(1)
+    local places = {}
+    for i, body in ipairs(world:bodies()) do places[i] = { body:position() } end
+    test.run(120)
+    for i, body in ipairs(world:bodies()) do
+        local x, y = body:position()
+        test.expect_near(x, places[i][1], 0.05)
+        test.expect_near(y, places[i][2], 0.05)
+    end
+end)
+
+test.test("a crate that is lifted falls back", function()
+    test.start{}
+    test.run(1)
+    local bodies = world:bodies()
+    local crate = bodies[#bodies]
+    local x, y = crate:position()
+    crate:set_position(x, y + 2)
+    test.run(90)
+    test.expect_near(select(2, crate:position()), y, 0.1)
+end)
+
 test.test("R starts again", function()
     local before = throw()
+    local old_world = world
     test.press("r")
     test.run(1)
     test.expect_equal(world:body_count(), before)
+    test.expect(not old_world:is_valid(), "the world of before is still there")
 end)
 )";
 
@@ -194,7 +220,6 @@ engine::Result<void> new_game(const std::string& folder) {
     return {};
 }
 
-}  // namespace cairn::player
 std::string shell_word(const std::string& path) {
     const std::string named = path.starts_with('-') ? "./" + path : path;  // no option
     const auto is_plain = [](char c) {
@@ -207,3 +232,4 @@ std::string shell_word(const std::string& path) {
     return quoted + '\'';
 }
 
+}  // namespace cairn::player
