@@ -2305,6 +2305,7 @@ function cairn.graphics.translate(x, y) end
 ---@param angle number [rad]
 function cairn.graphics.rotate(angle) end
 
+---About (0, 0). Negative factors mirror what is drawn, pictures and texts too: `scale(-1, 1)` from left to right, `scale(1, -1)` from top to bottom. Under a camera the letters of texts keep their size and the way they stand.
 ---@param x number
 ---@param y number?
 function cairn.graphics.scale(x, y) end
