@@ -180,7 +180,7 @@ EventCursor& push_free_cursor(lua_State* L, WorldRef world) {
         lua_pop(L, 1);
     }
     auto& cursor = new_object<EventCursor>(L, 1, &world.object, std::uint64_t{0}, EventKind::Begin,
-                                           EventKind::End, std::size_t{0}, false);
+                                           EventKind::End, std::size_t{0}, false, false);
     lua_pushvalue(L, world.index);
     lua_setiuservalue(L, -2, 1);
     lua_pushvalue(L, -1);

@@ -92,7 +92,7 @@ Pushed load(lua_State* L, std::string_view path, std::optional<TableArgument> fi
         call_error(L, "path is " + quote_text(path) + ": there is no such file");
     LevelReading reading = read_and_try(L, std::string(path), import);
     if (!reading.faults.empty()) raise_faults(L, reading.faults);
-    new_object<LevelObject>(L, 2, std::move(reading.level), import);
+    new_object<LevelObject>(L, 2, std::move(reading.level), import, std::vector<DecorationImage>{});
     push_living_levels(L);
     lua_pushvalue(L, -2);
     lua_rawseti(L, -2, context_of(L).levels_loaded++);
