@@ -143,6 +143,13 @@ TileSet read_tile_set(const Node& node, std::uint32_t first_id, std::string_view
     });
     faults.attempt([&] { set.transparent = read_tiled_color(node, "transparentcolor"); });
     faults.attempt([&] { set.object_anchor = read_object_anchor(node); });
+    faults.attempt([&] {
+        if (!node.has("tileoffset")) return;
+        const Node offset = node.child("tileoffset");
+        constexpr int kFarthest = 1'000'000;
+        set.tile_offset = {static_cast<float>(offset.whole("x", -kFarthest, kFarthest, 0)),
+                           static_cast<float>(offset.whole("y", -kFarthest, kFarthest, 0))};
+    });
     const auto whole = [&](int& to, const char* field, int low, int high) {
         faults.attempt([&] { to = node.whole(field, low, high); });
     };

@@ -287,3 +287,17 @@ TEST_CASE_METHOD(
             CHECK(anchor(grid, " objectalignment=\"" + std::string(name) + '"') == place);
     }
 }
+
+TEST_CASE_METHOD(Maps, "a tile set says how far from their places its tiles are drawn") {
+    const auto offset = [&](const std::string& element) {
+        return good("o.tmx",
+                    R"(<map orientation="orthogonal" width="3" height="2" tilewidth="16" tileheight="8">
+            <tileset firstgid="1" name="t" tilewidth="8" tileheight="8" tilecount="1" columns="1">)" +
+                        element + R"(<image source="t.png"/></tileset></map>)")
+            .sets.at(0)
+            .tile_offset;
+    };
+    CHECK(offset("") == Vec2{0, 0});
+    CHECK(offset(R"(<tileoffset x="-3" y="5"/>)") == Vec2{-3, 5});
+    CHECK(offset(R"(<tileoffset y="5"/>)") == Vec2{0, 5});
+}

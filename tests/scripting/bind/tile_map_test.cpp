@@ -296,6 +296,35 @@ TEST_CASE("objects that are tiles are drawn and told where the alignment of thei
     is_color(image, 165, 55, 0, 0, 0);
 }
 
+TEST_CASE("tiles are drawn as far from their places as their set says, which objects stretch and turn") {
+    LuaBench bench({{"conf.lua", "{ width = 200, height = 100 }"},
+                    {"tiles.png", tiles_png()},
+                    {"map.tmj", R"({"width": 2, "height": 1, "tilewidth": 8, "tileheight": 8,
+        "tilesets": [{"firstgid": 1, "name": "t", "tilewidth": 8, "tileheight": 8, "tilecount": 2, "columns": 2,
+            "image": "tiles.png", "tileoffset": {"x": 30, "y": 20}}],
+        "layers": [{"type": "tilelayer", "name": "ground", "data": [0, 2]},
+            {"type": "objectgroup", "name": "things", "objects": [
+            {"id": 1, "x": 80, "y": 60, "width": 16, "height": 8, "gid": 2},
+            {"id": 2, "x": 190, "y": 10, "width": 8, "height": 8, "rotation": 90, "gid": 2}]}]})"}},
+                   MachineKind::HeadlessDrawing);
+    REQUIRE(bench.run("map = cairn.tilemap.load('map.tmj')") == "");
+    const engine::Image image = picture_of(bench, "map:draw()");
+    is_color(image, 12, 4, 0, 0, 0);
+    is_color(image, 39, 21, 0, 255, 0);
+    is_color(image, 45, 27, 0, 0, 255);
+    // Twice as wide, twice as far to the right: from (140, 72) to (156, 80).
+    is_color(image, 141, 73, 0, 255, 0);
+    is_color(image, 155, 79, 0, 0, 255);
+    is_color(image, 138, 76, 0, 0, 0);
+    // Turned clockwise, right is down and down is left: from (170, 40) to (178, 48).
+    is_color(image, 177, 41, 0, 255, 0);
+    is_color(image, 171, 47, 0, 0, 255);
+    // The place of the tile lies above the view, which the tile reaches.
+    const engine::Image moved = picture_of(bench, "cairn.graphics.translate(-38, -20) map:draw()");
+    is_color(moved, 1, 1, 0, 255, 0);
+    is_color(moved, 7, 7, 0, 0, 255);
+}
+
 TEST_CASE("isometric maps have their places in the picture, and their solids are polygons") {
     LuaBench bench(
         {{"conf.lua", "{ width = 200, height = 100 }"},

@@ -46,6 +46,7 @@ struct TileSet {
     int spacing = 0;
     std::string image_path;            ///< as Files knows it
     std::optional<Color> transparent;  ///< pixels of that color are not seen
+    Vec2 tile_offset;                  ///< how far from their places its tiles are drawn, pixels of the tiles
     /// Which point of its tiles lies at the position of an object, as a share of their sizes from the top
     /// left; absent: the bottom left, on isometric maps the middle of the bottom.
     std::optional<Vec2> object_anchor;
