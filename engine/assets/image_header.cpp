@@ -1,4 +1,4 @@
-// Reads the size that a PNG or JPEG file states, without decoding it.
+// Reads the size that a PNG or JPEG file states, and looks whether it has an end, without decoding it.
 // Invariant: never reads past the end of the file; a size is only returned when it lies in 1 ..
 // kMaxImageSide. Source: PNG (Portable Network Graphics) Specification, 3rd edition, section 11.2.1 IHDR;
 // ITU-T T.81, annex B.
@@ -7,6 +7,8 @@
 #include <optional>
 
 #include <cairn/engine/image.h>
+
+#include "assets/image_end.h"
 
 namespace cairn::engine {
 namespace {
@@ -61,12 +63,16 @@ std::optional<StatedSize> jpeg_size(Bytes file) {
     return std::nullopt;
 }
 
+bool has_png_signature(Bytes file) {
+    return file.size() >= kPngSignature.size() &&
+           std::memcmp(file.data(), kPngSignature.data(), kPngSignature.size()) == 0;
+}
+
 }  // namespace
 
 Result<Size> read_image_size(Bytes file, std::string_view name) {
     std::optional<StatedSize> size;
-    if (file.size() >= kPngSignature.size() &&
-        std::memcmp(file.data(), kPngSignature.data(), kPngSignature.size()) == 0)
+    if (has_png_signature(file))
         size = png_size(file);
     else if (file.size() >= 2 && big_endian(file, 0, 2) == 0xffd8)
         size = jpeg_size(file);
@@ -78,6 +84,14 @@ Result<Size> read_image_size(Bytes file, std::string_view name) {
                                      std::to_string(size->height) + "; each side must be 1 to " +
                                      std::to_string(kMaxImageSide));
     return Size{static_cast<int>(size->width), static_cast<int>(size->height)};
+}
+
+Result<Size> check_image(Bytes file, std::string_view name) {
+    Result<Size> size = read_image_size(file, name);
+    if (!size) return size;
+    const bool reaches_end = has_png_signature(file) ? reaches_end_of_png(file) : reaches_end_of_jpeg(file);
+    if (!reaches_end) return image_error(name, "is damaged: it ends too early");
+    return size;
 }
 
 }  // namespace cairn::engine

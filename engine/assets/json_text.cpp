@@ -2,6 +2,7 @@
 // are counted before.
 #include "assets/json_text.h"
 
+#include <algorithm>
 #include <iterator>
 #include <optional>
 #include <utility>
@@ -35,12 +36,23 @@ Error nested_too_deep() {
     return Error{"is nested more than " + std::to_string(kMaxNesting) + " deep"};
 }
 
-/// Of parsing, or of a number that is too large.
-Error not_json(std::string_view reason) {
-    // "[json.exception.parse_error.101] parse error at line 1, ..."
+/// Of parsing, or of a number that is too large: without "[json.exception.parse_error.101] ".
+std::string_view reason_of(const Json::exception& error) {
+    std::string_view reason = error.what();
     if (const std::size_t end = reason.find("] "); reason.starts_with('[') && end != std::string_view::npos)
         reason.remove_prefix(end + 2);
-    return Error{"is not JSON: " + std::string(reason)};
+    return reason;
+}
+Error not_json(const Json::exception& error) {
+    return Error{"is not JSON: " + std::string(reason_of(error))};
+}
+/// Of a fault whose line is told.
+Error not_json_in_column(std::size_t column, const Json::exception& error) {
+    // "parse error at line 1, column 2: ..."
+    std::string_view reason = reason_of(error);
+    if (const std::size_t end = reason.find(": "); reason.starts_with("parse error at "))
+        reason.remove_prefix(end == std::string_view::npos ? 0 : end + 2);
+    return Error{"is not JSON: column " + std::to_string(column) + ": " + std::string(reason)};
 }
 
 /// Walks over a text and counts its lines: the parser takes no character before it needs it, so that the
@@ -72,7 +84,7 @@ struct CountingCursor {
 /// Makes what the parser tells of. Pointers into unfinished values stay good: only the innermost one grows.
 class LinedBuilder : public nlohmann::json_sax<Json> {
   public:
-    explicit LinedBuilder(const int& line) : line_(line) {}
+    LinedBuilder(std::string_view text, const int& line) : text_(text), line_(line) {}
 
     bool null() override { return add(nullptr); }
     bool boolean(bool value) override { return add(value); }
@@ -95,10 +107,15 @@ class LinedBuilder : public nlohmann::json_sax<Json> {
         open_.pop_back();
         return true;
     }
-    bool parse_error(std::size_t, const std::string&, const Json::exception& error) override {
-        error_ = not_json(error.what());
+    bool parse_error(std::size_t read, const std::string&, const Json::exception& error) override {
+        // The last character that was read is the wrong one.
+        const std::string_view before = text_.substr(0, read > 0 ? read - 1 : 0);
+        fault_line_ = 1 + static_cast<int>(std::count(before.begin(), before.end(), '\n'));
+        const std::size_t line_start = before.rfind('\n') + 1;  // 0 on the first line
+        error_ = not_json_in_column(before.size() - line_start + 1, error);
         return false;
     }
+    int fault_line() const { return fault_line_; }
     Result<Json> take() {
         if (error_) return *error_;
         return std::move(root_);
@@ -126,7 +143,9 @@ class LinedBuilder : public nlohmann::json_sax<Json> {
         Json* value;
         int line;
     };
+    std::string_view text_;
     const int& line_;
+    int fault_line_ = 0;
     Json root_;
     std::vector<Open> open_;
     std::string key_;
@@ -140,16 +159,18 @@ Result<Json> json_from_text(std::string_view text) {
     try {
         return Json::parse(text);
     } catch (const Json::exception& error) {
-        return not_json(error.what());
+        return not_json(error);
     }
 }
 
-Result<Json> json_with_lines(std::string_view text) {
+Result<Json> json_with_lines(std::string_view text, int& fault_line) {
+    fault_line = 0;
     if (is_nested_too_deep(text)) return nested_too_deep();
     int line = 1;
-    LinedBuilder builder(line);
+    LinedBuilder builder(text, line);
     Json::sax_parse(CountingCursor{text.data(), &line}, CountingCursor{text.data() + text.size(), &line},
                     &builder);
+    fault_line = builder.fault_line();
     return builder.take();
 }
 

@@ -18,6 +18,8 @@ constexpr int kMaxSide = 10000;
 constexpr std::size_t kMaxCells = 16u << 20;
 /// Of infinite maps, which begin anywhere.
 constexpr int kFarthestCell = 1 << 24;
+/// Of an object that is a tile, pixels: as long as the longest map with cells of 100 pixels.
+constexpr int kMaxTileSide = 1'000'000;
 
 Tile read_tile(std::uint32_t bits) {
     return {.id = bits & 0x0fffffffu,
@@ -380,7 +382,29 @@ class MapReader {
         read("visible", [&] { object.is_visible = node.flag("visible", true); });
         object.properties = read_tiled_properties(node, faults_, object.unreadable);
         read("shape", [&] { read_shape(node, object); });
+        if (object.shape == MapShape::Tile) finish_tile(node, object, read);
         return object;
+    }
+
+    /// What an object that is a tile has of its set. Of a side that it leaves out, or says to be 0, the
+    /// editor takes that of the tile.
+    template <class Read>
+    void finish_tile(const Node& node, MapObject& object, const Read& read) const {
+        const auto check_side = [&](const char* field, float side) {
+            read(field, [&] {
+                if (side < 0 || side > kMaxTileSide)
+                    node.fail(field, "must be from 0 to " + std::to_string(kMaxTileSide) + " for a tile");
+            });
+        };
+        check_side("width", object.size.x);
+        check_side("height", object.size.y);
+        const TileSet* set = map_.set_of(object.tile.id);
+        const bool is_isometric = map_.grid == MapGrid::Isometric;
+        object.anchor = Vec2{is_isometric ? 0.5f : 0, 1};
+        if (set == nullptr) return;
+        object.anchor = set->object_anchor.value_or(object.anchor);
+        if (object.size.x == 0) object.size.x = static_cast<float>(set->tile_size.width);
+        if (object.size.y == 0) object.size.y = static_cast<float>(set->tile_size.height);
     }
 
     void read_shape(const Node& node, MapObject& object) const {

@@ -30,8 +30,9 @@ Json read_tiled_file(const Files& files, std::string_view path) {
     if (!text) throw Fault{text.error().message};
     if (path.ends_with(".tmx") || path.ends_with(".tsx") || path.ends_with(".xml"))
         return tiled_json_from_xml(*text);
-    Result<Json> json = json_with_lines(*text);
-    if (!json) throw Fault{json.error().message};
+    int fault_line = 0;
+    Result<Json> json = json_with_lines(*text, fault_line);
+    if (!json) throw Fault{json.error().message, fault_line};
     return std::move(*json);
 }
 
@@ -99,6 +100,20 @@ std::optional<Color> read_tiled_color(const Node& node, const char* field) {
 
 namespace {
 
+/// As Tiled names the places of the nine, from the top left.
+std::optional<Vec2> read_object_anchor(const Node& set) {
+    constexpr const char* kNames[] = {"topleft", "top",        "topright", "left",       "center",
+                                      "right",   "bottomleft", "bottom",   "bottomright"};
+    const std::string name = set.text("objectalignment", "unspecified");
+    if (name == "unspecified") return std::nullopt;
+    for (int i = 0; i < 9; ++i)
+        if (name == kNames[i])
+            return Vec2{0.5f * static_cast<float>(i % 3), 0.5f * static_cast<float>(i / 3)};
+    set.fail("objectalignment",
+             "must be unspecified, topleft, top, topright, left, center, right, bottomleft, bottom or "
+             "bottomright");
+}
+
 void read_kind_of_tile(const Node& tile, TileSet& set, FaultList& faults) {
     const std::uint32_t id =
         set.first_id + static_cast<std::uint32_t>(tile.whole("id", 0, set.tile_count - 1));
@@ -127,6 +142,14 @@ TileSet read_tile_set(const Node& node, std::uint32_t first_id, std::string_view
         set.image_path = tiled_path_beside(path, node.text("image"));
     });
     faults.attempt([&] { set.transparent = read_tiled_color(node, "transparentcolor"); });
+    faults.attempt([&] { set.object_anchor = read_object_anchor(node); });
+    faults.attempt([&] {
+        if (!node.has("tileoffset")) return;
+        const Node offset = node.child("tileoffset");
+        constexpr int kFarthest = 1'000'000;
+        set.tile_offset = {static_cast<float>(offset.whole("x", -kFarthest, kFarthest, 0)),
+                           static_cast<float>(offset.whole("y", -kFarthest, kFarthest, 0))};
+    });
     const auto whole = [&](int& to, const char* field, int low, int high) {
         faults.attempt([&] { to = node.whole(field, low, high); });
     };

@@ -118,6 +118,7 @@ class Rewriter {
             json["imageheight"] = number_or_text(image.attribute("height").value());
             read_transparent_color(image, json);
         }
+        if (const pugi::xml_node offset = node.child("tileoffset")) json["tileoffset"] = attributes(offset);
         Json tiles = Json::array();
         for (const pugi::xml_node& tile : node.children("tile")) {
             Json entry = attributes(tile);

@@ -83,7 +83,7 @@ Result<Texture> Renderer::State::read_texture(const TextureSource& source) {
         texture.size = image->size;
         texture.backend_texture = *made;
     } else {
-        const Result<Size> size = read_image_size(*file, path);
+        const Result<Size> size = check_image(*file, path);
         if (!size) return size.error();
         texture.size = *size;
     }
@@ -262,15 +262,14 @@ const RenderStats& Renderer::stats() const {
 
 Result<void> Renderer::push_transform() {
     if (transform_depth() >= kMaxTransforms)
-        return Error{"push: the stack of transforms holds " + std::to_string(kMaxTransforms) +
+        return Error{"the stack of transforms holds " + std::to_string(kMaxTransforms) +
                      " already; is a pop missing?"};
     state_->frames.push_back(state_->frames.back());
     return {};
 }
 
 Result<void> Renderer::pop_transform() {
-    if (transform_depth() == 0)
-        return Error{"pop: the stack of transforms is empty; there was no push to undo"};
+    if (transform_depth() == 0) return Error{"the stack of transforms is empty; there was no push to undo"};
     state_->frames.pop_back();
     return {};
 }

@@ -17,8 +17,9 @@ constexpr std::size_t kMaxCanvases = 8;
 
 Result<TextureId> Renderer::create_canvas(Size size, TextureFilter filter) {
     if (size.width < 1 || size.height < 1 || size.width > kMaxImageSide || size.height > kMaxImageSide)
-        return Error{"canvas: the size " + std::to_string(size.width) + " x " + std::to_string(size.height) +
-                     " must be 1 to " + std::to_string(kMaxImageSide) + " on each side"};
+        return Error{"the size of a canvas is " + std::to_string(size.width) + " x " +
+                     std::to_string(size.height) + ", but must be 1 to " + std::to_string(kMaxImageSide) +
+                     " on each side"};
     Texture texture;
     texture.size = size;
     texture.is_canvas = true;
@@ -33,14 +34,13 @@ Result<TextureId> Renderer::create_canvas(Size size, TextureFilter filter) {
 Result<void> Renderer::begin_canvas(TextureId canvas, std::optional<Color> clear) {
     State& s = *state_;
     const Texture* found = s.textures.find(canvas);
-    if (!found) return Error{"canvas: it is null, or was destroyed"};
-    if (!found->is_canvas) return Error{"canvas: an image that was loaded cannot be drawn into"};
+    if (!found) return Error{"the canvas is null, or was destroyed"};
+    if (!found->is_canvas) return Error{"an image that was loaded cannot be drawn into"};
     if (s.suspended.size() >= kMaxCanvases)
-        return Error{"canvas: " + std::to_string(kMaxCanvases) +
-                     " canvases are in use already; is an end missing?"};
+        return Error{std::to_string(kMaxCanvases) + " canvases are in use already; is an end missing?"};
     const auto is_canvas = [&](const SuspendedTarget& target) { return target.canvas == canvas; };
     if (s.canvas == canvas || std::any_of(s.suspended.begin(), s.suspended.end(), is_canvas))
-        return Error{"canvas: it is being drawn into already"};
+        return Error{"the canvas is being drawn into already"};
 
     s.batch.flush();
     s.suspended.push_back(
@@ -56,7 +56,7 @@ Result<void> Renderer::begin_canvas(TextureId canvas, std::optional<Color> clear
 
 Result<void> Renderer::end_canvas() {
     State& s = *state_;
-    if (s.suspended.empty()) return Error{"canvas: none is being drawn into"};
+    if (s.suspended.empty()) return Error{"no canvas is being drawn into"};
     s.batch.flush();
     SuspendedTarget before = std::move(s.suspended.back());
     s.suspended.pop_back();

@@ -32,6 +32,15 @@ int character_count(std::string_view text) {
     return count;
 }
 
+bool has_broken_characters(std::string_view text) {
+    while (!text.empty()) {
+        // What it puts in place of a broken byte has three bytes where it is meant.
+        const std::size_t before = text.size();
+        if (take_character(text) == 0xfffd && before - text.size() == 1) return true;
+    }
+    return false;
+}
+
 bool has_control_characters(std::string_view text) {
     while (!text.empty()) {
         const char32_t c = take_character(text);
@@ -56,6 +65,7 @@ int stick_direction(float value, int before) {
 }  // namespace
 
 std::string missing_of_entry(std::string_view entry, int max_length) {
+    if (has_broken_characters(entry)) return "no bytes that are not UTF-8";
     if (has_control_characters(entry)) return "no control characters";
     if (character_count(entry) <= max_length) return "";
     return "at most " + std::to_string(max_length) + (max_length == 1 ? " character" : " characters");

@@ -82,6 +82,8 @@ inline constexpr int kEnd<FracturePattern> = static_cast<int>(FracturePattern::R
 template <>
 inline constexpr int kEnd<Mixing> = static_cast<int>(Mixing::Fixed) + 1;
 template <>
+inline constexpr int kEnd<JointKind> = static_cast<int>(JointKind::Filter) + 1;
+template <>
 inline constexpr int kEnd<JointSolver> = static_cast<int>(JointSolver::Direct) + 1;
 
 /// Handles without the world's tag: they are of whichever world reads them.

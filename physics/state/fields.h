@@ -271,8 +271,8 @@ template <Is<ContactHit> R, class Visit>
 
 template <Is<JointBreak> R, class Visit>
 [[gnu::always_inline]] constexpr void fields(R& r, Visit&& visit) {
-    auto& [joint, body_a, body_b, point, force, torque, user_data] = r;
-    visit(joint, body_a, body_b, point, force, torque, user_data);
+    auto& [joint, kind, body_a, body_b, point, force, torque, user_data] = r;
+    visit(joint, kind, body_a, body_b, point, force, torque, user_data);
 }
 
 /// The pieces are part of a list of all, and written as a range of that.

@@ -240,7 +240,8 @@ void break_joints(Stores& stores, StepScratch& scratch, Events& events) {
             !(std::fabs(memory.reaction_torque) > strength.break_torque_nm)) {
             continue;
         }
-        events.joint_breaks.push_back({stores.joints.slots.id(joint), stores.bodies.slots.id(record.body_a),
+        events.joint_breaks.push_back({stores.joints.slots.id(joint), kind_of(record),
+                                       stores.bodies.slots.id(record.body_a),
                                        stores.bodies.slots.id(record.body_b), anchor_b(stores.bodies, record),
                                        memory.reaction_force, memory.reaction_torque, record.user_data});
         destroy_joint(stores, joint);

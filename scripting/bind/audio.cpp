@@ -5,6 +5,7 @@
 #include "bind/fields.h"
 #include "bind/modules.h"
 #include "data/nearest.h"
+#include "data/table_writer.h"
 #include "lua/state.h"
 
 namespace cairn::scripting {
@@ -37,7 +38,7 @@ engine::AudioGroup to_group(lua_State* L, std::string_view name) {
     const std::vector<std::string>& groups = context_of(L).services.audio.groups();
     for (std::size_t i = 0; i < groups.size(); ++i)
         if (groups[i] == name) return static_cast<engine::AudioGroup>(i);
-    call_error(L, "group is \"" + std::string(name) + "\": no such group" + suggestion(name, groups));
+    call_error(L, "group is " + quote_text(name) + ": no such group" + suggestion(name, groups));
 }
 
 std::int64_t play(lua_State* L, std::string_view path, std::optional<TableArgument> options) {

@@ -9,6 +9,7 @@
 #include "bind/fields.h"
 #include "bind/modules.h"
 #include "data/nearest.h"
+#include "data/table_writer.h"
 #include "lua/errors.h"
 #include "lua/state.h"
 
@@ -152,7 +153,7 @@ int get_member(lua_State* L) {
         best_distance = distance;
     }
     if (best == nullptr) return 0;
-    raise(L, "cairn has no \"" + std::string(name) + "\"; did you mean \"" + *best + "\"?");
+    raise(L, "cairn has no " + quote_text(name) + "; did you mean \"" + *best + "\"?");
 }
 
 // ---- require

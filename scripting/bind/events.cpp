@@ -5,8 +5,10 @@
 #include <array>
 #include <string>
 
+#include "bind/joint_fields.h"
 #include "bind/physics_objects.h"
 #include "data/nearest.h"
+#include "data/table_writer.h"
 
 namespace cairn::scripting {
 namespace {
@@ -87,7 +89,7 @@ int next_event(lua_State* L) {
     }
 }
 
-/// The iterator function of breaks: (cursor, previous joint) -> joint, a, b, x, y, fx, fy, torque.
+/// The iterator function of breaks: (cursor, previous joint) -> joint, a, b, x, y, fx, fy, torque, kind.
 int next_break(lua_State* L) {
     auto* cursor = object_at<EventCursor>(L, 1);
     if (cursor == nullptr || !cursor->in_use) return 0;
@@ -102,7 +104,8 @@ int next_break(lua_State* L) {
     push_bodies(L, event);
     push_numbers(L, {event.point_m.x, event.point_m.y, static_cast<double>(event.force_n.x),
                      static_cast<double>(event.force_n.y), static_cast<double>(event.torque_nm)});
-    return 8;
+    lua_pushstring(L, fields_of(event.kind).name);
+    return 9;
 }
 
 /// The iterator function of bodies that break: (cursor, previous body) -> body, other, impulse, x, y, nx, ny,
@@ -177,7 +180,7 @@ EventCursor& push_free_cursor(lua_State* L, WorldRef world) {
         lua_pop(L, 1);
     }
     auto& cursor = new_object<EventCursor>(L, 1, &world.object, std::uint64_t{0}, EventKind::Begin,
-                                           EventKind::End, std::size_t{0}, false);
+                                           EventKind::End, std::size_t{0}, false, false);
     lua_pushvalue(L, world.index);
     lua_setiuservalue(L, -2, 1);
     lua_pushvalue(L, -1);
@@ -220,8 +223,8 @@ int push_events(lua_State* L, WorldRef world, std::optional<std::string_view> ki
         static const std::vector<std::string> kinds = {"begin", "hit", "end"};
         const auto found = std::find(kinds.begin(), kinds.end(), *kind);
         if (found == kinds.end()) {
-            call_error(L, "kind is \"" + std::string(*kind) + "\": no such kind of event" +
-                              suggestion(*kind, kinds));
+            call_error(L,
+                       "kind is " + quote_text(*kind) + ": no such kind of event" + suggestion(*kind, kinds));
         }
         first = last = static_cast<EventKind>(found - kinds.begin());
     }

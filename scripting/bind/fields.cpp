@@ -8,6 +8,7 @@
 #include "bind/function.h"
 #include "bind/object.h"
 #include "data/nearest.h"
+#include "data/printable.h"
 #include "data/table_writer.h"
 
 namespace cairn::scripting {
@@ -137,7 +138,7 @@ std::string describe_value(lua_State* L, int index) {
             std::size_t length = 0;
             const char* text = lua_tolstring(L, index, &length);
             const std::string_view all(text, length);
-            return quote_text(all.substr(0, kMaxText)) + (length > kMaxText ? "..." : "");
+            return quote_text(beginning_of(all, kMaxText)) + (length > kMaxText ? "..." : "");
         }
         case LUA_TUSERDATA:
             return std::string("a ") + object_type_name(L, index);
@@ -161,7 +162,7 @@ FieldReader::FieldReader(lua_State* L, int index, const FieldSet& set)
         for (const Field* field : fields) names.push_back(field->name);
         if (!is_name)
             call_error(L, "the key " + describe_value(L, -1) + " is not a field" + suggestion("", names));
-        call_error(L, "unknown field \"" + std::string(name) + "\"" + suggestion(name, names));
+        call_error(L, "unknown field " + quote_text(name) + suggestion(name, names));
     }
 }
 

@@ -353,7 +353,11 @@ constexpr Function kFunctions[] = {
     function<&pop>("pop", "", "", "Goes back to the transform of the last push."),
     function<&translate>("translate", "x, y", "", ""),
     function<&rotate>("rotate", "angle [rad]", "", "From the x axis towards the y axis."),
-    function<&scale>("scale", "x, y = x", "", ""),
+    function<&scale>(
+        "scale", "x, y = x", "",
+        "About (0, 0). Negative factors mirror what is drawn, pictures and texts too: `scale(-1, 1)` from "
+        "left to right, `scale(1, -1)` from top to bottom. Under a camera the letters of texts keep their "
+        "size and the way they stand."),
     function<&shear>("shear", "x, y", "", "(1, 0) goes to (1, y), and (0, 1) to (x, 1)."),
     function<&origin>("origin", "", "",
                       "Forgets the transforms since the last push: drawing is in screen pixels."),

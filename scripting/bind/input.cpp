@@ -5,6 +5,7 @@
 #include "bind/fields.h"
 #include "bind/modules.h"
 #include "data/nearest.h"
+#include "data/table_writer.h"
 #include "lua/state.h"
 
 namespace cairn::scripting {
@@ -22,8 +23,7 @@ const std::vector<std::string>& key_names() {
 
 bool is_down(lua_State* L, std::string_view name) {
     const auto key = engine::key_from_name(name);
-    if (!key)
-        call_error(L, "key is \"" + std::string(name) + "\": no such key" + suggestion(name, key_names()));
+    if (!key) call_error(L, "key is " + quote_text(name) + ": no such key" + suggestion(name, key_names()));
     return context_of(L).input.is_down(*key);
 }
 
@@ -66,7 +66,7 @@ bool is_gamepad_down(lua_State* L, GamepadNumber gamepad, std::string_view name)
         std::vector<std::string> names;
         for (int i = 0; i < engine::kGamepadButtonCount; ++i)
             names.emplace_back(engine::gamepad_button_name(static_cast<engine::GamepadButton>(i)));
-        call_error(L, "button is \"" + std::string(name) + "\": no such button" + suggestion(name, names));
+        call_error(L, "button is " + quote_text(name) + ": no such button" + suggestion(name, names));
     }
     return to_gamepad(L, gamepad).is_down(*button);
 }
@@ -135,7 +135,7 @@ void bind(lua_State* L, std::string_view action, TableArgument sources) {
 std::string_view known_action(lua_State* L, std::string_view name) {
     const engine::Actions& actions = context_of(L).actions;
     if (actions.sources(name) == nullptr)
-        call_error(L, "action is \"" + std::string(name) + "\": no such action" +
+        call_error(L, "action is " + quote_text(name) + ": no such action" +
                           suggestion(name, actions.names()) + "; bind it first");
     return name;
 }

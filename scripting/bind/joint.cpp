@@ -4,14 +4,40 @@
 #include "bind/pair_filter.h"
 #include "bind/physics_objects.h"
 #include "data/nearest.h"
+#include "data/table_writer.h"
 
 namespace cairn::scripting {
 namespace {
 
+/// Of a joint that is there, or that broke in the last step: then it is gone, but an author who reads of it
+/// wants to know.
+struct KindOf {
+    physics::JointKind kind;
+};
+
+}  // namespace
+
+template <>
+struct Argument<KindOf> {
+    static constexpr std::string_view kType = "Joint";
+    static KindOf get(lua_State* L, int index) {
+        const auto* object = object_at<JointObject>(L, index);
+        const physics::World* world = object == nullptr ? nullptr : readable_world(*object->world);
+        if (world != nullptr) {
+            for (const physics::JointBreak& event : world->joint_breaks()) {
+                if (event.joint == object->id) return {event.kind};
+            }
+        }
+        return {Argument<JointRef>::get(L, index).joint.kind()};
+    }
+};
+
+namespace {
+
 using Change = physics::Result<void>;
 
-std::string_view kind(JointRef self) {
-    return fields_of(self.joint.kind()).name;
+std::string_view kind(KindOf self) {
+    return fields_of(self.kind).name;
 }
 
 Pushed body_a(lua_State* L, JointRef self) {
@@ -61,7 +87,7 @@ Pushed parameter(lua_State* L, JointRef self, std::string_view name) {
         }
         names.emplace_back(candidate.field->name);
     }
-    call_error(L, "name is \"" + std::string(name) + "\": a " + fields.name + " joint has no such parameter" +
+    call_error(L, "name is " + quote_text(name) + ": a " + fields.name + " joint has no such parameter" +
                       suggestion(name, names));
 }
 
@@ -115,7 +141,9 @@ constexpr std::array<std::string_view, 1> kReturnsTable = {"table"};
 constexpr Function kFunctions[] = {
     function<&kind>("kind", "", "kind",
                     "\"distance\", \"revolute\", \"prismatic\", \"weld\", \"wheel\", \"motor\", "
-                    "\"mouse\", \"gear\", \"pulley\", \"friction\" or \"filter\"."),
+                    "\"mouse\", \"gear\", \"pulley\", \"friction\" or \"filter\". Of a joint that broke, "
+                    "too, until the next "
+                    "step."),
     function_pushing<&body_a>("body_a", "", "body", kReturnsBody, ""),
     function_pushing<&body_b>("body_b", "", "body", kReturnsBody, ""),
     function<&anchor_a>("anchor_a", "", "x [m], y [m]", "In the world; of a mouse joint the target."),

@@ -14,6 +14,7 @@
 #include "bind/modules.h"
 #include "bind/physics_objects.h"
 #include "data/nearest.h"
+#include "data/table_writer.h"
 #include "level/match.h"
 #include "lua/state.h"
 
@@ -88,10 +89,10 @@ Pushed load(lua_State* L, std::string_view path, std::optional<TableArgument> fi
     const TiledImport import = read_import(L, fields);
     const auto kind = context_of(L).services.files.kind(path);
     if (!kind || *kind != engine::FileKind::File)
-        call_error(L, "path is \"" + std::string(path) + "\": there is no such file");
+        call_error(L, "path is " + quote_text(path) + ": there is no such file");
     LevelReading reading = read_and_try(L, std::string(path), import);
     if (!reading.faults.empty()) raise_faults(L, reading.faults);
-    new_object<LevelObject>(L, 2, std::move(reading.level), import);
+    new_object<LevelObject>(L, 2, std::move(reading.level), import, std::vector<DecorationImage>{});
     push_living_levels(L);
     lua_pushvalue(L, -2);
     lua_rawseti(L, -2, context_of(L).levels_loaded++);
@@ -224,7 +225,7 @@ std::tuple<std::int64_t, std::int64_t> reload(lua_State* L, LevelObject* self) {
 Pushed push_named(lua_State* L, LevelObject* self, PartKind kind, std::string_view name) {
     const auto part = self->level.find(kind, name);
     if (!part) {
-        call_error(L, "name is \"" + std::string(name) + "\": the level has no such " + section_of(kind).one +
+        call_error(L, "name is " + quote_text(name) + ": the level has no such " + section_of(kind).one +
                           suggestion(name, self->level.names(kind)));
     }
     if (!push_build(L, 1)) call_error(L, "the level is not built; level:build(world) does");
@@ -276,8 +277,8 @@ std::tuple<double, double, double> spawn(lua_State* L, LevelObject* self, std::s
                 return {number_in(place, "x"), number_in(place, "y"), number_in(place, "angle")};
         }
     }
-    call_error(L, "name is \"" + std::string(wanted) + "\": the level has no such spawn" +
-                      suggestion(wanted, names));
+    call_error(L,
+               "name is " + quote_text(wanted) + ": the level has no such spawn" + suggestion(wanted, names));
 }
 
 Pushed push_section(lua_State* L, LevelObject* self, std::initializer_list<const char*> fields,
@@ -348,7 +349,7 @@ void load_images(lua_State* L, LevelObject& self) {
 
 void draw(lua_State* L, LevelObject* self, std::optional<std::string_view> layer) {
     if (layer && *layer != "back" && *layer != "front")
-        call_error(L, "layer is \"" + std::string(*layer) + "\"; expected \"back\" or \"front\"");
+        call_error(L, "layer is " + quote_text(*layer) + "; expected \"back\" or \"front\"");
     engine::Renderer& renderer = drawing_context(L).services.renderer;
     if (!self->has_images) load_images(L, *self);
     const float upright = renderer.is_y_up() ? -1.0f : 1.0f;

@@ -8,6 +8,7 @@
 
 #include "bind/fields.h"
 #include "data/nearest.h"
+#include "data/table_writer.h"
 
 namespace cairn::scripting {
 namespace {
@@ -24,8 +25,8 @@ int report_unknown_name(lua_State* L) {
         names.push_back(function.name);
     }
     const std::string_view best = nearest(name, names);
-    raise(L, std::string(module.name) + " has no \"" + name + "\"" +
-                 (best.empty() ? std::string() : "; did you mean \"" + std::string(best) + "\"?"));
+    raise(L, std::string(module.name) + " has no " + quote_text(name) +
+                 (best.empty() ? std::string() : "; did you mean " + quote_text(best) + "?"));
 }
 
 /// __newindex of objects: a field that is set would be lost. Those with `data` have their own.

@@ -12,6 +12,7 @@
 #include "bind/transforms.h"
 #include "bind/world_queries.h"
 #include "data/nearest.h"
+#include "data/table_writer.h"
 #include "lua/state.h"
 
 namespace cairn::scripting {
@@ -54,8 +55,7 @@ bool is_built_in(lua_State* L, std::string_view feature) {
         if (physics::name(candidate) == feature) return physics::is_built_in(candidate);
         names.emplace_back(physics::name(candidate));
     }
-    call_error(L,
-               "feature is \"" + std::string(feature) + "\": no such feature" + suggestion(feature, names));
+    call_error(L, "feature is " + quote_text(feature) + ": no such feature" + suggestion(feature, names));
 }
 
 constexpr std::array<std::string_view, 1> kReturnsWorld = {"World"};

@@ -7,6 +7,7 @@
 #include "bind/fields.h"
 #include "bind/modules.h"
 #include "data/nearest.h"
+#include "data/table_writer.h"
 #include "lua/state.h"
 
 namespace cairn::scripting {
@@ -152,8 +153,8 @@ Pushed atlas_quad(lua_State* L, AtlasObject*, std::string_view name) {
         names.emplace_back(lua_tostring(L, -1));
         lua_pop(L, 1);
     }
-    call_error(
-        L, "name is \"" + std::string(name) + "\": the atlas has no such picture" + suggestion(name, names));
+    call_error(L,
+               "name is " + quote_text(name) + ": the atlas has no such picture" + suggestion(name, names));
 }
 
 Pushed atlas_names(lua_State* L, AtlasObject*) {

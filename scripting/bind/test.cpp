@@ -5,6 +5,7 @@
 #include "bind/fields.h"
 #include "bind/modules.h"
 #include "bind/test_driver.h"
+#include "data/table_writer.h"
 #include "lua/errors.h"
 #include "lua/state.h"
 
@@ -20,7 +21,7 @@ TestDriver& driver(lua_State* L) {
 
 void test(lua_State* L, std::string_view name, FunctionArgument body) {
     if (driver(L).has_test(std::string(name)))
-        call_error(L, "name is \"" + std::string(name) + "\": another test of this file is called so");
+        call_error(L, "name is " + quote_text(name) + ": another test of this file is called so");
     lua_pushvalue(L, body.index);
     driver(L).add_test(L, std::string(name));
 }
@@ -174,11 +175,11 @@ void expect_near(lua_State* L, double actual, double expected, Ranged<kNotNegati
 void expect_error(lua_State* L, FunctionArgument action, std::string_view text) {
     lua_pushvalue(L, action.index);
     if (lua_pcall(L, 0, 0, 0) == LUA_OK) {
-        raise(L, "expected an error with \"" + std::string(text) + "\", but there was none");
+        raise(L, "expected an error with " + quote_text(text) + ", but there was none");
     }
     const std::string message = lua_type(L, -1) == LUA_TSTRING ? lua_tostring(L, -1) : describe_value(L, -1);
     if (message.find(text) == std::string::npos) {
-        raise(L, "expected an error with \"" + std::string(text) + "\", got \"" + message + "\"");
+        raise(L, "expected an error with " + quote_text(text) + ", got \"" + message + "\"");
     }
 }
 

@@ -11,6 +11,7 @@
 #include "bind/modules.h"
 #include "bind/tile_map_object.h"
 #include "data/nearest.h"
+#include "data/table_writer.h"
 #include "lua/state.h"
 
 namespace cairn::scripting {
@@ -120,7 +121,7 @@ MapLayer& find_layer(lua_State* L, TileMapObject* self, std::string_view name, M
         if (layer.name == name) return layer;
         names.push_back(layer.name);
     }
-    call_error(L, "layer is \"" + std::string(name) + "\": no such layer of " +
+    call_error(L, "layer is " + quote_text(name) + ": no such layer of " +
                       (kind == MapLayer::Kind::Tiles ? "tiles" : "objects") + suggestion(name, names));
 }
 
@@ -289,7 +290,8 @@ void push_map_object(lua_State* L, const TileMapObject& self, const MapObject& o
     };
     Vec2 center = place(object.size * 0.5f);
     if (object.shape == engine::MapShape::Tile) {  // stands upright
-        const Vec2 middle = {is_isometric ? 0 : 0.5f * object.size.x, -0.5f * object.size.y};
+        const Vec2 middle = {(0.5f - object.anchor.x) * object.size.x,
+                             (0.5f - object.anchor.y) * object.size.y};
         center = self.to_units(position + engine::Affine2::rotation(object.rotation_rad).apply(middle));
     }
     lua_createtable(L, 0, 12);
@@ -345,7 +347,7 @@ void draw(lua_State* L, TileMapObject* self, std::optional<std::string_view> nam
     if (!name || self->map.layer(*name) != nullptr) return;
     std::vector<std::string> names;
     for (const MapLayer& layer : self->map.layers) names.push_back(layer.name);
-    call_error(L, "layer is \"" + std::string(*name) + "\": no such layer" + suggestion(*name, names));
+    call_error(L, "layer is " + quote_text(*name) + ": no such layer" + suggestion(*name, names));
 }
 
 constexpr std::array<std::string_view, 1> kReturnsMap = {"TileMap"};
@@ -402,7 +404,9 @@ constexpr Function kMethods[] = {
                                "\"point\", \"polygon\", \"polyline\", "
                                "\"tile\" or \"text\"), x, y (the middle), width, height, angle, visible, "
                                "properties, points, tile, text. A rectangle on an isometric map is a "
-                               "parallelogram, with its corners as points."),
+                               "parallelogram, with its corners as points. A tile without a width or a "
+                               "height has that of its set, and the set's object alignment says where it "
+                               "stands, as in the editor."),
 };
 
 }  // namespace

@@ -33,24 +33,27 @@ class TileMesh {
 
     /// A tile in its own size, whose bottom left lies at a place of the map, in pixels.
     void add(const Tile& tile, Vec2 bottom_left) {
-        const engine::Size size = set_of(tile).tile_size;
-        const auto width = static_cast<float>(size.width);
-        const auto height = static_cast<float>(size.height);
+        const engine::TileSet& set = set_of(tile);
+        const auto width = static_cast<float>(set.tile_size.width);
+        const auto height = static_cast<float>(set.tile_size.height);
+        bottom_left = bottom_left + set.tile_offset;
         add(tile, {bottom_left + Vec2{0, -height}, bottom_left + Vec2{width, -height},
                    bottom_left + Vec2{width, 0}, bottom_left});
     }
-    /// An object that is a tile: in its own size, turned about its place.
+    /// An object that is a tile: in the size of the object, turned about its place.
     void add(const MapObject& object, Vec2 offset) {
-        Vec2 size = object.size;
-        const engine::Size own = set_of(object.tile).tile_size;
-        if (size.x == 0) size.x = static_cast<float>(own.width);
-        if (size.y == 0) size.y = static_cast<float>(own.height);
-        const float left = map_.map.grid == engine::MapGrid::Isometric ? -0.5f * size.x : 0;
+        const Vec2 size = object.size;
+        const engine::TileSet& set = set_of(object.tile);
+        const Vec2 stretch = {size.x / static_cast<float>(set.tile_size.width),
+                              size.y / static_cast<float>(set.tile_size.height)};
+        const Vec2 low = {-object.anchor.x * size.x + set.tile_offset.x * stretch.x,
+                          -object.anchor.y * size.y + set.tile_offset.y * stretch.y};
+        const Vec2 high = low + size;
         const engine::Affine2 turned =
             engine::Affine2::translation(map_.map.from_object(object.position) + offset) *
             engine::Affine2::rotation(object.rotation_rad);
-        add(object.tile, {turned.apply({left, -size.y}), turned.apply({left + size.x, -size.y}),
-                          turned.apply({left + size.x, 0}), turned.apply({left, 0})});
+        add(object.tile, {turned.apply(low), turned.apply({high.x, low.y}), turned.apply(high),
+                          turned.apply({low.x, high.y})});
     }
 
   private:
@@ -136,12 +139,18 @@ CellRange visible_cells(const View& view, const TileMapObject& map, Vec2 offset)
     Vec2 low = view.low - offset;
     Vec2 high = view.high - offset;
     engine::Size largest = map.map.tile_size;
-    for (const engine::TileSet& set : map.map.sets)
+    Vec2 least_offset, greatest_offset;
+    for (const engine::TileSet& set : map.map.sets) {
         largest = {std::max(largest.width, set.tile_size.width),
                    std::max(largest.height, set.tile_size.height)};
+        const Vec2 offset_of_set = set.tile_offset;
+        least_offset = {std::min(least_offset.x, offset_of_set.x), std::min(least_offset.y, offset_of_set.y)};
+        greatest_offset = {std::max(greatest_offset.x, offset_of_set.x),
+                           std::max(greatest_offset.y, offset_of_set.y)};
+    }
     // The picture, and what tiles may reach into it from below and from the left, as a part of the grid.
-    low.x -= static_cast<float>(largest.width);
-    high.y += static_cast<float>(largest.height);
+    low = low - greatest_offset - Vec2{static_cast<float>(largest.width), 0};
+    high = high - least_offset + Vec2{0, static_cast<float>(largest.height)};
     const auto cell = [](float place, int count) {
         return static_cast<int>(std::clamp(std::floor(place), -1.0f, static_cast<float>(count)));
     };

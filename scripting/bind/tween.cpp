@@ -7,6 +7,7 @@
 #include "bind/fields.h"
 #include "bind/modules.h"
 #include "bind/timers.h"
+#include "data/table_writer.h"
 #include "lua/state.h"
 
 namespace cairn::scripting {
@@ -145,7 +146,7 @@ void cancel_all(lua_State* L, TableArgument target) {
 
 double ease_value(lua_State* L, std::string_view name, double t) {
     const auto ease = ease_from_name(name);
-    if (!ease) call_error(L, "name is \"" + std::string(name) + "\": " + no_such_ease(name));
+    if (!ease) call_error(L, "name is " + quote_text(name) + ": " + no_such_ease(name));
     return eased(*ease, t);
 }
 

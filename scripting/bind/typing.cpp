@@ -1,4 +1,4 @@
-// Keys and text on their way into fields of menus.
+// Keys, text and buttons on their way into fields of menus.
 #include "bind/typing.h"
 
 #include <algorithm>
@@ -60,14 +60,35 @@ bool Typing::takes_key(const InputEvent& event, const engine::InputState& state,
     return true;
 }
 
+bool Typing::takes_button(const InputEvent& event, const engine::InputState& state, bool is_typed) {
+    if (event.number < 1 || event.number > engine::kMaxGamepads) return is_typed;
+    auto& buttons = buttons_[static_cast<std::size_t>(event.number - 1)];
+    const auto button = static_cast<std::size_t>(event.gamepad_button);
+    if (event.kind == InputKind::GamepadReleased) {
+        const bool was_typed = buttons[button];
+        buttons.reset(button);
+        return was_typed;
+    }
+    buttons[button] = is_typed && !state.gamepad(event.number).is_down(event.gamepad_button);
+    return is_typed;
+}
+
 bool Typing::takes(const InputEvent& event, const engine::InputState& state) {
     const Ui* field = typed_into();
     const bool is_key = event.kind == InputKind::KeyPressed || event.kind == InputKind::KeyReleased;
+    const bool is_button =
+        event.kind == InputKind::GamepadPressed || event.kind == InputKind::GamepadReleased;
     const bool is_typed =
-        field != nullptr && (event.kind == InputKind::KeyPressed || event.kind == InputKind::TextEntered);
+        field != nullptr && (event.kind == InputKind::KeyPressed || event.kind == InputKind::TextEntered ||
+                             event.kind == InputKind::GamepadPressed);
     owners_.push_back(is_typed ? field : nullptr);
     for (std::size_t i = 0; i < later_.size(); ++i)
         if (!is_typed || menus_[i].ui == field) later_[i].apply(event);
+    // Its buttons never go up: another that gets its number begins with none.
+    if (event.kind == InputKind::GamepadDisconnected && event.number >= 1 &&
+        event.number <= engine::kMaxGamepads)
+        buttons_[static_cast<std::size_t>(event.number - 1)].reset();
+    if (is_button) return takes_button(event, state, is_typed);
     return is_key ? takes_key(event, state, is_typed) : is_typed;
 }
 

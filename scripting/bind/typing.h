@@ -1,8 +1,10 @@
-// Which events go into a field of a menu that is being typed into, and so not to the game. Invariant: the
-// game sees both ends of a key or neither: of each that it has seen go down it sees the release, and of one
-// that went into a field nothing.
+// Which events go into a field of a menu that is being typed into, and so not to the game: keys, texts and
+// the buttons of gamepads. Sticks go to both: a field does not use them. Invariant: the game sees both ends
+// of a key or button or neither: of each that it has seen go down it sees the release, and of one that went
+// into a field nothing.
 #pragma once
 
+#include <array>
 #include <bitset>
 #include <cstddef>
 #include <lua.hpp>
@@ -38,12 +40,15 @@ class Typing {
     };
     [[nodiscard]] const engine::Ui* typed_into() const;
     bool takes_key(const engine::InputEvent& event, const engine::InputState& state, bool is_typed);
+    bool takes_button(const engine::InputEvent& event, const engine::InputState& state, bool is_typed);
 
     std::vector<Menu> followed_;     ///< since this update
     std::vector<Menu> menus_;        ///< since the last one
     std::vector<engine::Ui> later_;  ///< what each of those is after the events so far; empty without events
     std::vector<const engine::Ui*> owners_;  ///< of the events of this update so far; null: everybody
-    std::bitset<engine::kKeyCount> keys_;    ///< that went down in a field and have not gone up
+    // What went down in a field and has not gone up.
+    std::bitset<engine::kKeyCount> keys_;
+    std::array<std::bitset<engine::kGamepadButtonCount>, engine::kMaxGamepads> buttons_;  ///< number - 1
 };
 
 }  // namespace cairn::scripting

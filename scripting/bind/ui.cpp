@@ -9,6 +9,7 @@
 #include "bind/fields.h"
 #include "bind/graphics_objects.h"
 #include "bind/modules.h"
+#include "data/table_writer.h"
 #include "lua/state.h"
 
 namespace cairn::scripting {
@@ -262,9 +263,9 @@ int to_place(lua_State* L, const UiObject& self, std::int64_t number) {
     return static_cast<int>(number - 1);
 }
 
-/// "widget 3 \"Volume\"", for messages.
+/// `widget 3 "Volume"`, for messages.
 std::string widget_name(int place, const Widget& widget) {
-    return "widget " + std::to_string(place + 1) + " \"" + widget.text + '"';
+    return "widget " + std::to_string(place + 1) + ' ' + quote_text(widget.text);
 }
 
 /// Pushes what a widget is set to, as its `changed` gets it, and gives the number of values.
@@ -429,9 +430,10 @@ constexpr Function kMethods[] = {
     function<&add_text>(
         "add_text", "fields", "widget",
         "Adds a field that text is typed into while it is open: return, space, a click or the "
-        "gamepad's \"a\" opens it; return, escape, tab or a click elsewhere closes it. All keys and "
-        "texts meanwhile go into it alone: neither callbacks, `cairn.input` and actions nor other "
-        "menus get them. Releases of keys that were held before still come.",
+        "gamepad's \"a\" opens it; return, escape, tab, a click elsewhere or \"a\" and \"b\" close it. "
+        "All keys, texts and buttons of gamepads meanwhile go into it alone: neither callbacks, "
+        "`cairn.input` and actions nor other menus get them. Sticks still move, and releases of what was "
+        "held before still come.",
         &kTextFields),
     function<&update>(
         "update", "", "",
@@ -448,8 +450,9 @@ constexpr Function kMethods[] = {
     function<&set_title>("set_title", "title", "", ""),
     function<&focus>("focus", "", "widget", "The one that keys and gamepads act on; 0: none."),
     function<&set_focus>("set_focus", "widget", "", "Of a label or a disabled widget it is an error."),
-    function<&is_typing>("is_typing", "", "typing",
-                         "Whether a text field of it is open, so that keys go there and not to the game."),
+    function<&is_typing>(
+        "is_typing", "", "typing",
+        "Whether a text field of it is open, so that keys and buttons go there and not to the game."),
     function<&clear>("clear", "", "", "Takes all widgets out."),
 };
 

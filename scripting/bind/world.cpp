@@ -171,7 +171,7 @@ bool is_valid(Maybe<WorldObject> self) {
 constexpr std::array<std::string_view, 1> kReturnsIterator = {
     "fun(): string, Body, Body, number, number, number, number, number, number, Shape?, Shape?"};
 constexpr std::array<std::string_view, 1> kReturnsBreakIterator = {
-    "fun(): Joint, Body, Body, number, number, number, number, number"};
+    "fun(): Joint, Body, Body, number, number, number, number, number, string"};
 constexpr std::array<std::string_view, 1> kReturnsBodyBreakIterator = {
     "fun(): Body, Body, number, number, number, number, number, number, table"};
 constexpr std::array<std::string_view, 1> kReturnsSensorIterator = {
@@ -279,10 +279,11 @@ constexpr Function kWorldFunctions[] = {
     function_pushing<&joint_breaks>(
         "joint_breaks", "", "iterator", kReturnsBreakIterator,
         "Iterates over the joints that the last step loaded beyond their strength: `for joint, a, b, x, y, "
-        "fx, fy, torque in world:joint_breaks() do`. The joint is gone, and its value is still the one that "
+        "fx, fy, torque, kind in world:joint_breaks() do`. The joint is gone, and its value is still the one "
+        "that "
         "`add_..._joint` returned, with its `data`; `a` and `b` are its bodies, `x, y` the anchor on b (m), "
         "`fx, fy` (N) and "
-        "`torque` (N m) what it did to b, as the mean over the step."),
+        "`torque` (N m) what it did to b, as the mean over the step, `kind` what `joint:kind()` says."),
     function_pushing<&breaks>(
         "breaks", "", "iterator", kReturnsBodyBreakIterator,
         "Iterates over the breakable bodies on which something pressed harder in the last step than they "

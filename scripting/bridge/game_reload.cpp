@@ -3,8 +3,11 @@
 // the new scripts alone.
 #include <utility>
 
+#include <cairn/engine/log.h>
+
 #include "bind/callbacks.h"
 #include "bind/core.h"
+#include "bind/fields.h"
 #include "bridge/game.h"
 
 namespace cairn::scripting {
@@ -71,6 +74,12 @@ Game::Reloaded Game::reload(const std::string& main_path, const std::vector<std:
             lua_rawgeti(L, LUA_REGISTRYINDEX, kept_);
             error = protected_call(L, 1, 0);
         } else {
+            lua_rawgeti(L, LUA_REGISTRYINDEX, kept_);
+            if (!lua_isnil(L, -1)) {
+                engine::log(engine::LogLevel::Warning,
+                            "what cairn.before_reload returned, " + describe_value(L, -1) +
+                                ", is lost: the new scripts have no cairn.after_reload(kept)");
+            }
             error = call_load(arguments);
         }
     }

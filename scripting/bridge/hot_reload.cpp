@@ -135,6 +135,12 @@ HotReload::Outcome HotReload::take_in(Game& game, bool has_failed) {
                     "the game starts anew, because cairn.before_reload failed: " + reloaded.error->message);
         return {.error = std::nullopt, .wants_restart = true, .keeps_the_game = false};
     }
+    if (reloaded.is_unchanged) {
+        engine::log(
+            engine::LogLevel::Warning,
+            "nothing of the game can be kept, because cairn.before_reload failed: it starts anew with "
+            "the next save");
+    }
     return {.error = std::move(reloaded.error), .wants_restart = false, .keeps_the_game = false};
 }
 

@@ -9,7 +9,7 @@
 #include "bind/module.h"
 #include "bridge/conf.h"
 #include "bridge/field_table.h"
-#include "data/nearest.h"
+#include "bridge/reference_parts.h"
 
 namespace cairn::scripting {
 namespace {
@@ -46,16 +46,6 @@ are found. `print` writes to standard output. `tostring` and `string.format` sho
 draws from the gameplay stream (see cairn.random). The operator `^` is the C library's `pow`, whose last bit may differ
 between machines for exponents other than 2: gameplay takes `math.pow` or products.
 )";
-
-/// "world:step" or "cairn.audio.play": as a script writes it.
-std::string call_text(const Function& function, const Module& module) {
-    std::string text(module.is_type ? "" : module.name);
-    if (module.is_type) {
-        text = module.name;
-        text[0] = static_cast<char>(text[0] + ('a' - 'A'));
-    }
-    return text + (module.is_type ? ':' : '.') + function.name;
-}
 
 /// "(x, y, angle = 0)"; a table with described fields is "{...}".
 std::string parameter_list(const Function& function) {
@@ -117,7 +107,17 @@ std::string ranges(const Function& function, const Module& module) {
     return text;
 }
 
-/// "world:step(dt)", with its results.
+}  // namespace
+
+std::string call_text(const Function& function, const Module& module) {
+    std::string text(module.is_type ? "" : module.name);
+    if (module.is_type) {
+        text = module.name;
+        text[0] = static_cast<char>(text[0] + ('a' - 'A'));
+    }
+    return text + (module.is_type ? ':' : '.') + function.name;
+}
+
 std::string signature(const Function& function, const Module& module) {
     const std::string results = result_list(function);
     return call_text(function, module) + parameter_list(function) + (results.empty() ? "" : " -> " + results);
@@ -155,90 +155,7 @@ void write_conf(std::string& out) {
            field_table(conf_fields());
 }
 
-// ---- One name
-
-constexpr std::string_view kGlobal = "cairn.";
-
-/// In lower case and without what an author may write or leave out: "World:step()" and "cairn.audio.play"
-/// become "world:step" and "audio.play".
-std::string plain_name(std::string_view name) {
-    std::string plain;
-    for (const char c : name.substr(0, name.find('(')))
-        plain += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    return plain.starts_with(kGlobal) ? plain.substr(kGlobal.size()) : plain;
-}
-
-/// "world:step", for a function.
-std::string plain_name(const Function& function, const Module& module) {
-    return plain_name(call_text(function, module));
-}
-
-void write_summary(const Module& module, std::string& out) {
-    out += std::string("## ") + module.name + "\n\n" + module.doc + "\n\n";
-    for (const Function& function : module.functions) out += "    " + signature(function, module) + '\n';
-}
-
-/// What is found under a name, and all names that there are.
-struct Search {
-    std::string wanted;
-    std::vector<std::string> names = {};
-    std::string found = {};
-
-    bool is(const std::string& name) {
-        names.push_back(name);
-        return name == wanted;
-    }
-};
-
-void search_parts(Search& search) {
-    for (const Module* module : all_modules())
-        if (search.is(plain_name(module->name))) write_summary(*module, search.found);
-    if (search.is("callbacks")) write_callbacks(search.found);
-    if (search.is("conf.lua")) write_conf(search.found);
-}
-
-void search_given(Search& search) {
-    for (const Callback& callback : callbacks()) {
-        if (search.is(callback.name))
-            search.found += "\n### `" + signature(callback) + "`\n\nA callback: " + callback.doc + ".\n";
-    }
-    for (const Field* field : conf_fields()) {
-        if (search.is(field->name))
-            search.found +=
-                std::string("\n### `") + field->name + "` in conf.lua\n" + field_table({&field, 1});
-    }
-}
-
-/// Functions by their whole names, or also by their own alone.
-void search_functions(Search& search, bool by_own_name) {
-    for (const Module* module : all_modules()) {
-        for (const Function& function : module->functions) {
-            const bool is_it = search.is(plain_name(function, *module));
-            if (is_it || (by_own_name && function.name == search.wanted))
-                write_function(function, *module, search.found);
-        }
-    }
-}
-
-/// Those with the words of what is wanted among theirs: "world:add_wheel_joint" for "wheel". Not those that
-/// are called just so.
-std::string related_names(const Search& search) {
-    constexpr int kMost = 12;
-    const auto words = [](std::string name) {
-        std::replace_if(
-            name.begin(), name.end(), [](char c) { return c == '.' || c == ':'; }, '_');
-        return '_' + name + '_';
-    };
-    const std::string wanted = words(search.wanted);
-    std::string text;
-    int count = 0;
-    for (const std::string& name : search.names) {
-        const std::string own = words(name.substr(name.find_first_of(".:") + 1));  // all of it without one
-        if (own == wanted || own.find(wanted) == std::string::npos || ++count > kMost) continue;
-        text += (text.empty() ? "" : ", ") + name;
-    }
-    return text + (count > kMost ? ", ..." : "");
-}
+namespace {
 
 // ---- Annotations
 
@@ -305,27 +222,6 @@ std::string reference_markdown() {
         for (const Function& function : module->functions) write_function(function, *module, out);
     }
     return out + kStandardLibrary;
-}
-
-engine::Result<std::string> reference_of(std::string_view name) {
-    Search search{.wanted = plain_name(name)};
-    search_parts(search);
-    const bool is_part = !search.found.empty();
-    search_given(search);
-    // "update" is also what cameras have of that name, "cairn.update" is the callback alone.
-    const bool is_callback_alone = name.starts_with(kGlobal) && is_callback(search.wanted);
-    search_functions(search, !is_part && !is_callback_alone);
-    const std::string related = related_names(search);
-    if (search.found.empty()) {
-        for (const Module* module : all_modules())
-            for (const Function& function : module->functions) search.names.emplace_back(function.name);
-        const std::string_view best = nearest(search.wanted, search.names);
-        return engine::Error{"the reference has nothing that is called \"" + std::string(name) + '"' +
-                             (best.empty() ? "" : "; did you mean \"" + std::string(best) + "\"?") +
-                             (related.empty() ? "" : "; see also " + related)};
-    }
-    if (!is_part && !related.empty()) search.found += "\nSee also " + related + ".\n";
-    return search.found.substr(search.found.find_first_not_of('\n'));
 }
 
 std::string editor_annotations() {

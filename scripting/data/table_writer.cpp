@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <limits>
 
+#include "data/printable.h"
+
 namespace cairn::scripting {
 namespace {
 
@@ -99,19 +101,21 @@ void write(const Value& value, std::size_t depth, std::string& out) {
 
 std::string quote_text(std::string_view text) {
     std::string out = "\"";
-    for (const char c : text) {
-        const auto byte = static_cast<unsigned char>(c);
-        if (c == '"' || c == '\\') {
+    while (!text.empty()) {
+        const ShownCharacter c = take_shown(text);
+        if (c.bytes == "\"" || c.bytes == "\\") {
             out += '\\';
-            out += c;
-        } else if (c == '\n') {
+            out += c.bytes;
+        } else if (c.bytes == "\n") {
             out += "\\n";
-        } else if (byte < 0x20 || byte == 0x7f) {
-            char escape[8];
-            std::snprintf(escape, sizeof escape, "\\%03d", byte);
-            out += escape;
+        } else if (c.is_printable) {
+            out += c.bytes;
         } else {
-            out += c;
+            for (const char byte : c.bytes) {
+                char escape[8];
+                std::snprintf(escape, sizeof escape, "\\%03d", static_cast<unsigned char>(byte));
+                out += escape;
+            }
         }
     }
     return out + '"';

@@ -143,14 +143,14 @@ class Reader {
         }
     }
 
-    /// By its header; `cairn check` reads the rest of each picture too.
+    /// By its header and its end; `cairn check` reads the rest of each picture too.
     [[nodiscard]] std::string fault_of_picture(const std::string& path) const {
         const auto kind = files_.kind(path);
         if (!kind) return "there is no such file";
         if (*kind == engine::FileKind::Folder) return "is a folder, and must be a picture";
         const auto bytes = files_.read_bytes(path);
         if (!bytes) return bytes.error().message;
-        const auto size = engine::read_image_size(*bytes, path);
+        const auto size = engine::check_image(*bytes, path);
         return size ? "" : "must be a picture: " + size.error().message;
     }
 

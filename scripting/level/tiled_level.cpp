@@ -351,8 +351,8 @@ class MapReader {
 
     /// Tiled turns an object about its position; what is made is placed by its middle.
     void set_middle(Value& table, const MapObject& object) const {
-        Vec2 middle = object.size * 0.5f;
-        if (object.shape == MapShape::Tile) middle.y = -middle.y;
+        const Vec2 middle = {(0.5f - object.anchor.x) * object.size.x,
+                             (0.5f - object.anchor.y) * object.size.y};
         const engine::Affine2 turn =
             engine::Affine2::translation(object.position) * engine::Affine2::rotation(object.rotation_rad);
         set_place(table, object, turn.apply(middle), {"width", "height", "rotation"});

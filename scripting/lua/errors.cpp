@@ -1,9 +1,11 @@
 // The message handler runs where the error happened, so that the traceback still shows the calls.
 #include "lua/errors.h"
 
+#include <cstdio>
 #include <cstdlib>
 #include <utility>
 
+#include "data/printable.h"
 #include "data/source_text.h"
 #include "lua/sandbox.h"
 #include "lua/state.h"
@@ -170,9 +172,34 @@ std::optional<ScriptError> load_text(lua_State* L, const std::string& text, cons
     return error;
 }
 
+namespace {
+
+/// Pushes a text whose control characters but ends of lines are escaped, as are bytes that are no UTF-8: a
+/// message may quote what anybody gave, and a terminal would obey it. Keeps nothing of its own that an error
+/// would leave behind.
+void push_printable(lua_State* L, std::string_view text) {
+    luaL_Buffer out;
+    luaL_buffinit(L, &out);
+    while (!text.empty()) {
+        const ShownCharacter c = take_shown(text);
+        if (c.is_printable || c.bytes == "\n" || c.bytes == "\t") {
+            luaL_addlstring(&out, c.bytes.data(), c.bytes.size());
+            continue;
+        }
+        for (const char byte : c.bytes) {
+            char escape[8];
+            std::snprintf(escape, sizeof escape, "\\%03d", static_cast<unsigned char>(byte));
+            luaL_addstring(&out, escape);
+        }
+    }
+    luaL_pushresult(&out);
+}
+
+}  // namespace
+
 void raise(lua_State* L, const std::string& message) {
     luaL_where(L, 1);
-    lua_pushlstring(L, message.data(), message.size());
+    push_printable(L, message);
     lua_concat(L, 2);
     lua_error(L);
     std::abort();  // lua_error never returns; its declaration does not say so

@@ -669,8 +669,8 @@ function World:destroy_bodies(bodies) end
 ---@return Body body
 function World:ground() end
 
----Iterates over the joints that the last step loaded beyond their strength: `for joint, a, b, x, y, fx, fy, torque in world:joint_breaks() do`. The joint is gone, and its value is still the one that `add_..._joint` returned, with its `data`; `a` and `b` are its bodies, `x, y` the anchor on b (m), `fx, fy` (N) and `torque` (N m) what it did to b, as the mean over the step.
----@return fun(): Joint, Body, Body, number, number, number, number, number iterator
+---Iterates over the joints that the last step loaded beyond their strength: `for joint, a, b, x, y, fx, fy, torque, kind in world:joint_breaks() do`. The joint is gone, and its value is still the one that `add_..._joint` returned, with its `data`; `a` and `b` are its bodies, `x, y` the anchor on b (m), `fx, fy` (N) and `torque` (N m) what it did to b, as the mean over the step, `kind` what `joint:kind()` says.
+---@return fun(): Joint, Body, Body, number, number, number, number, number, string iterator
 function World:joint_breaks() end
 
 ---Iterates over the breakable bodies on which something pressed harder in the last step than they withstand: `for body, other, impulse, x, y, nx, ny, speed, pieces in world:breaks() do`. `other` is what pressed, `impulse` (N s) how hard, `x, y` where, `nx, ny` the unit normal into the body, `speed` (m/s) how fast they met, `pieces` a list of the bodies into which the step broke it; it is empty when it was not automatic or too small to break.
@@ -1551,7 +1551,7 @@ function Chain:is_valid() end
 ---@field data table
 local Joint = {}
 
----"distance", "revolute", "prismatic", "weld", "wheel", "motor", "mouse", "gear", "pulley", "friction" or "filter".
+---"distance", "revolute", "prismatic", "weld", "wheel", "motor", "mouse", "gear", "pulley", "friction" or "filter". Of a joint that broke, too, until the next step.
 ---@return string kind
 function Joint:kind() end
 
@@ -2305,6 +2305,7 @@ function cairn.graphics.translate(x, y) end
 ---@param angle number [rad]
 function cairn.graphics.rotate(angle) end
 
+---About (0, 0). Negative factors mirror what is drawn, pictures and texts too: `scale(-1, 1)` from left to right, `scale(1, -1)` from top to bottom. Under a camera the letters of texts keep their size and the way they stand.
 ---@param x number
 ---@param y number?
 function cairn.graphics.scale(x, y) end
@@ -2798,7 +2799,7 @@ function TileMap:cell_center(column, row) end
 ---@return table rectangles
 function TileMap:solids(layer, property) end
 
----A new list of tables: id, name, class, shape ("rectangle", "ellipse", "point", "polygon", "polyline", "tile" or "text"), x, y (the middle), width, height, angle, visible, properties, points, tile, text. A rectangle on an isometric map is a parallelogram, with its corners as points.
+---A new list of tables: id, name, class, shape ("rectangle", "ellipse", "point", "polygon", "polyline", "tile" or "text"), x, y (the middle), width, height, angle, visible, properties, points, tile, text. A rectangle on an isometric map is a parallelogram, with its corners as points. A tile without a width or a height has that of its set, and the set's object alignment says where it stands, as in the editor.
 ---@param layer string?
 ---@return table objects
 function TileMap:objects(layer) end
@@ -2892,7 +2893,7 @@ function Ui:add_choice(fields) end
 ---@field enabled? boolean whether it can be used
 ---@field same_row? boolean stands beside the widget before it
 
----Adds a field that text is typed into while it is open: return, space, a click or the gamepad's "a" opens it; return, escape, tab or a click elsewhere closes it. All keys and texts meanwhile go into it alone: neither callbacks, `cairn.input` and actions nor other menus get them. Releases of keys that were held before still come.
+---Adds a field that text is typed into while it is open: return, space, a click or the gamepad's "a" opens it; return, escape, tab, a click elsewhere or "a" and "b" close it. All keys, texts and buttons of gamepads meanwhile go into it alone: neither callbacks, `cairn.input` and actions nor other menus get them. Sticks still move, and releases of what was held before still come.
 ---@param fields Ui.add_text.Fields
 ---@return integer widget
 function Ui:add_text(fields) end
@@ -2933,7 +2934,7 @@ function Ui:focus() end
 ---@param widget integer
 function Ui:set_focus(widget) end
 
----Whether a text field of it is open, so that keys go there and not to the game.
+---Whether a text field of it is open, so that keys and buttons go there and not to the game.
 ---@return boolean typing
 function Ui:is_typing() end
 

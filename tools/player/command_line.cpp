@@ -223,7 +223,7 @@ ParsedLine parse_command_line(int argc, char** argv, bool can_launch) {
     bool wants_types = false;
     std::string help_topic;
     help_command->add_option("TOPIC", help_topic,
-                             "a command, or a name of the Lua API: world:step, audio, Body, play");
+                             "a command, or a name of the Lua API: world:step, audio, Body, play, density");
     help_command->add_flag("--reference", wants_reference, "print the Lua reference in Markdown");
     help_command->add_flag("--levels", wants_levels, "print the format of levels in Markdown");
     help_command->add_flag("--types", wants_types, "print annotations for the Lua language server");

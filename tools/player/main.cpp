@@ -75,7 +75,8 @@ int run(const CommandLine& line, const std::string& program_path) {
         case Command::New: {
             if (const auto made = cairn::player::new_game(line.target); !made)
                 return fail(made.error().message);
-            std::printf("%s is ready: cairn play %s\n", line.target.c_str(), line.target.c_str());
+            std::printf("%s is ready: cairn play %s\n", line.target.c_str(),
+                        cairn::player::shell_word(line.target).c_str());
             return 0;
         }
         case Command::Play:

@@ -1,7 +1,9 @@
 // The starter: short enough to be read at once, and moving from the first second.
 #include "new_game.h"
 
+#include <algorithm>
 #include <filesystem>
+#include <string_view>
 #include <vector>
 
 #include <cairn/engine/native_file.h>
@@ -112,11 +114,37 @@ test.test("what is hit hard flashes", function()
     test.expect(test.run_until(flashes, 120), "nothing has flashed in two seconds")
 end)
 
+test.test("the pile stands still", function()
+    test.start{}
+    test.run(1)
+    local places = {}
+    for i, body in ipairs(world:bodies()) do places[i] = { body:position() } end
+    test.run(120)
+    for i, body in ipairs(world:bodies()) do
+        local x, y = body:position()
+        test.expect_near(x, places[i][1], 0.05)
+        test.expect_near(y, places[i][2], 0.05)
+    end
+end)
+
+test.test("a crate that is lifted falls back", function()
+    test.start{}
+    test.run(1)
+    local bodies = world:bodies()
+    local crate = bodies[#bodies]
+    local x, y = crate:position()
+    crate:set_position(x, y + 2)
+    test.run(90)
+    test.expect_near(select(2, crate:position()), y, 0.1)
+end)
+
 test.test("R starts again", function()
     local before = throw()
+    local old_world = world
     test.press("r")
     test.run(1)
     test.expect_equal(world:body_count(), before)
+    test.expect(not old_world:is_valid(), "the world of before is still there")
 end)
 )";
 
@@ -190,6 +218,18 @@ engine::Result<void> new_game(const std::string& folder) {
     if (auto made = starter.make_file(root / "tests" / "throw.lua", kTest); !made) return made;
     starter.keep();
     return {};
+}
+
+std::string shell_word(const std::string& path) {
+    const std::string named = path.starts_with('-') ? "./" + path : path;  // no option
+    const auto is_plain = [](char c) {
+        const bool is_letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+        return is_letter || std::string_view("_-./,:@%+=").find(c) != std::string_view::npos;
+    };
+    if (!named.empty() && std::all_of(named.begin(), named.end(), is_plain)) return named;
+    std::string quoted = "'";
+    for (const char c : named) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return quoted + '\'';
 }
 
 }  // namespace cairn::player

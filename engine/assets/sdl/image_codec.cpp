@@ -1,5 +1,5 @@
-// Decodes JPEG and encodes PNG with SDL2_image. Invariant: the header is checked before a decoder sees the
-// file, so only PNG and JPEG of a sane size reach one.
+// Decodes JPEG and encodes PNG with SDL2_image. Invariant: header and end are checked before a decoder sees
+// the file, so only whole PNG and JPEG of a sane size reach one.
 #include <SDL.h>
 #include <SDL_image.h>
 #include <cassert>
@@ -9,7 +9,6 @@
 #include <cairn/engine/image.h>
 #include <cairn/engine/native_file.h>
 
-#include "assets/jpeg_end.h"
 #include "assets/png_decoder.h"
 
 namespace cairn::engine {
@@ -74,10 +73,9 @@ const std::uint8_t* Image::pixel(int x, int y) const {
 }
 
 Result<Image> decode_image(std::span<const std::byte> file, std::string_view name) {
-    const Result<Size> stated = read_image_size(file, name);
+    const Result<Size> stated = check_image(file, name);
     if (!stated) return stated.error();
     if (is_png(file)) return decode_png(file, *stated, name);
-    if (!reaches_end_of_jpeg(file)) return image_error(name, "is damaged: it ends in the middle");
     SDL_RWops* stream = SDL_RWFromConstMem(file.data(), static_cast<int>(file.size()));
     if (!stream) return image_error(name, SDL_GetError());
     const Surface decoded(IMG_Load_RW(stream, /*freesrc=*/1));

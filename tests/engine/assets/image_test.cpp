@@ -175,6 +175,25 @@ TEST_CASE("a JPEG that ends in the middle is an error, and what stands behind it
     CHECK(decode_image(jpeg, "a.jpg"));
 }
 
+TEST_CASE("that a PNG is cut short is found without decoding it, and told as by decoding it") {
+    auto png = png_of(gradient(16, 16));
+    REQUIRE(check_image(png, "a.png"));
+    CHECK(*check_image(png, "a.png") == Size{16, 16});
+    for (std::size_t length = 0; length < png.size(); ++length) {
+        INFO("the first " << length << " of " << png.size() << " bytes");
+        const auto part = std::span(png).first(length);
+        CHECK_THAT(error_of(check_image(part, "cut.png")), Catch::StartsWith("image 'cut.png': "));
+        CHECK(error_of(check_image(part, "cut.png")) == error_of(decode_image(part, "cut.png")));
+    }
+    CHECK(error_of(check_image(std::span(png).first(png.size() - 1), "cut.png")) ==
+          "image 'cut.png': is damaged: it ends too early");
+    png.resize(png.size() + 7);  // what stands behind the end is nobody's business
+    CHECK(check_image(png, "a.png"));
+    CHECK(decode_image(png, "a.png"));
+    png[33] = std::byte{0xff};  // the second chunk says that it is longer than any file
+    CHECK_FALSE(check_image(png, "a.png"));
+}
+
 TEST_CASE("premultiplied colors are the colors times their alpha, rounded") {
     Image image{{3, 1}, {10, 20, 30, 255, 200, 100, 1, 51, 255, 255, 255, 0}};
     premultiply(image);

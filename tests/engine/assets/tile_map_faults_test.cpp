@@ -216,8 +216,17 @@ TEST_CASE_METHOD(Maps, "bytes that are no text, numbers beyond all and endless n
                      "tileheight=\"8\"></map>"),
                Catch::Contains("orientation is \"ortho\xef\xbf\xbd\", but must be orthogonal"));
     CHECK_THAT(fault("u.tmj", "{\"orientation\": \"\xff\"}"),
-               Catch::Contains("is not JSON: parse error at line 1"));
-    CHECK_THAT(fault("o.tmj", "{\"width\": 1e999}"), Catch::Contains("is not JSON: number overflow"));
+               Catch::StartsWith("maps/u.tmj:1: is not JSON: column 18: "));
+    CHECK_THAT(fault("o.tmj", "{\"width\": 1e999}"),
+               Catch::StartsWith("maps/o.tmj:1: is not JSON: column 15: number overflow"));
+    CHECK_THAT(fault("s.tmj", "{\n\"width\": 1,\n\"height\" 2\n}"),
+               Catch::StartsWith("maps/s.tmj:3: is not JSON: column 10: syntax error"));
+    CHECK_THAT(fault("e.json", "{\n\"width\": tru\n}"),
+               Catch::StartsWith("maps/e.json:2: is not JSON: column 13: "));
+    CHECK_THAT(fault("l.tmj", "{\n\"width\": 1e999\n}"),
+               Catch::StartsWith("maps/l.tmj:2: is not JSON: column 14: number overflow"));
+    CHECK_THAT(fault("c.tmj", "{\n\"width\": 1,"), Catch::StartsWith("maps/c.tmj:2: is not JSON: column "));
+    CHECK_THAT(fault("b.tmj", ""), Catch::StartsWith("maps/b.tmj:1: is not JSON: column 1: "));
     const auto repeated = [](const std::string& text, int times) {
         std::string all;
         for (int i = 0; i < times; ++i) all += text;
@@ -264,4 +273,28 @@ TEST_CASE_METHOD(Maps, "a map cut off anywhere is an error and no crash") {
         tmx(kCsv, "<objectgroup name=\"o\"><object id=\"1\" x=\"1\" y=\"1\"/></objectgroup>");
     for (std::size_t length = 0; length < whole.size(); length += 7)
         CHECK_FALSE(load("c.tmx", whole.substr(0, length)));
+}
+
+TEST_CASE_METHOD(
+    Maps,
+    "tiles as objects that are smaller than nothing or huge are faults, as is an alignment of nowhere") {
+    folder.put("maps/t.tmx",
+               R"(<map orientation="orthogonal" width="3" height="2" tilewidth="16" tileheight="8">
+<tileset firstgid="1" name="t" tilewidth="8" tileheight="8" tilecount="1" columns="1" objectalignment="middle">
+ <image source="t.png" width="8" height="8"/></tileset>
+<objectgroup name="o">
+ <object id="1" name="crate" gid="1" x="0" y="0" width="-16" height="1000001"/>
+ <object id="2" gid="1" x="0" y="0" width="1e39" height="nan"/>
+ <object id="3" gid="1" x="0" y="0" width="1000000" height="16"/>
+</objectgroup></map>)");
+    const std::string rule = ", but must be from 0 to 1000000 for a tile";
+    CHECK(read_tile_map(*files, "maps/t.tmx").faults ==
+          std::vector<std::string>{
+              "maps/t.tmx:2: tile set \"t\": objectalignment is \"middle\", but must be unspecified, "
+              "topleft, top, "
+              "topright, left, center, right, bottomleft, bottom or bottomright",
+              "maps/t.tmx:5: object 1 \"crate\" in layer \"o\": width is -16.0" + rule,
+              "maps/t.tmx:5: object 1 \"crate\" in layer \"o\": height is 1000001.0" + rule,
+              "maps/t.tmx:6: object 2 in layer \"o\": height is \"nan\", but must be a number",
+              "maps/t.tmx:6: object 2 in layer \"o\": width is 1e+39" + rule});
 }

@@ -253,3 +253,51 @@ TEST_CASE_METHOD(Maps, "objects of every shape, in groups too") {
     CHECK(layer->objects[5].tile == Tile{.id = 3, .flip_x = true});
     CHECK(layer->objects[6].text == "Hello");
 }
+
+TEST_CASE_METHOD(
+    Maps, "objects that are tiles stand on the point that their set says, in its size if they say none") {
+    const auto load_with = [&](const std::string& grid, const std::string& alignment) {
+        return good("a.tmx", R"(<map orientation=")" + grid +
+                                 R"(" width="3" height="2" tilewidth="16" tileheight="8">
+        <tileset firstgid="1" name="t" tilewidth="12" tileheight="20" tilecount="1" columns="1")" +
+                                 alignment + R"(><image source="t.png" width="12" height="20"/></tileset>
+        <objectgroup name="o"><object id="1" gid="1" x="5" y="6"/>
+        <object id="2" gid="1" x="5" y="6" width="30" height="0"/><object id="3" x="5" y="6"/></objectgroup></map>)");
+    };
+    const auto anchor = [&](const std::string& grid, const std::string& alignment) {
+        const TileMap map = load_with(grid, alignment);
+        const std::vector<MapObject>& objects = map.layers.at(0).objects;
+        CHECK(objects.at(0).size == Vec2{12, 20});
+        CHECK(objects.at(1).size == Vec2{30, 20});
+        CHECK(objects.at(2).size == Vec2{0, 0});
+        CHECK(objects.at(2).anchor == Vec2{0, 0});
+        CHECK(objects.at(0).anchor == objects.at(1).anchor);
+        return objects.at(0).anchor;
+    };
+    CHECK(anchor("orthogonal", "") == Vec2{0, 1});
+    CHECK(anchor("isometric", "") == Vec2{0.5f, 1});
+    CHECK(anchor("isometric", R"( objectalignment="unspecified")") == Vec2{0.5f, 1});
+    const std::pair<const char*, Vec2> named[] = {
+        {"topleft", {0, 0}},    {"top", {0.5f, 0}},       {"topright", {1, 0}},
+        {"left", {0, 0.5f}},    {"center", {0.5f, 0.5f}}, {"right", {1, 0.5f}},
+        {"bottomleft", {0, 1}}, {"bottom", {0.5f, 1}},    {"bottomright", {1, 1}}};
+    for (const auto& [name, place] : named) {
+        INFO(name);
+        for (const char* grid : {"orthogonal", "isometric"})
+            CHECK(anchor(grid, " objectalignment=\"" + std::string(name) + '"') == place);
+    }
+}
+
+TEST_CASE_METHOD(Maps, "a tile set says how far from their places its tiles are drawn") {
+    const auto offset = [&](const std::string& element) {
+        return good("o.tmx",
+                    R"(<map orientation="orthogonal" width="3" height="2" tilewidth="16" tileheight="8">
+            <tileset firstgid="1" name="t" tilewidth="8" tileheight="8" tilecount="1" columns="1">)" +
+                        element + R"(<image source="t.png"/></tileset></map>)")
+            .sets.at(0)
+            .tile_offset;
+    };
+    CHECK(offset("") == Vec2{0, 0});
+    CHECK(offset(R"(<tileoffset x="-3" y="5"/>)") == Vec2{-3, 5});
+    CHECK(offset(R"(<tileoffset y="5"/>)") == Vec2{0, 5});
+}

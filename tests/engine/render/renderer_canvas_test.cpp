@@ -137,7 +137,8 @@ TEST_CASE("wrong uses of canvases are errors that say the rule, with and without
         CHECK_THAT(d.renderer->begin_canvas(image, {}).error().message,
                    Catch::Contains("cannot be drawn into"));
         CHECK_THAT(d.renderer->begin_canvas({}, {}).error().message, Catch::Contains("destroyed"));
-        CHECK_THAT(d.renderer->end_canvas().error().message, Catch::Contains("none"));
+        CHECK_THAT(d.renderer->end_canvas().error().message,
+                   Catch::Contains("no canvas is being drawn into"));
         REQUIRE(d.renderer->begin_canvas(canvas, {}));
         CHECK_THAT(d.renderer->begin_canvas(canvas, {}).error().message, Catch::Contains("already"));
         std::vector<TextureId> more;

@@ -5,6 +5,7 @@
 
 #include "bind/fields.h"
 #include "bind/module.h"
+#include "scripting/support/drawing.h"
 #include "scripting/support/good_calls.h"
 #include "scripting/support/lua_bench.h"
 
@@ -59,6 +60,21 @@ TEST_CASE("every function that scripts find in cairn is a binding of the registr
     CHECK(all_bindings().size() > 460);
 }
 
+/// Whether what stands behind "Canvas:attach: " names that once more: "canvas: it is ...".
+bool names_twice(const std::string& name, const std::string& message) {
+    const std::size_t start = message.find(name + ": ");
+    if (start == std::string::npos) return false;
+    const std::size_t behind = start + name.size() + 2;
+    const std::string next = message.substr(behind, message.find(": ", behind) - behind);
+    std::string word;
+    for (const char c : name + '.') {
+        const bool is_letter = c != '.' && c != ':' && c != '_';
+        if (!is_letter && !word.empty() && word == next) return true;
+        word = is_letter ? word + static_cast<char>(c >= 'A' && c <= 'Z' ? c + ('a' - 'A') : c) : "";
+    }
+    return false;
+}
+
 TEST_CASE("nonsense in any argument raises an error that names the binding, and never crashes") {
     const std::vector<std::string> nonsense = {"nil",
                                                "true",
@@ -97,6 +113,7 @@ TEST_CASE("nonsense in any argument raises an error that names the binding, and 
                     INFO(name << " " << call);
                     const std::string message = bench.run(call);
                     if (!message.empty()) CHECK(message.find(name + ": ") != std::string::npos);
+                    CHECK_FALSE(names_twice(name, message));
                 }
             }
             if (module->is_type) {
@@ -197,6 +214,7 @@ TEST_CASE("one wrong argument among good ones raises an error that names the bin
                     const bool is_own = value.starts_with("setmetatable") ||
                                         message.find("bad argument #2 to 'error'") != std::string::npos;
                     if (!message.empty() && !is_own) CHECK(message.find(name + ": ") != std::string::npos);
+                    CHECK_FALSE(names_twice(name, message));
                     REQUIRE(bench.run(kMend) == "");
                 }
             }
@@ -245,10 +263,36 @@ TEST_CASE(
                     const bool is_own = value.starts_with("setmetatable") ||
                                         message.find("bad argument #2 to 'error'") != std::string::npos;
                     if (!message.empty() && !is_own) CHECK(message.find(name + ": ") != std::string::npos);
+                    CHECK_FALSE(names_twice(name, message));
                     REQUIRE(bench.run(kMend) == "");
                 }
                 REQUIRE(bench.run("world:destroy()") == "");
             }
+        }
+    }
+}
+
+TEST_CASE("what goes wrong while drawing is told with the name of the call, once") {
+    for (const Module* module : all_modules()) {
+        if (std::string(module->name) == "cairn.test") continue;  // only there in tests of games
+        for (const Function& function : module->functions) {
+            const std::string name = full_name(*module, function);
+            const std::size_t first = module->is_type ? 1 : 0;
+            std::string arguments;
+            for (std::size_t i = first; i < function.parameter_types.size(); ++i)
+                arguments += (i > first ? ", " : "") + good_value(function.parameter_types[i]);
+            LuaBench bench(kGoodFiles, MachineKind::HeadlessDrawing);
+            REQUIRE(bench.run(kGood) == "");
+            // So often that what has an end meets it.
+            REQUIRE(bench.run("receiver = " +
+                              (module->is_type ? good_receiver(module->name) : std::string(module->name)) +
+                              " function call_often() for _ = 1, 200 do receiver" +
+                              (module->is_type ? ":" : ".") + function.name + '(' + arguments +
+                              ") end end") == "");
+            const std::string message = draw_error(bench, "call_often()");
+            INFO(name << ": " << message);
+            if (!message.empty()) CHECK(message.find(name + ": ") != std::string::npos);
+            CHECK_FALSE(names_twice(name, message));
         }
     }
 }

@@ -57,7 +57,7 @@ TEST_CASE(
                       "= 1 } } }') "
                       "cairn.files.write('save/tool.lua', 'return 42') "
                       "cairn.files.write('save/image.png', '" +
-                      bytes + "' .. ('\\0'):rep(40))") == "");
+                      bytes + "' .. ('\\0'):rep(44) .. 'IEND' .. ('\\0'):rep(4))") == "");
     CHECK(bench.value("#cairn.level.check('save/mine.lua')") == "0");
     CHECK(bench.value("require('save.tool')") == "42");
     CHECK(bench.value("table.concat({ cairn.graphics.new_image('save/image.png'):size() }, ' ')") == "5 4");

@@ -199,15 +199,18 @@ TEST_CASE("a joint that bears too much breaks, and says which one it was") {
     REQUIRE(bench.run("w:set_gravity(0, -10) "
                       "weak = w:add_weld_joint{ body_a = a, body_b = b, x = 1, y = 0, break_force = 10 } "
                       "found = 0 steps(1) "
-                      "for joint, body_a, body_b, x, y, fx, fy, torque in w:joint_breaks() do "
+                      "for joint, body_a, body_b, x, y, fx, fy, torque, kind in w:joint_breaks() do "
                       "  w:add_distance_joint{ body_a = a, body_b = b } "
                       "  assert(joint == weak and not joint:is_valid()) "
+                      "  assert(kind == 'weld' and joint:kind() == 'weld') "
                       "  assert(body_a == a and body_b == b) "
                       "  found = found + 1 force_x, force_y, place_x = fx, fy, x end") == "");
     CHECK(bench.value("found") == "1");
     CHECK(number(bench, "force_y") > 10);
     CHECK(number(bench, "place_x") == Approx(1).margin(0.01));
     REQUIRE(bench.run("steps(1) for joint in w:joint_breaks() do error('broke again') end") == "");
+    CHECK(bench.value("weak:kind()") ==
+          "error: test.lua:1: Joint:kind: this joint was destroyed; is_valid() tells");
     REQUIRE(bench.run("strong = w:add_weld_joint{ body_a = a, body_b = b, x = 1, y = 0, break_force = 1000 } "
                       "steps(60)") == "");
     CHECK(bench.value("strong:is_valid()") == "true");

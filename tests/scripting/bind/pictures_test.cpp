@@ -39,6 +39,16 @@ struct Pictures : LuaBench {
 
 }  // namespace
 
+TEST_CASE("a picture that is cut short is the same error without a window as with one") {
+    std::string cut = palette_png();
+    cut.resize(cut.size() - 20);
+    for (const MachineKind kind : {MachineKind::Headless, MachineKind::HeadlessDrawing}) {
+        LuaBench bench({{"cut.png", cut}}, kind);
+        CHECK(bench.run("cairn.graphics.new_image('cut.png')") ==
+              "test.lua:1: cairn.graphics.new_image: image 'cut.png': is damaged: it ends too early");
+    }
+}
+
 TEST_CASE_METHOD(Pictures, "a quad is a part of its image, and can be a part of a quad") {
     REQUIRE(run("yellow = g.new_quad(g.new_quad(image, 8, 0, 24, 16), 0, 8, 8, 8)") == "");
     CHECK(value("table.concat({ yellow:region() }, ' ')") == "8.0 8.0 8.0 8.0");

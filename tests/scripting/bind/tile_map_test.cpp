@@ -267,6 +267,64 @@ TEST_CASE("objects that are tiles have their sizes, turn about their places, and
     }
 }
 
+TEST_CASE("objects that are tiles are drawn and told where the alignment of their set puts them") {
+    LuaBench bench({{"conf.lua", "{ width = 200, height = 100 }"},
+                    {"tiles.png", tiles_png()},
+                    {"map.tmj", R"({"width": 20, "height": 12, "tilewidth": 8, "tileheight": 8,
+        "tilesets": [{"firstgid": 1, "name": "t", "tilewidth": 8, "tileheight": 8, "tilecount": 2, "columns": 2,
+            "image": "tiles.png", "objectalignment": "center"}],
+        "layers": [{"type": "objectgroup", "name": "things", "objects": [
+            {"id": 1, "x": 40, "y": 50, "width": 20, "height": 40, "gid": 2},
+            {"id": 2, "x": 100, "y": 50, "width": 20, "height": 40, "rotation": 90, "gid": 2},
+            {"id": 3, "x": 160, "y": 50, "gid": 2}]}]})"}},
+                   MachineKind::HeadlessDrawing);
+    REQUIRE(bench.run("map = cairn.tilemap.load('map.tmj') told = ''\n"
+                      "for _, o in ipairs(map:objects()) do "
+                      "  told = told .. ('%g %g %g %g '):format(o.x, o.y, o.width, o.height) end") == "");
+    CHECK(bench.value("told") == "40 50 20 40 100 50 20 40 160 50 8 8 ");
+    const engine::Image image = picture_of(bench, "map:draw()");
+    // Twenty wide and forty high around (40, 50): green above blue.
+    is_color(image, 32, 32, 0, 255, 0);
+    is_color(image, 48, 68, 0, 0, 255);
+    is_color(image, 29, 50, 0, 0, 0);
+    is_color(image, 40, 71, 0, 0, 0);
+    // A quarter turn about its middle: green to the right.
+    is_color(image, 82, 42, 0, 0, 255);
+    is_color(image, 118, 58, 0, 255, 0);
+    is_color(image, 100, 61, 0, 0, 0);
+    is_color(image, 157, 47, 0, 255, 0);
+    is_color(image, 165, 55, 0, 0, 0);
+}
+
+TEST_CASE("tiles are drawn as far from their places as their set says, which objects stretch and turn") {
+    LuaBench bench({{"conf.lua", "{ width = 200, height = 100 }"},
+                    {"tiles.png", tiles_png()},
+                    {"map.tmj", R"({"width": 2, "height": 1, "tilewidth": 8, "tileheight": 8,
+        "tilesets": [{"firstgid": 1, "name": "t", "tilewidth": 8, "tileheight": 8, "tilecount": 2, "columns": 2,
+            "image": "tiles.png", "tileoffset": {"x": 30, "y": 20}}],
+        "layers": [{"type": "tilelayer", "name": "ground", "data": [0, 2]},
+            {"type": "objectgroup", "name": "things", "objects": [
+            {"id": 1, "x": 80, "y": 60, "width": 16, "height": 8, "gid": 2},
+            {"id": 2, "x": 190, "y": 10, "width": 8, "height": 8, "rotation": 90, "gid": 2}]}]})"}},
+                   MachineKind::HeadlessDrawing);
+    REQUIRE(bench.run("map = cairn.tilemap.load('map.tmj')") == "");
+    const engine::Image image = picture_of(bench, "map:draw()");
+    is_color(image, 12, 4, 0, 0, 0);
+    is_color(image, 39, 21, 0, 255, 0);
+    is_color(image, 45, 27, 0, 0, 255);
+    // Twice as wide, twice as far to the right: from (140, 72) to (156, 80).
+    is_color(image, 141, 73, 0, 255, 0);
+    is_color(image, 155, 79, 0, 0, 255);
+    is_color(image, 138, 76, 0, 0, 0);
+    // Turned clockwise, right is down and down is left: from (170, 40) to (178, 48).
+    is_color(image, 177, 41, 0, 255, 0);
+    is_color(image, 171, 47, 0, 0, 255);
+    // The place of the tile lies above the view, which the tile reaches.
+    const engine::Image moved = picture_of(bench, "cairn.graphics.translate(-38, -20) map:draw()");
+    is_color(moved, 1, 1, 0, 255, 0);
+    is_color(moved, 7, 7, 0, 0, 255);
+}
+
 TEST_CASE("isometric maps have their places in the picture, and their solids are polygons") {
     LuaBench bench(
         {{"conf.lua", "{ width = 200, height = 100 }"},

@@ -37,6 +37,20 @@ TEST_CASE("a tile placed as an object is a box with the class body, and a pictur
         CHECK(bench.value("name_at(" + std::string(outside) + ")") == "nil");
 }
 
+TEST_CASE("a tile placed as an object is a box where the alignment of its set puts it, in its size") {
+    // One cell is 1 m, the map 4 m high: the middle of the tile of 16 pixels is at (32, 16), which is (2, 3).
+    std::string map = map_with(R"(<object id="1" name="crate" gid="1" type="body" x="32" y="16"/>)");
+    const std::string columns = "columns=\"1\"";
+    map.insert(map.find(columns), "objectalignment=\"center\" ");
+    LuaBench bench(GameFiles{{"map.tmx", map}});
+    REQUIRE(bench.run("w = cairn.physics.new_world{} l = cairn.level.load('map.tmx') l:build(w)") == "");
+    CHECK(bench.value("table.concat({ l:body('crate'):position() }, ' ')") == "2.0 3.0");
+    for (const char* inside : {"1.55, 2.55", "2.45, 3.45"})
+        CHECK(bench.value("w:body_at(" + std::string(inside) + ") ~= nil") == "true");
+    for (const char* outside : {"1.45, 3", "2.55, 3", "2, 2.45", "2, 3.55"})
+        CHECK(bench.value("w:body_at(" + std::string(outside) + ")") == "nil");
+}
+
 TEST_CASE("a text or a point of class body is a fault of the map, told beside the others") {
     LuaBench bench(GameFiles{{"map.tmx", map_with(R"(
         <object id="1" name="sign" type="body" x="0" y="0" width="16" height="16"><text>Hello</text></object>
@@ -99,6 +113,11 @@ TEST_CASE(
          "11: object 7 \"rubber\"" + in +
              "property \"type\" = \"dinamic\": no such type; did you mean "
              "\"dynamic\"?"});
+}
+
+TEST_CASE("a level that is no JSON is told by its line") {
+    expect_faults({{"map.tmj", "{\n\"width\": 1,\n\"height\" 2\n}"}},
+                  {"3: is not JSON: column 10: syntax error"}, "map.tmj");
 }
 
 TEST_CASE("misspelt classes, kinds, fields and names of a map get the nearest one") {

@@ -155,6 +155,14 @@ TEST_CASE_METHOD(Menus, "the game gives a field no text that the player could no
     CHECK(run("menu:set_value(short, 'a\\127')").find("a text with no control characters") !=
           std::string::npos);
     CHECK(run("menu:set_value(short, 3)").find("expected a string") != std::string::npos);
+    CHECK(
+        run("menu:set_value(short, 'a\\255')") ==
+        "test.lua:1: Ui:set_value: value is \"a\\255\"; expected a text with no bytes that are not UTF-8 for "
+        "widget 7 \"Short\"");
+    CHECK(run("menu:add_text{ value = '\\xc3' }").find("must have no bytes that are not UTF-8") !=
+          std::string::npos);
+    CHECK(run("menu:set_value(short, '\\u{fffd}')") == "");
+    REQUIRE(run("menu:set_value(short, 'fünf!')") == "");
     CHECK(value("menu:value(short)") == "fünf!");
 }
 
@@ -236,6 +244,42 @@ TEST_CASE_METHOD(TypingMenus,
     lines({"key_pressed q"});  // the chat could still have been there
     lines({"key_pressed w", "key_pressed escape"});
     CHECK(take() == "key_pressed w, action_pressed jump, key_pressed escape, back of nil");
+}
+
+TEST_CASE_METHOD(TypingMenus,
+                 "buttons of gamepads that are pressed while a field is open do not reach the game") {
+    REQUIRE(run("cairn.input.bind('fire', { 'gamepad_a' }) for _, name in ipairs{ 'gamepad_pressed', "
+                "'gamepad_released' } do cairn[name] = function(pad, button) note(name)(button) end end") ==
+            "");
+    lines({"gamepad_connected 1 Pad", "gamepad_pressed 1 x"});
+    REQUIRE(take() == "gamepad_pressed x");
+    lines({"gamepad_pressed 1 a"});  // opens it, as return does
+    REQUIRE(value("menu:is_typing()") == "true");
+    REQUIRE(take() == "gamepad_pressed a, action_pressed fire");
+    // What was held is let go of; what goes down now is the field's, both ends of it.
+    lines({"gamepad_released 1 a", "gamepad_released 1 x"});
+    CHECK(take() == "gamepad_released a, action_released fire, gamepad_released x");
+    lines({"gamepad_pressed 1 dpad_up", "gamepad_pressed 1 start", "gamepad_moved 1 left_x 0.75"});
+    CHECK(take() == "");
+    CHECK(value("cairn.input.is_gamepad_down(1, 'start')") == "false");
+    CHECK(value("cairn.input.gamepad_axis(1, 'left_x')") == "0.75");
+    CHECK(value("menu:focus() == name") == "true");
+    lines({"gamepad_released 1 dpad_up", "gamepad_pressed 1 a"});
+    CHECK(value("menu:is_typing()") == "false");
+    CHECK(value("cairn.input.is_action_down('fire')") == "false");
+    lines({"gamepad_released 1 a", "gamepad_released 1 start"});
+    CHECK(take() == "");
+    lines({"gamepad_pressed 1 start"});
+    CHECK(take() == "gamepad_pressed start");
+    // "b" closes the field, and neither the menu nor what the game does for it.
+    lines({"key_pressed return", "key_released return"});
+    REQUIRE(value("menu:is_typing()") == "true");
+    REQUIRE(take() == "key_pressed return, key_released return");
+    lines({"gamepad_pressed 1 b", "gamepad_released 1 b"});
+    CHECK(take() == "");
+    CHECK(value("menu:is_typing()") == "false");
+    lines({"gamepad_pressed 1 b"});
+    CHECK(take() == "gamepad_pressed b, back");
 }
 
 TEST_CASE_METHOD(TypingMenus, "a field that the blank key opens does not begin with a blank") {

@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "bridge/error_screen.h"
+#include "engine/support/standard_error.h"
 #include "lua/sandbox.h"
 #include "scripting/support/lua_bench.h"
 
@@ -318,6 +319,27 @@ TEST_CASE(
     outcome = run.reload->take_in(*run.game, true);
     CHECK_FALSE(outcome.error);
     CHECK(outcome.wants_restart);
+}
+
+TEST_CASE("that what was kept is lost is told, whether the new scripts do not take it or the old ones fail") {
+    const std::string keeps = "function cairn.before_reload() return { level = 3 } end\n";
+    const std::string takes = "function cairn.after_reload(kept) level = kept.level end\n";
+    Running run({{"main.lua", keeps + takes}});
+    const auto said_when_saving = [&](const std::string& script) {
+        run.save("main.lua", script);
+        REQUIRE(run.look());
+        return written_to_standard_error([&] { run.reload->take_in(*run.game); });
+    };
+    CHECK(said_when_saving(keeps + takes + "--") == "");
+    CHECK(run.value("level") == "3");
+    CHECK_THAT(said_when_saving(keeps), Contains("warning") &&
+                                            Contains("what cairn.before_reload returned, a table, is lost") &&
+                                            Contains("no cairn.after_reload"));
+    // Nothing is lost of nothing.
+    CHECK_THAT(said_when_saving("function cairn.before_reload() end"), Contains("is lost"));
+    CHECK(said_when_saving("function cairn.before_reload() error('slip') end") == "");
+    CHECK_THAT(said_when_saving(""),
+               Contains("because cairn.before_reload failed: it starts anew with the next save"));
 }
 
 TEST_CASE("images show what their files hold now; one that is damaged leaves the old picture") {

@@ -4,6 +4,8 @@
 
 #include <cairn/scripting/reference.h>
 
+#include "bridge/other_words.h"
+
 namespace cairn::scripting {
 namespace {
 
@@ -66,12 +68,66 @@ TEST_CASE("a name is found as an author would type it") {
                                                Catch::Contains("from 10 to 240"));
     CHECK_THAT(text("wheel"), Catch::Contains("`cairn.wheel(dx, dy)`") &&
                                   Catch::Contains("See also world:add_wheel_joint.\n"));
-    CHECK_THAT(text("wheels"), Catch::Contains("did you mean \"wheel\"?"));
+    CHECK_THAT(text("wheeel"), Catch::Contains("did you mean \"wheel\"?"));
     CHECK_THAT(text("key_presed"), Catch::Contains("did you mean \"key_pressed\"?"));
     CHECK_THAT(text("particle"), Catch::Contains("did you mean \"particles\"?"));
     CHECK_THAT(text("world:stepp"), Catch::Contains("did you mean \"world:step\"?"));
     CHECK_THAT(text("aply_force"), Catch::Contains("did you mean \"apply_force\"?"));
     CHECK_THAT(text("qqqqqqq"), Catch::Equals("the reference has nothing that is called \"qqqqqqq\""));
+}
+
+TEST_CASE("a field is found with all tables that have it") {
+    const auto text = [](const char* name) {
+        auto found = reference_of(name);
+        return found ? *found : found.error().message;
+    };
+    CHECK_THAT(text("density"),
+               Catch::Contains("### `shape:density() -> density`") && Catch::Contains("`density` in ") &&
+                   Catch::Contains("world:add_box{...}") && Catch::Contains("body:add_circle{...}") &&
+                   Catch::Contains("\n| `density` | number | "));
+    CHECK_THAT(text("suspension_travel"),
+               Catch::StartsWith("### `suspension_travel` in cairn.prefab.vehicle{...}\n"));
+    // What is described in the same words is told once.
+    const std::string sensor = text("sensor");
+    CHECK(sensor.find("| `sensor` |") == sensor.rfind("| `sensor` |"));
+    CHECK_THAT(text("template"), Catch::Contains("bodies of levels"));
+    CHECK_THAT(text("denstiy"), Catch::Contains("did you mean \"density\"?"));
+    CHECK_THAT(text("motor_speeds"), Catch::Contains("did you mean \"motor_speed\"?"));
+}
+
+TEST_CASE("every word of another framework leads to what Cairn has") {
+    REQUIRE_FALSE(other_words().empty());
+    for (const OtherWord& entry : other_words()) {
+        std::istringstream words{std::string(entry.words)};
+        for (std::string word; words >> word;) {
+            INFO(word);
+            const auto text = reference_of(word);
+            REQUIRE(text);
+            CHECK(other_word(word) == &entry);
+            std::istringstream names{std::string(entry.names)};
+            for (std::string name; names >> name;) {
+                INFO(name);
+                CHECK(reference_of(name));
+                CHECK_THAT(*text, Catch::Contains(name));
+            }
+            CHECK((!entry.names.empty() || !entry.note.empty()));
+        }
+    }
+    CHECK(other_word("") == nullptr);
+    CHECK_THAT(*reference_of("hinge"),
+               Catch::StartsWith("`hinge` is in Cairn: `world:add_revolute_joint`.\n") &&
+                   Catch::Contains("### `world:add_revolute_joint{...} -> joint`"));
+    CHECK_THAT(*reference_of("bullet"), Catch::Contains("there is nothing to set"));
+    CHECK_THAT(*reference_of("max_length"),
+               Catch::Contains("`max_length` in world:add_distance_joint{...}\n") &&
+                   Catch::Contains("cairn.prefab.rope"));
+    // A name that Cairn has, for another thing.
+    CHECK_THAT(*reference_of("trigger"), Catch::StartsWith("### `level:trigger(name)") &&
+                                             Catch::Contains("See also ") && Catch::Contains("sensor"));
+    for (const char* name : {"love.graphics.newImage", "newImage", "NewImage"})
+        CHECK_THAT(*reference_of(name), Catch::StartsWith("### `cairn.graphics.new_image("));
+    CHECK_THAT(*reference_of("OnTriggerEnter"), Catch::Contains("### `world:sensor_events()"));
+    CHECK_THAT(*reference_of("love.keypressed"), Catch::Contains("`cairn.key_pressed("));
 }
 
 }  // namespace

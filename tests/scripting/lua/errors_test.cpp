@@ -97,5 +97,35 @@ TEST_CASE("places are read from messages") {
     CHECK_FALSE(place_of(""));
 }
 
+TEST_CASE("messages escape what a terminal would obey, and what is no UTF-8") {
+    LuaBench bench;
+    // Names and texts that a script gives: the start of an escape sequence, in one byte and as a control
+    // character of UTF-8, and a byte that belongs to no character.
+    const std::string bad = "x\\27[31m\\xc2\\x9b\\xff\u00fc";
+    const std::string told = "x\\027[31m\\194\\155\\255\u00fc";
+    for (const char* call :
+         {"cairn.input.is_down('%')", "cairn.graphics.new_image('%')", "cairn.camera.new{ ['%'] = 1 }",
+          "cairn.graphics['%']()", "cairn.ui.new{ back = '%' }",
+          "local m = cairn.ui.new{} m:set_focus(m:add_label{ text = '%' })", "require('%')"}) {
+        std::string code = call;
+        code.replace(code.find('%'), 1, bad);
+        const std::string message = bench.run(code);
+        INFO(message);
+        CHECK_THAT(message, Catch::Contains(told) || Catch::Contains("x?[31m"));
+        CHECK(message.find('\x1b') == std::string::npos);
+        CHECK(message.find('\x9b') == std::string::npos);
+        CHECK(message.find('\xff') == std::string::npos);
+    }
+    // Ends of lines stay where a message has several.
+    lua_State* L = bench.game().lua();
+    lua_pushcfunction(L, [](lua_State* state) {
+        raise(state, "one\n\ttwo\x7f");
+        return 0;
+    });
+    const auto error = protected_call(L, 0, 0);
+    REQUIRE(error);
+    CHECK(error->message == "one\n\ttwo\\127");
+}
+
 }  // namespace
 }  // namespace cairn::scripting::test

@@ -29,6 +29,9 @@ inline constexpr int kMaxImageSide = 8192;
 
 /// The size that the file's header states, without decoding. `name` is for the error message.
 Result<Size> read_image_size(std::span<const std::byte> file, std::string_view name);
+/// The same of a file that is not cut short either; what stands between its header and its end is not looked
+/// at.
+Result<Size> check_image(std::span<const std::byte> file, std::string_view name);
 Result<Image> decode_image(std::span<const std::byte> file, std::string_view name);
 
 Result<std::vector<std::byte>> encode_png(const Image& image);

@@ -46,7 +46,11 @@ struct TileSet {
     int spacing = 0;
     std::string image_path;            ///< as Files knows it
     std::optional<Color> transparent;  ///< pixels of that color are not seen
-    std::string place;                 ///< for messages: `maps/one.tmx:4: tile set "ground"`
+    Vec2 tile_offset;                  ///< how far from their places its tiles are drawn, pixels of the tiles
+    /// Which point of its tiles lies at the position of an object, as a share of their sizes from the top
+    /// left; absent: the bottom left, on isometric maps the middle of the bottom.
+    std::optional<Vec2> object_anchor;
+    std::string place;  ///< for messages: `maps/one.tmx:4: tile set "ground"`
     std::map<std::uint32_t, TileProperties> properties;          ///< by id
     std::map<std::uint32_t, std::vector<TileFrame>> animations;  ///< by id
 
@@ -64,9 +68,10 @@ struct MapObject {
     std::string name;
     std::string kind;  ///< the class (or type) that the editor shows
     MapShape shape = MapShape::Rectangle;
-    Vec2 position;  ///< top left; of tiles the bottom left, on isometric maps the middle of their bottom
-    Vec2 size;
-    float rotation_rad = 0;    ///< clockwise in the editor
+    Vec2 position;           ///< top left; of tiles the point that their set says
+    Vec2 size;               ///< of tiles that say none that of their set
+    Vec2 anchor;             ///< which point of it the position is, as a share of the size from the top left
+    float rotation_rad = 0;  ///< clockwise in the editor
     std::vector<Vec2> points;  ///< of polygons and polylines, from the position
     Tile tile;
     std::string text;

@@ -6,6 +6,7 @@
 #include <span>
 
 #include <cairn/physics/ids.h>
+#include <cairn/physics/joint.h>
 #include <cairn/physics/math.h>
 
 namespace cairn::physics {
@@ -43,6 +44,7 @@ struct ContactHit {
 /// A joint was loaded beyond its strength, and destroyed at the end of the step.
 struct JointBreak {
     JointId joint{};
+    JointKind kind{};
     BodyId body_a{};
     BodyId body_b{};
     Position point_m{};  ///< anchor b

@@ -342,6 +342,7 @@ TEST_CASE("a joint breaks when it bears more than its strength, and says so") {
         REQUIRE(breaks.size() == (share < 1 ? 1 : 0));
         for (const JointBreak& event : breaks) {
             CHECK(event.joint == joint);
+            CHECK(event.kind == JointKind::Distance);
             CHECK(event.body_b == box);
             CHECK(event.user_data == 7);
             CHECK(d(event.force_n.y) == Approx(weight).epsilon(0.01));
@@ -364,6 +365,7 @@ TEST_CASE("a joint breaks when it bears more torque than its strength, and says 
         REQUIRE(breaks.size() == (share < 1 ? 1 : 0));
         for (const JointBreak& event : breaks) {
             CHECK(event.joint == joint);
+            CHECK(event.kind == JointKind::Weld);
             CHECK(d(length(event.point_m - Position{})) < 1e-3);
             CHECK(d(event.torque_nm) == Approx(moment).epsilon(0.1));
         }

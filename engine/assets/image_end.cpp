@@ -1,7 +1,8 @@
 // Invariant: never reads past the end of the file.
-#include "assets/jpeg_end.h"
+#include "assets/image_end.h"
 
 #include <algorithm>
+#include <cstring>
 
 namespace cairn::engine {
 
@@ -33,6 +34,21 @@ bool reaches_end_of_jpeg(std::span<const std::byte> file) {
             at += 2 + segment_bytes;
             in_scan = marker == kStartOfScan;
         }
+    }
+    return false;
+}
+
+bool reaches_end_of_png(std::span<const std::byte> file) {
+    // A chunk is its length, its name, so many bytes, and a checksum.
+    constexpr std::size_t kSignature = 8, kName = 4, kFrame = 12;
+    std::size_t at = kSignature;
+    while (at + kFrame <= file.size()) {
+        std::size_t length = 0;
+        for (std::size_t i = 0; i < kName; ++i)
+            length = length << 8 | std::to_integer<unsigned>(file[at + i]);
+        if (length > file.size() - at - kFrame) return false;
+        if (std::memcmp(file.data() + at + kName, "IEND", 4) == 0) return true;
+        at += kFrame + length;
     }
     return false;
 }

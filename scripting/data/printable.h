@@ -1,0 +1,38 @@
+// Texts that anybody may have given, for messages: a terminal obeys control characters, and shows nothing of
+// what is no UTF-8. Invariant: what is shown as it is are whole characters.
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+
+#include <cairn/engine/utf8.h>
+
+namespace cairn::scripting {
+
+struct ShownCharacter {
+    std::string_view bytes;
+    bool is_printable;  ///< no control character, and no byte that is none of UTF-8
+};
+
+/// Takes the first character off a text, which must not be empty.
+inline ShownCharacter take_shown(std::string_view& text) {
+    const std::string_view before = text;
+    const char32_t c = engine::take_character(text);
+    const std::string_view bytes = before.substr(0, before.size() - text.size());
+    const bool is_broken = bytes.size() == 1 && static_cast<unsigned char>(bytes[0]) >= 0x80;
+    return {bytes, !is_broken && c >= 0x20 && !(c >= 0x7f && c < 0xa0)};
+}
+
+/// The beginning of a text: as many whole characters as that many bytes hold.
+inline std::string_view beginning_of(std::string_view text, std::size_t most_bytes) {
+    std::string_view rest = text;
+    std::size_t length = 0;
+    while (!rest.empty()) {
+        const std::size_t next = length + take_shown(rest).bytes.size();
+        if (next > most_bytes) break;
+        length = next;
+    }
+    return text.substr(0, length);
+}
+
+}  // namespace cairn::scripting
