@@ -121,6 +121,7 @@ void DirectComponent::start(const DirectScene& scene, std::span<const float> ine
     }
     place_joints(scene);
     place_contacts(scene);
+    forget_states();
     note_spins(motions);
     read(motions);
     // The speed that the last substep was solved for, before its closing half kick: with that of the kick in

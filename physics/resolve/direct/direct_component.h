@@ -99,6 +99,12 @@ class DirectComponent {
     void weigh_spins(Motions& motions) const;
     void describe(const DirectScene& scene, Phase phase);
     void describe(const JointLaw& law, JointRow& row, DirectEquation& e, double h, Phase phase) const;
+    [[nodiscard]] std::vector<DirectEquation::State>& states_of(Phase phase) {
+        return states_[static_cast<std::size_t>(phase)];
+    }
+    void recall(int equation, Phase phase);
+    void remember_states(Phase phase);
+    void forget_states();
     void describe_contact(const DirectScene& scene, std::size_t contact, Phase phase);
     void satisfy(const DirectScene& scene, Phase phase);
     void sweep_contacts(const DirectScene& scene, Phase phase);
@@ -139,7 +145,8 @@ class DirectComponent {
     std::vector<float> known_spins_;        // rad/s, as the system left them
     std::vector<double> impulse_at_start_;  // of the phase
     std::vector<double> x_;
-    bool is_weighed_ = false;  // since J changed
+    std::array<std::vector<DirectEquation::State>, 2> states_;  // of equations in this step, by phase
+    bool is_weighed_ = false;                                   // since J changed
     Attempt attempt_;
     int factorizations_left_ = 0;  // of the solution, or of all closing ones
     double surplus_ = 0;           // J that errors added in the solution

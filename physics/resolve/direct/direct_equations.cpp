@@ -27,6 +27,13 @@ double without_roundings(double error) {
     return error - std::clamp(error, -kNoError, kNoError);
 }
 
+// A guess by the last impulse.
+State state_at_bounds(const DirectEquation& e, double impulse) {
+    if (impulse <= 0.999 * e.low) return State::AtLow;
+    if (impulse >= 0.999 * e.high) return State::AtHigh;
+    return State::Acts;
+}
+
 double give_of_contact(const ContactPointConstraint& p, const DirectEquation& e) {
     const double load = std::max({e.impulse, e.before, d(p.static_impulse)});
     return std::min(kContactGive * e.inverse_mass, kSinking_m_s / load);
@@ -62,6 +69,7 @@ void DirectComponent::describe(const JointLaw& law, JointRow& row, DirectEquatio
             break;
         case LawKind::Motor:
             e.wanted = d(law.speed[at(row.part)]);
+            if (!closing) e.state = state_at_bounds(e, e.impulse);
             // It does no more than it can.
             if (closing && (state_before == State::AtLow || state_before == State::AtHigh))
                 e.state = State::Idle;
@@ -72,6 +80,26 @@ void DirectComponent::describe(const JointLaw& law, JointRow& row, DirectEquatio
             if (row.error > 0 && !(e.impulse > 0)) e.state = State::AtLow;
             break;
     }
+}
+
+// The state that was right in this phase of the last substep is the best guess: without it friction in forty
+// hinges changed over in every solution.
+void DirectComponent::recall(int equation, Phase phase) {
+    const std::vector<State>& states = states_of(phase);
+    DirectEquation& e = system_.equations[at(equation)];
+    if (states.empty() || e.state == State::Idle) return;
+    const State last = states[at(equation)];
+    if (last != State::Idle && last != State::Given) e.state = last;
+}
+
+void DirectComponent::remember_states(Phase phase) {
+    std::vector<State>& states = states_of(phase);
+    states.clear();
+    for (const DirectEquation& e : system_.equations) states.push_back(e.state);
+}
+
+void DirectComponent::forget_states() {
+    for (std::vector<State>& states : states_) states.clear();
 }
 
 void DirectComponent::describe_contact(const DirectScene& scene, std::size_t contact, Phase phase) {
@@ -106,6 +134,7 @@ void DirectComponent::describe_contact(const DirectScene& scene, std::size_t con
                 d(std::min(-c.softness.bias_rate * (s + kStill_m), scene.rules.max_push_out_speed_m_s));
         }
         e.state = s > 0 && !loaded ? State::AtLow : State::Acts;
+        recall(i, phase);
         pressed += e.impulse;
     }
     for (int first = i; i < member_of_contact(contact).last_equation; ++i) {
@@ -117,10 +146,8 @@ void DirectComponent::describe_contact(const DirectScene& scene, std::size_t con
         if (!closing) e.wanted += give * e.impulse / 2;
         e.high = e.coefficient * pressed;
         e.low = -e.high;
-        const double last = phase == Phase::Solve ? e.impulse : e.before;
-        e.state = State::Acts;
-        if (last <= 0.999 * e.low) e.state = State::AtLow;
-        if (last >= 0.999 * e.high) e.state = State::AtHigh;
+        e.state = state_at_bounds(e, closing ? e.before : e.impulse);
+        recall(i, phase);
         if (e.coefficient == 0) e.state = State::Idle;
     }
 }
@@ -139,6 +166,7 @@ void DirectComponent::describe(const DirectScene& scene, Phase phase) {
         for (int e = m.first_equation; e < m.last_equation; ++e) {
             describe(c.laws[at(joint_rows_[at(e)].law)], joint_rows_[at(e)], system_.equations[at(e)], h,
                      phase);
+            if (system_.equations[at(e)].bound == DirectEquation::Bound::Range) recall(e, phase);
         }
     }
     for (std::size_t k = 0; k < contacts_.size(); ++k) describe_contact(scene, k, phase);
@@ -178,8 +206,9 @@ void DirectComponent::satisfy(const DirectScene& scene, Phase phase) {
         describe(scene, phase);
         factorizations_left_ -=
             system_.satisfy(velocity_before_, std::max(factorizations_left_, kFewestFactorizations));
-        if (!is_contradictory()) return;
+        if (!is_contradictory()) return remember_states(phase);
     }
+    forget_states();
     // Not a number, or beyond all bounds: the joints rest in this substep.
     system_.velocity = velocity_before_;
     for (DirectEquation& e : system_.equations) e.impulse = 0;
