@@ -61,7 +61,12 @@ Result<Atlas> load_atlas(const Files& files, std::string_view path) {
     const Result<std::string> text = files.read_text(path);
     if (!text) return Error{"atlas '" + std::string(path) + "' cannot be loaded: " + text.error().message};
     const Result<Json> parsed = json_from_text(*text);
-    if (!parsed) return atlas_error(path, parsed.error().message);
+    if (!parsed) {
+        int line = 0;
+        const Result<Json> with_line = json_with_lines(*text, line);
+        if (with_line || line == 0) return atlas_error(path, parsed.error().message);
+        return Error{std::string(path) + ':' + std::to_string(line) + ": " + with_line.error().message};
+    }
     const Json& json = *parsed;
     if (!json.is_object() || !json.contains("frames") || !json.contains("meta"))
         return atlas_error(path, "must be an object with \"frames\" and \"meta\"");

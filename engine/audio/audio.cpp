@@ -11,6 +11,7 @@
 #include <cairn/engine/files.h>
 #include <cairn/engine/log.h>
 
+#include "assets/sound_check.h"
 #include "assets/sound_header.h"
 #include "audio/backend.h"
 #include "base/handle_table.h"
@@ -121,6 +122,7 @@ Result<Audio::State::Sound> Audio::State::read_sound(std::string_view path) {
     if (!file) return Error{"sound '" + std::string(path) + "' cannot be loaded: " + file.error().message};
     const Result<double> duration_s = read_sound_duration_s(*file, path);
     if (!duration_s) return duration_s.error();
+    if (const auto whole = check_sound_bytes(*file, path); !whole) return whole.error();
     if (*duration_s > kMaxSound_s)
         return Error{"sound '" + std::string(path) + "': plays for " + std::to_string(*duration_s) +
                      " s; at most 60 s are allowed. Play longer pieces as music"};
@@ -266,6 +268,7 @@ Result<void> Audio::play_music(std::string_view path, float volume, bool loop, d
     if (!file) return Error{"music '" + std::string(path) + "' cannot be loaded: " + file.error().message};
     const Result<double> duration_s = read_sound_duration_s(*file, path);
     if (!duration_s) return duration_s.error();
+    if (const auto whole = check_sound_bytes(*file, path); !whole) return whole.error();
     s.music = {.path = std::string(path),
                .end_s = loop ? kForever_s : s.clock_s + *duration_s,
                .volume = unit(volume)};

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include <cairn/engine/log.h>
+#include <cairn/engine/printable.h>
 
 namespace cairn::engine {
 namespace {
@@ -37,7 +38,7 @@ void log(LogLevel level, std::string_view text) {
     }
     if (level == LogLevel::Debug) return;
     std::string line = "cairn: ";
-    line.append(log_level_name(level)).append(": ").append(text).append("\n");
+    line.append(log_level_name(level)).append(": ").append(printable(text)).append("\n");
     std::fwrite(line.data(), 1, line.size(), stderr);
 }
 

@@ -5,10 +5,11 @@
 #include <cmath>
 #include <string>
 
+#include <cairn/engine/printable.h>
+
 #include "bind/function.h"
 #include "bind/object.h"
 #include "data/nearest.h"
-#include "data/printable.h"
 #include "data/table_writer.h"
 
 namespace cairn::scripting {
@@ -138,7 +139,7 @@ std::string describe_value(lua_State* L, int index) {
             std::size_t length = 0;
             const char* text = lua_tolstring(L, index, &length);
             const std::string_view all(text, length);
-            return quote_text(beginning_of(all, kMaxText)) + (length > kMaxText ? "..." : "");
+            return quote_text(engine::beginning_of(all, kMaxText)) + (length > kMaxText ? "..." : "");
         }
         case LUA_TUSERDATA:
             return std::string("a ") + object_type_name(L, index);

@@ -244,7 +244,10 @@ constexpr Function kFunctions[] = {
                     "Adds a test: `body()` runs in a fresh state and fails by raising an error. "
                     "No two tests of a file have the same name."),
     function<&start>("start", "fields = {}", "", "Runs main.lua and `cairn.load`.", &kStartFields),
-    function<&run>("run", "frames", "", "Runs that many updates."),
+    function<&run>(
+        "run", "frames", "",
+        "Runs that many updates. Now and then, and when the test is over, `cairn.draw` is called too: "
+        "a test whose game cannot be drawn fails."),
     function<&run_until>("run_until", "condition, max_frames", "reached",
                          "Runs updates until `condition()` is true; false when it never was."),
     function<&press>("press", "key", "", "Input of the next frame."),

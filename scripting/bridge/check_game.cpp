@@ -7,6 +7,7 @@
 
 #include <cairn/engine/atlas.h>
 #include <cairn/engine/audio.h>
+#include <cairn/engine/printable.h>
 #include <cairn/engine/tile_map.h>
 #include <cairn/scripting/check_game.h>
 
@@ -224,7 +225,7 @@ int check_game(const GameSource& source) {
         paths.push_back((*machine)->main_path);
     }
     if (!problem.empty()) {
-        std::fprintf(stderr, "cairn: error: %s\n", problem.c_str());
+        std::fprintf(stderr, "cairn: error: %s\n", engine::printable(problem).c_str());
         return 1;
     }
     Inspector inspector(**machine);

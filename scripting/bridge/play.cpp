@@ -13,6 +13,7 @@
 #include <cairn/engine/fixed_step.h>
 #include <cairn/engine/image.h>
 #include <cairn/engine/native_file.h>
+#include <cairn/engine/printable.h>
 #include <cairn/engine/video.h>
 #include <cairn/scripting/play.h>
 
@@ -37,7 +38,7 @@ int most_updates_at_once(int updates_per_second) {
 }
 
 int fail(const std::string& message) {
-    std::fprintf(stderr, "cairn: error: %s\n", message.c_str());
+    std::fprintf(stderr, "cairn: error: %s\n", engine::printable(message).c_str());
     return 1;
 }
 

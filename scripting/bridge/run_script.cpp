@@ -1,6 +1,7 @@
 // A script is a game without frames: it runs once, to its end.
 #include <cstdio>
 
+#include <cairn/engine/printable.h>
 #include <cairn/scripting/run_script.h>
 
 #include "bridge/game.h"
@@ -19,7 +20,7 @@ int run_script(const GameSource& source, const std::vector<std::string>& argumen
     }
     if (problem.empty()) return 0;
     std::fflush(stdout);
-    std::fprintf(stderr, "cairn: error: %s\n", problem.c_str());
+    std::fprintf(stderr, "cairn: error: %s\n", engine::printable(problem).c_str());
     return 1;
 }
 

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include <cairn/engine/native_file.h>
+#include <cairn/engine/printable.h>
 #include <cairn/scripting/test_game.h>
 
 #include "bind/test_driver.h"
@@ -62,7 +63,18 @@ class Driver : public TestDriver {
         waiting_.clear();
         for (const engine::InputEvent& event : events) recorded_.push_back({game_->frame() + 1, event});
         rethrow(L, game_->update(events));
+        // As a game without a window: a draw callback that fails must not go unnoticed.
+        const auto frames_per_picture = static_cast<std::uint64_t>(machine_.conf.updates_per_second);
+        if (game_->frame() % frames_per_picture == 1) rethrow(L, draw());
     }
+
+    std::optional<ScriptError> draw() {
+        machine_.renderer->begin_frame(machine_.conf.background);
+        auto error = game_->draw(1);
+        machine_.renderer->end_frame();
+        return error;
+    }
+    [[nodiscard]] bool is_started() const { return is_started_; }
 
     std::string state_hash(lua_State* L) override {
         require_started(L);
@@ -240,6 +252,7 @@ class Runner {
             result.name = test.name;
             lua_rawgeti(bench.game.lua(), LUA_REGISTRYINDEX, test.function);
             result.error = protected_call(bench.game.lua(), 0, 0);
+            if (!result.error && bench.driver.is_started()) result.error = bench.driver.draw();
         }
         result.duration_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         add(std::move(result));
@@ -289,7 +302,7 @@ bool compares_pictures(const engine::Files& files) {
 
 int fail(const std::string& message) {
     std::fflush(stdout);
-    std::fprintf(stderr, "cairn: error: %s\n", message.c_str());
+    std::fprintf(stderr, "cairn: error: %s\n", engine::printable(message).c_str());
     return 1;
 }
 

@@ -155,7 +155,7 @@ class Checker {
 
     static std::string join(const std::string& path, const Key& key) {
         const bool needs_dot = !path.empty() && std::holds_alternative<std::string>(key);
-        return path + (needs_dot ? "." : "") + key_text(key);
+        return path + (needs_dot ? "." : "") + shown_name(key_text(key));
     }
 
     const std::string& name_;

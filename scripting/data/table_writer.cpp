@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <limits>
 
-#include "data/printable.h"
+#include <cairn/engine/printable.h>
 
 namespace cairn::scripting {
 namespace {
@@ -99,10 +99,17 @@ void write(const Value& value, std::size_t depth, std::string& out) {
 
 }  // namespace
 
+std::string shown_name(std::string_view name) {
+    for (std::string_view rest = name; !rest.empty();) {
+        if (!engine::take_shown(rest).is_printable) return quote_text(name);
+    }
+    return std::string(name);
+}
+
 std::string quote_text(std::string_view text) {
     std::string out = "\"";
     while (!text.empty()) {
-        const ShownCharacter c = take_shown(text);
+        const engine::ShownCharacter c = engine::take_shown(text);
         if (c.bytes == "\"" || c.bytes == "\\") {
             out += '\\';
             out += c.bytes;

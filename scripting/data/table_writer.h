@@ -17,4 +17,7 @@ std::string to_table_file(const Value& value);
 /// The text in double quotes, with escapes.
 std::string quote_text(std::string_view text);
 
+/// A name in a path of fields: as it is, or in quotes where some of it cannot be shown.
+std::string shown_name(std::string_view name);
+
 }  // namespace cairn::scripting

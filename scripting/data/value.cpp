@@ -3,7 +3,8 @@
 
 #include <cstdio>
 
-#include "data/printable.h"
+#include <cairn/engine/printable.h>
+
 #include "data/table_writer.h"
 
 namespace cairn::scripting {
@@ -68,7 +69,7 @@ std::string to_short_text(const Value& value) {
     if (value.kind() == Value::Kind::Table) return value.entries().empty() ? "{}" : "{...}";
     if (value.kind() != Value::Kind::String) return to_table_text(value);
     if (value.text().size() <= kMaxLength) return quote_text(value.text());
-    return quote_text(beginning_of(value.text(), kMaxLength)) + "...";
+    return quote_text(engine::beginning_of(value.text(), kMaxLength)) + "...";
 }
 
 }  // namespace cairn::scripting

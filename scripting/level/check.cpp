@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "data/nearest.h"
+#include "data/table_writer.h"
 
 namespace cairn::scripting {
 namespace {
@@ -174,7 +175,7 @@ void LevelChecker::check_fields(const Layer& layer, std::span<const Field* const
         }
         std::vector<std::string> names;
         for (const Field* f : fields) names.emplace_back(f->name);
-        fault(layer, entry.value, *name, "unknown field" + suggestion(*name, names));
+        fault(layer, entry.value, shown_name(*name), "unknown field" + suggestion(*name, names));
     }
 }
 

@@ -5,7 +5,8 @@
 #include <cstdlib>
 #include <utility>
 
-#include "data/printable.h"
+#include <cairn/engine/printable.h>
+
 #include "data/source_text.h"
 #include "lua/sandbox.h"
 #include "lua/state.h"
@@ -181,7 +182,7 @@ void push_printable(lua_State* L, std::string_view text) {
     luaL_Buffer out;
     luaL_buffinit(L, &out);
     while (!text.empty()) {
-        const ShownCharacter c = take_shown(text);
+        const engine::ShownCharacter c = engine::take_shown(text);
         if (c.is_printable || c.bytes == "\n" || c.bytes == "\t") {
             luaL_addlstring(&out, c.bytes.data(), c.bytes.size());
             continue;

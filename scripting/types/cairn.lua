@@ -3577,7 +3577,7 @@ function cairn.test.test(name, body) end
 ---@param fields cairn.test.start.Fields?
 function cairn.test.start(fields) end
 
----Runs that many updates.
+---Runs that many updates. Now and then, and when the test is over, `cairn.draw` is called too: a test whose game cannot be drawn fails.
 ---@param frames integer at least 0
 function cairn.test.run(frames) end
 

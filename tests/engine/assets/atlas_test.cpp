@@ -60,7 +60,7 @@ TEST_CASE_METHOD(
     for (const auto& [text, reason] :
          {std::pair<std::string, const char*>{deep, "is nested more than 200 deep"},
           {"{\"frames\": {\"a\": {\"frame\": {\"x\": 1e999}}}, \"meta\": {}}",
-           "is not JSON: number overflow"}}) {
+           "art/atlas.json:1: is not JSON: column 38: number overflow"}}) {
         CHECK(is_atlas_text(text));
 
         CHECK_THAT(load(text).error().message, Catch::Contains(reason));

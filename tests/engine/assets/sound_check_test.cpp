@@ -14,40 +14,6 @@ std::string fault(std::string_view file) {
     return checked ? std::string() : checked.error().message;
 }
 
-/// Division of the page's bits by the polynomial, one by one.
-std::uint32_t remainder_of(const std::string& page) {
-    std::uint32_t crc = 0;
-    for (const char c : page) {
-        for (int bit = 7; bit >= 0; --bit) {
-            const bool carry = ((crc >> 31) ^ (static_cast<unsigned char>(c) >> bit & 1u)) != 0;
-            crc = crc << 1 ^ (carry ? 0x04c11db7u : 0);
-        }
-    }
-    return crc;
-}
-
-std::string page(int flags, std::uint64_t granule, const std::string& body) {
-    std::string text = "OggS";
-    append_little_endian(text, 0, 1);
-    append_little_endian(text, static_cast<std::uint64_t>(flags), 1);
-    append_little_endian(text, granule, 8);
-    append_little_endian(text, 0, 12);
-    append_little_endian(text, 1, 1);
-    append_little_endian(text, body.size(), 1);
-    text += body;
-    std::string checksum;
-    append_little_endian(checksum, remainder_of(text), 4);
-    return text.replace(22, 4, checksum);
-}
-
-std::string vorbis() {
-    std::string packet = "\x01vorbis";
-    append_little_endian(packet, 0, 5);
-    append_little_endian(packet, 48000, 4);
-    packet += std::string(14, '\0');
-    return page(2, 0, packet) + page(0, 24000, "some") + page(4, 48000, "more of it");
-}
-
 }  // namespace
 
 TEST_CASE("whole sounds have no fault") {

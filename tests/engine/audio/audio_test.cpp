@@ -152,6 +152,10 @@ TEST_CASE_METHOD(Sounds, "one path is one sound, and a missing or damaged one is
                Catch::Contains("'nosuch.ogg'") && Catch::Contains("not found"));
     CHECK_THAT(audio->load_sound("noise.wav").error().message, Catch::Contains("'noise.wav'"));
     CHECK_THAT(audio->load_sound("long.wav").error().message, Catch::Contains("music"));
+    folder.put("cut.wav", tone_wav(1).substr(0, 5000));
+    CHECK_THAT(audio->load_sound("cut.wav").error().message,
+               Catch::Contains("'cut.wav'") && Catch::Contains("is cut off"));
+    CHECK_THAT(audio->play_music("cut.wav").error().message, Catch::Contains("is cut off"));
     CHECK_THAT(audio->play_music("nosuch.ogg").error().message, Catch::Contains("'nosuch.ogg'"));
 }
 

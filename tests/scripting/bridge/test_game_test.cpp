@@ -37,6 +37,10 @@ TEST_CASE("errors of the game's callbacks fail the test that runs them") {
     const std::string run = "cairn.test.test('runs', function() cairn.test.start{} cairn.test.run(3) end)";
     CHECK(status_of(run, "function cairn.update() end") == 0);
     CHECK(status_of(run, "function cairn.update() error('broken') end") == 1);
+    CHECK(status_of(run, "function cairn.draw() error('broken') end") == 1);
+    CHECK(status_of(run,
+                    "local frames = 0 function cairn.update() frames = frames + 1 end "
+                    "function cairn.draw() if frames == 3 then error('broken') end end") == 1);
     CHECK(status_of(run, "error('broken')") == 1);
     CHECK(status_of("cairn.test.test('x', function() cairn.test.run(1) end)") == 1);
 }

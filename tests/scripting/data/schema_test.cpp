@@ -33,6 +33,8 @@ TEST_CASE("a wrong value is named with line, path, value and rule") {
           "data.lua:1: pieces[1].width = \"1\": must be a number, is a string");
     CHECK(fault_of(schema, "{ pieces = { { widht = 1 } } }") ==
           "data.lua:1: pieces[1].widht: unknown field; did you mean \"width\"? (count, material, width)");
+    CHECK(fault_of(schema, "{ pieces = { { [\"w\\27[31m\\n\"] = 1 } } }") ==
+          "data.lua:1: pieces[1].\"w\\027[31m\\n\": unknown field (count, material, width)");
     CHECK(fault_of(schema, "{ pieces = { a = 1 } }") ==
           "data.lua:1: pieces: must be a list: its keys must be 1, 2, 3, ...");
     CHECK(fault_of(schema, "{ pieces = { { width = 5, count = 2, material = 'ice' } } }") == "");

@@ -3,11 +3,12 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <string_view>
 
 #include <cairn/engine/utf8.h>
 
-namespace cairn::scripting {
+namespace cairn::engine {
 
 struct ShownCharacter {
     std::string_view bytes;
@@ -17,11 +18,14 @@ struct ShownCharacter {
 /// Takes the first character off a text, which must not be empty.
 inline ShownCharacter take_shown(std::string_view& text) {
     const std::string_view before = text;
-    const char32_t c = engine::take_character(text);
+    const char32_t c = take_character(text);
     const std::string_view bytes = before.substr(0, before.size() - text.size());
     const bool is_broken = bytes.size() == 1 && static_cast<unsigned char>(bytes[0]) >= 0x80;
     return {bytes, !is_broken && c >= 0x20 && !(c >= 0x7f && c < 0xa0)};
 }
+
+/// As decimal escapes what is not printable; ends of lines and tabs stay.
+std::string printable(std::string_view text);
 
 /// The beginning of a text: as many whole characters as that many bytes hold.
 inline std::string_view beginning_of(std::string_view text, std::size_t most_bytes) {
@@ -35,4 +39,4 @@ inline std::string_view beginning_of(std::string_view text, std::size_t most_byt
     return text.substr(0, length);
 }
 
-}  // namespace cairn::scripting
+}  // namespace cairn::engine
