@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <string>
 
+#include "assets/font_check.h"
+
 namespace cairn::engine {
 namespace {
 
@@ -50,6 +52,8 @@ void FontFace::Close::operator()(_TTF_Font* font) const {
 Result<FontFace> FontFace::open(const std::vector<std::byte>& file, int pixels, std::string_view name) {
     if (!TTF_WasInit() && TTF_Init() != 0)
         return Error{std::string("SDL_ttf does not start: ") + TTF_GetError()};
+    if (const std::string fault = font_fault(file); !fault.empty())
+        return Error{"font '" + std::string(name) + "': " + fault};
     SDL_RWops* stream = SDL_RWFromConstMem(file.data(), static_cast<int>(file.size()));
     TTF_Font* font = stream ? TTF_OpenFontRW(stream, /*freesrc=*/1, pixels) : nullptr;
     if (!font) return Error{"font '" + std::string(name) + "': is no readable font: " + TTF_GetError()};
