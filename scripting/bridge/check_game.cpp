@@ -102,7 +102,8 @@ class Inspector {
         ++faults_;
         // Most messages name the file already.
         const bool names_file = fault.find(path) != std::string::npos || place_of(fault).has_value();
-        std::printf("%s%s\n", names_file ? "" : (path + ": ").c_str(), fault.c_str());
+        std::printf("%s%s\n", names_file ? "" : (engine::printable(path) + ": ").c_str(),
+                    engine::printable(fault).c_str());
     }
 
     template <class T>
@@ -213,7 +214,7 @@ int check_game(const GameSource& source) {
     // Drawing into memory decodes images whole; a plain headless run would read their headers only.
     auto machine = make_machine(source, MachineKind::HeadlessDrawing, ConfSlips::Passed);
     if (!machine) {
-        std::printf("%s\n1 fault\n", machine.error().message.c_str());
+        std::printf("%s\n1 fault\n", engine::printable(machine.error().message).c_str());
         return 1;
     }
     std::string problem;

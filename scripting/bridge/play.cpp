@@ -381,8 +381,8 @@ class Session {
         if (const auto& result = game_->result(); result && options_.result != nullptr) {
             *options_.result = {result->outcome, result->level};
         } else if (result) {
-            std::printf("result: %s\n", result->outcome.c_str());
-            if (result->level) std::printf("level: %s\n", result->level->c_str());
+            std::printf("result: %s\n", engine::printable(result->outcome).c_str());
+            if (result->level) std::printf("level: %s\n", engine::printable(*result->level).c_str());
             if (result->score) std::printf("score: %.14g\n", *result->score);
             if (result->stars) std::printf("stars: %lld\n", static_cast<long long>(*result->stars));
         }

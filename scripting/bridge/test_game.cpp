@@ -259,12 +259,12 @@ class Runner {
     }
 
     void add(TestResult result) {
-        std::printf("  %s  %s\n", result.error ? "FAIL" : "ok  ", result.name.c_str());
+        std::printf("  %s  %s\n", result.error ? "FAIL" : "ok  ", engine::printable(result.name).c_str());
         if (result.error) {
             ++failed_;
-            std::printf("        %s\n", result.error->message.c_str());
+            std::printf("        %s\n", engine::printable(result.error->message).c_str());
             for (const std::string& line : result.error->traceback)
-                std::printf("            %s\n", line.c_str());
+                std::printf("            %s\n", engine::printable(line).c_str());
         }
         results_.push_back(std::move(result));
     }

@@ -181,18 +181,8 @@ namespace {
 void push_printable(lua_State* L, std::string_view text) {
     luaL_Buffer out;
     luaL_buffinit(L, &out);
-    while (!text.empty()) {
-        const engine::ShownCharacter c = engine::take_shown(text);
-        if (c.is_printable || c.bytes == "\n" || c.bytes == "\t") {
-            luaL_addlstring(&out, c.bytes.data(), c.bytes.size());
-            continue;
-        }
-        for (const char byte : c.bytes) {
-            char escape[8];
-            std::snprintf(escape, sizeof escape, "\\%03d", static_cast<unsigned char>(byte));
-            luaL_addstring(&out, escape);
-        }
-    }
+    engine::give_printable(text,
+                           [&](std::string_view part) { luaL_addlstring(&out, part.data(), part.size()); });
     luaL_pushresult(&out);
 }
 

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <utility>
 
+#include <cairn/engine/printable.h>
 #include <cairn/engine/result.h>
 #include <cairn/scripting/reference.h>
 #include <cairn/scripting/suggest.h>
@@ -109,7 +110,7 @@ void print_topic(const CLI::App& app, const std::string& topic, ParsedLine& pars
         return;
     }
     std::fprintf(stderr, "cairn: error: %s; see cairn --help for the commands\n",
-                 reference.error().message.c_str());
+                 engine::printable(reference.error().message).c_str());
     parsed.status = 1;
 }
 
@@ -239,19 +240,21 @@ ParsedLine parse_command_line(int argc, char** argv, bool can_launch) {
         return parsed;
     } catch (const CLI::ExtrasError&) {
         const std::vector<std::string> extras = app.remaining(true);
-        std::fprintf(stderr, "cairn: error: %s\n",
-                     unknown_word_message(app, extras.empty() ? std::string() : extras.front()).c_str());
+        std::fprintf(
+            stderr, "cairn: error: %s\n",
+            engine::printable(unknown_word_message(app, extras.empty() ? std::string() : extras.front()))
+                .c_str());
         parsed.is_done = true;
         parsed.status = 1;
         return parsed;
     } catch (const CLI::ParseError& error) {
-        std::fprintf(stderr, "cairn: error: %s; see cairn --help\n", error.what());
+        std::fprintf(stderr, "cairn: error: %s; see cairn --help\n", engine::printable(error.what()).c_str());
         parsed.is_done = true;
         parsed.status = 1;
         return parsed;
     }
     if (const auto read = read_play_options(texts, play); !read) {
-        std::fprintf(stderr, "cairn: error: %s\n", read.error().message.c_str());
+        std::fprintf(stderr, "cairn: error: %s\n", engine::printable(read.error().message).c_str());
         parsed.is_done = true;
         parsed.status = 1;
         return parsed;

@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include <cairn/engine/printable.h>
 #include <cairn/scripting/check_game.h>
 #include <cairn/scripting/play.h>
 #include <cairn/scripting/reference.h>
@@ -18,7 +19,7 @@ using cairn::player::Command;
 using cairn::player::CommandLine;
 
 int fail(const std::string& message) {
-    std::fprintf(stderr, "cairn: error: %s\n", message.c_str());
+    std::fprintf(stderr, "cairn: error: %s\n", cairn::engine::printable(message).c_str());
     return 1;
 }
 

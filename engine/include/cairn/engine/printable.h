@@ -24,7 +24,27 @@ inline ShownCharacter take_shown(std::string_view& text) {
     return {bytes, !is_broken && c >= 0x20 && !(c >= 0x7f && c < 0xa0)};
 }
 
-/// As decimal escapes what is not printable; ends of lines and tabs stay.
+/// Gives `append` the text in parts, with decimal escapes for what is not printable; ends of lines and tabs
+/// stay.
+template <class Append>
+void give_printable(std::string_view text, const Append& append) {
+    while (!text.empty()) {
+        const ShownCharacter c = take_shown(text);
+        if (c.is_printable || c.bytes == "\n" || c.bytes == "\t") {
+            append(c.bytes);
+            continue;
+        }
+        for (const char byte : c.bytes) {
+            const int code = static_cast<unsigned char>(byte);
+            const char escape[] = {'\\', static_cast<char>('0' + code / 100),
+                                   static_cast<char>('0' + code / 10 % 10),
+                                   static_cast<char>('0' + code % 10)};
+            append(std::string_view(escape, sizeof escape));
+        }
+    }
+}
+
+/// All of it.
 std::string printable(std::string_view text);
 
 /// The beginning of a text: as many whole characters as that many bytes hold.
