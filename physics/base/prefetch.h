@@ -14,6 +14,11 @@ inline void prefetch(const void* from, std::size_t size) {
     for (std::size_t at = 0; at < size; at += kCacheLine_B) __builtin_prefetch(bytes + at);
 }
 
+/// One line, which is also taken from the cache of another core, for it will be written.
+inline void prefetch_to_write(const void* at) {
+    __builtin_prefetch(at, 1);
+}
+
 /// How many blocks ahead: far enough for memory to answer, near enough for the cache to hold all of them.
 inline constexpr std::size_t kBlocksAhead = 6;
 

@@ -217,7 +217,9 @@ void ContactBatches::split(int block, int bucket) {
 
 // `run` is that of the block before, which is followed by another.
 void ContactBatches::extend_runs(int& run, int next, std::size_t block) {
-    if (next != run) runs_.push_back({static_cast<BlockKind>(next % kBlockKinds), {&blocks_[block], 0}});
+    if (next != run)
+        runs_.push_back(
+            {static_cast<BlockKind>(next % kBlockKinds), {&blocks_[block], 0}, next / kBlockKinds});
     run = next;
     runs_.back().blocks = {runs_.back().blocks.data(), runs_.back().blocks.size() + 1};
 }

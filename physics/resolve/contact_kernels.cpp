@@ -23,6 +23,10 @@ namespace HWY_NAMESPACE {
 // Of a block, all that a pass touches.
 constexpr std::size_t kFetchedBytes = offsetof(ContactBlock, total_impulse);
 
+// Blocks ahead of which bodies are asked for.
+constexpr std::size_t kBodiesAhead = 2;
+constexpr std::size_t kRowFloats = sizeof(VelocityRow) / sizeof(float);
+
 // Whether the velocity of a is read, and whether it is changed.
 constexpr bool reads_a(BlockKind kind) {
     return kind != BlockKind::OneBody;
@@ -320,71 +324,74 @@ HWY_INLINE void warm_start_lanes(ContactBlock& block, int lane, float* velocity,
     pair.finish(block, lane, velocity, nx, ny, sum, tangent);
 }
 
-HWY_INLINE void fetch_ahead(std::span<ContactBlock* const> blocks, std::size_t at) {
+HWY_INLINE void fetch_ahead(const ContactBlocks& run, std::size_t at, const float* velocity) {
+    const auto& blocks = run.blocks;
     if (at + kBlocksAhead < blocks.size()) prefetch(blocks[at + kBlocksAhead], kFetchedBytes);
-}
-
-template <BlockKind kKind>
-void solve_all(std::span<ContactBlock* const> blocks, float* velocity, const ContactPassTime& time) {
-    for (std::size_t n = 0; n < blocks.size(); ++n) {
-        fetch_ahead(blocks, n);
-        for (int lane = 0; lane < kLanes; lane += kStep) solve_lanes<kKind>(*blocks[n], lane, velocity, time);
+    if (!run.are_shared || at + kBodiesAhead >= blocks.size()) return;
+    const ContactBlock& block = *blocks[at + kBodiesAhead];
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+        prefetch_to_write(velocity + kRowFloats * static_cast<std::size_t>(block.a[lane]));
+        prefetch_to_write(velocity + kRowFloats * static_cast<std::size_t>(block.b[lane]));
     }
 }
 
 template <BlockKind kKind>
-void relax_all(std::span<ContactBlock* const> blocks, float* velocity, const float* pose,
-               const ContactPassTime& time) {
-    for (std::size_t n = 0; n < blocks.size(); ++n) {
-        fetch_ahead(blocks, n);
+void solve_all(const ContactBlocks& run, float* velocity, const ContactPassTime& time) {
+    for (std::size_t n = 0; n < run.blocks.size(); ++n) {
+        fetch_ahead(run, n, velocity);
         for (int lane = 0; lane < kLanes; lane += kStep)
-            relax_lanes<kKind>(*blocks[n], lane, velocity, pose, time);
+            solve_lanes<kKind>(*run.blocks[n], lane, velocity, time);
     }
 }
 
 template <BlockKind kKind>
-void warm_start_all(std::span<ContactBlock* const> blocks, float* velocity, float step_ratio,
-                    float friction_ratio) {
-    for (std::size_t n = 0; n < blocks.size(); ++n) {
-        fetch_ahead(blocks, n);
+void relax_all(const ContactBlocks& run, float* velocity, const float* pose, const ContactPassTime& time) {
+    for (std::size_t n = 0; n < run.blocks.size(); ++n) {
+        fetch_ahead(run, n, velocity);
         for (int lane = 0; lane < kLanes; lane += kStep)
-            warm_start_lanes<kKind>(*blocks[n], lane, velocity, set(step_ratio), set(friction_ratio));
+            relax_lanes<kKind>(*run.blocks[n], lane, velocity, pose, time);
     }
 }
 
-void solve_blocks(std::span<ContactBlock* const> blocks, BlockKind kind, float* velocity,
-                  const ContactPassTime& time) {
-    switch (kind) {
-        case BlockKind::TwoBodies:
-            return solve_all<BlockKind::TwoBodies>(blocks, velocity, time);
-        case BlockKind::OneBody:
-            return solve_all<BlockKind::OneBody>(blocks, velocity, time);
-        case BlockKind::Carried:
-            return solve_all<BlockKind::Carried>(blocks, velocity, time);
+template <BlockKind kKind>
+void warm_start_all(const ContactBlocks& run, float* velocity, float step_ratio, float friction_ratio) {
+    for (std::size_t n = 0; n < run.blocks.size(); ++n) {
+        fetch_ahead(run, n, velocity);
+        for (int lane = 0; lane < kLanes; lane += kStep)
+            warm_start_lanes<kKind>(*run.blocks[n], lane, velocity, set(step_ratio), set(friction_ratio));
     }
 }
 
-void relax_blocks(std::span<ContactBlock* const> blocks, BlockKind kind, float* velocity, const float* pose,
-                  const ContactPassTime& time) {
-    switch (kind) {
+void solve_blocks(const ContactBlocks& run, float* velocity, const ContactPassTime& time) {
+    switch (run.kind) {
         case BlockKind::TwoBodies:
-            return relax_all<BlockKind::TwoBodies>(blocks, velocity, pose, time);
+            return solve_all<BlockKind::TwoBodies>(run, velocity, time);
         case BlockKind::OneBody:
-            return relax_all<BlockKind::OneBody>(blocks, velocity, pose, time);
+            return solve_all<BlockKind::OneBody>(run, velocity, time);
         case BlockKind::Carried:
-            return relax_all<BlockKind::Carried>(blocks, velocity, pose, time);
+            return solve_all<BlockKind::Carried>(run, velocity, time);
     }
 }
 
-void warm_start_blocks(std::span<ContactBlock* const> blocks, BlockKind kind, float* velocity,
-                       float step_ratio, float friction_ratio) {
-    switch (kind) {
+void relax_blocks(const ContactBlocks& run, float* velocity, const float* pose, const ContactPassTime& time) {
+    switch (run.kind) {
         case BlockKind::TwoBodies:
-            return warm_start_all<BlockKind::TwoBodies>(blocks, velocity, step_ratio, friction_ratio);
+            return relax_all<BlockKind::TwoBodies>(run, velocity, pose, time);
         case BlockKind::OneBody:
-            return warm_start_all<BlockKind::OneBody>(blocks, velocity, step_ratio, friction_ratio);
+            return relax_all<BlockKind::OneBody>(run, velocity, pose, time);
         case BlockKind::Carried:
-            return warm_start_all<BlockKind::Carried>(blocks, velocity, step_ratio, friction_ratio);
+            return relax_all<BlockKind::Carried>(run, velocity, pose, time);
+    }
+}
+
+void warm_start_blocks(const ContactBlocks& run, float* velocity, float step_ratio, float friction_ratio) {
+    switch (run.kind) {
+        case BlockKind::TwoBodies:
+            return warm_start_all<BlockKind::TwoBodies>(run, velocity, step_ratio, friction_ratio);
+        case BlockKind::OneBody:
+            return warm_start_all<BlockKind::OneBody>(run, velocity, step_ratio, friction_ratio);
+        case BlockKind::Carried:
+            return warm_start_all<BlockKind::Carried>(run, velocity, step_ratio, friction_ratio);
     }
 }
 
@@ -399,19 +406,18 @@ HWY_EXPORT(solve_blocks);
 HWY_EXPORT(relax_blocks);
 HWY_EXPORT(warm_start_blocks);
 
-void solve_blocks(std::span<ContactBlock* const> blocks, BlockKind kind, VelocityRow* velocity,
+void solve_blocks(const ContactBlocks& run, VelocityRow* velocity, const ContactPassTime& time) {
+    HWY_DYNAMIC_DISPATCH(solve_blocks)(run, &velocity->v.x, time);
+}
+
+void relax_blocks(const ContactBlocks& run, VelocityRow* velocity, const PoseRow* pose,
                   const ContactPassTime& time) {
-    HWY_DYNAMIC_DISPATCH(solve_blocks)(blocks, kind, &velocity->v.x, time);
+    HWY_DYNAMIC_DISPATCH(relax_blocks)(run, &velocity->v.x, &pose->d.x, time);
 }
 
-void relax_blocks(std::span<ContactBlock* const> blocks, BlockKind kind, VelocityRow* velocity,
-                  const PoseRow* pose, const ContactPassTime& time) {
-    HWY_DYNAMIC_DISPATCH(relax_blocks)(blocks, kind, &velocity->v.x, &pose->d.x, time);
-}
-
-void warm_start_blocks(std::span<ContactBlock* const> blocks, BlockKind kind, VelocityRow* velocity,
-                       float step_ratio, float friction_ratio) {
-    HWY_DYNAMIC_DISPATCH(warm_start_blocks)(blocks, kind, &velocity->v.x, step_ratio, friction_ratio);
+void warm_start_blocks(const ContactBlocks& run, VelocityRow* velocity, float step_ratio,
+                       float friction_ratio) {
+    HWY_DYNAMIC_DISPATCH(warm_start_blocks)(run, &velocity->v.x, step_ratio, friction_ratio);
 }
 
 }  // namespace cairn::physics

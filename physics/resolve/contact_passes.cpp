@@ -4,6 +4,7 @@
 #include <array>
 
 #include "base/assert.h"
+#include "base/colored_runs.h"
 #include "resolve/contact_kernels.h"
 #include "resolve/contact_lanes.h"
 
@@ -15,55 +16,55 @@ constexpr int kBlocksPerChunk = 24;
 
 constexpr std::size_t kMostRuns = kBuckets;
 
-// Calls pass(run) for parts of all runs.
-template <class RunPass>
-void in_parts(std::span<const ContactRun> runs, TaskPool& tasks, const RunPass& pass) {
-    struct Part {
-        const RunPass* pass;
-        const ContactRun* run;
-    };
-    const auto body = [](const void* context, const Chunk& chunk) {
-        const Part& part = *static_cast<const Part*>(context);
-        const auto first = static_cast<std::size_t>(chunk.begin);
-        const auto count = static_cast<std::size_t>(chunk.end - chunk.begin);
-        (*part.pass)(ContactRun{part.run->kind, part.run->blocks.subspan(first, count)});
-    };
+// Calls pass(blocks) for parts of all runs.
+template <class PartPass>
+void in_parts(std::span<const ContactRun> runs, TaskPool& tasks, const PartPass& pass) {
     CAIRN_ASSERT(runs.size() <= kMostRuns, "no more runs than buckets");
-    std::array<Part, kMostRuns> parts;
-    std::array<ParallelLoop, kMostRuns> loops;
-    for (std::size_t i = 0; i < runs.size(); ++i) {
-        parts[i] = {&pass, &runs[i]};
-        loops[i] = {body, &parts[i], static_cast<int>(runs[i].blocks.size()), kBlocksPerChunk};
+    std::array<ColoredRun, kMostRuns> sizes;
+    for (std::size_t i = 0; i < runs.size(); ++i)
+        sizes[i] = {runs[i].color, static_cast<int>(runs[i].blocks.size())};
+    for_colored_runs<kMostRuns>(
+        {sizes.data(), runs.size()}, kBlocksPerChunk, tasks, [&](int i, int first, int count) {
+            const ContactRun& run = runs[static_cast<std::size_t>(i)];
+            pass(ContactBlocks{run.blocks.subspan(first, count), run.kind, tasks.threads() > 1});
+        });
+}
+
+void warm_start_all(const ContactBlocks& blocks, Motions& motions, float step_ratio, float friction_ratio) {
+    warm_start_blocks(blocks, motions.velocity.data(), step_ratio, friction_ratio);
+}
+
+void solve_all(const ContactBlocks& blocks, Motions& motions, const ContactRules& rules, float h_s,
+               Pass pass) {
+    const Softness& softness =
+        blocks.kind == BlockKind::TwoBodies ? rules.dynamic_softness : rules.static_softness;
+    const ContactPassTime time{softness, 1 / h_s, rules.max_push_out_speed_m_s};
+    if (pass == Pass::Biased) {
+        solve_blocks(blocks, motions.velocity.data(), time);
+    } else {
+        relax_blocks(blocks, motions.velocity.data(), motions.pose.data(), time);
     }
-    if (!runs.empty()) tasks.run_in_order({loops.data(), runs.size()});
 }
 
 }  // namespace
 
 void warm_start(const ContactRun& run, Motions& motions, float step_ratio, float friction_ratio) {
-    warm_start_blocks(run.blocks, run.kind, motions.velocity.data(), step_ratio, friction_ratio);
+    warm_start_all({run.blocks, run.kind}, motions, step_ratio, friction_ratio);
 }
 
 void solve(const ContactRun& run, Motions& motions, const ContactRules& rules, float h_s, Pass pass) {
-    const Softness& softness =
-        run.kind == BlockKind::TwoBodies ? rules.dynamic_softness : rules.static_softness;
-    const ContactPassTime time{softness, 1 / h_s, rules.max_push_out_speed_m_s};
-    if (pass == Pass::Biased) {
-        solve_blocks(run.blocks, run.kind, motions.velocity.data(), time);
-    } else {
-        relax_blocks(run.blocks, run.kind, motions.velocity.data(), motions.pose.data(), time);
-    }
+    solve_all({run.blocks, run.kind}, motions, rules, h_s, pass);
 }
 
 void warm_start(std::span<const ContactRun> runs, Motions& motions, float step_ratio, float friction_ratio,
                 TaskPool& tasks) {
     in_parts(runs, tasks,
-             [&](const ContactRun& run) { warm_start(run, motions, step_ratio, friction_ratio); });
+             [&](const ContactBlocks& part) { warm_start_all(part, motions, step_ratio, friction_ratio); });
 }
 
 void solve(std::span<const ContactRun> runs, Motions& motions, const ContactRules& rules, float h_s,
            Pass pass, TaskPool& tasks) {
-    in_parts(runs, tasks, [&](const ContactRun& run) { solve(run, motions, rules, h_s, pass); });
+    in_parts(runs, tasks, [&](const ContactBlocks& part) { solve_all(part, motions, rules, h_s, pass); });
 }
 
 }  // namespace cairn::physics

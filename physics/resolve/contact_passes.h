@@ -10,18 +10,19 @@
 
 namespace cairn::physics {
 
-/// Blocks of one kind. Where a run is of one colour, its blocks may be solved in any order, and at once.
+/// Blocks of one kind and colour: they may be solved in any order, and at once.
 struct ContactRun {
     BlockKind kind = BlockKind::TwoBodies;
     std::span<ContactBlock* const> blocks;
+    int color = 0;
 };
 
 /// Makes the first guesses of a step and applies them.
 void warm_start(const ContactRun& run, Motions& motions, float step_ratio, float friction_ratio);
 void solve(const ContactRun& run, Motions& motions, const ContactRules& rules, float h_s, Pass pass);
 
-// The same for many runs, each of one colour, one after the other, since their colours may share bodies; the
-// blocks of each are cut into parts for threads.
+// The same for many runs, one colour after the other, since colours may share bodies; threads take parts of
+// each.
 void warm_start(std::span<const ContactRun> runs, Motions& motions, float step_ratio, float friction_ratio,
                 TaskPool& tasks);
 void solve(std::span<const ContactRun> runs, Motions& motions, const ContactRules& rules, float h_s,

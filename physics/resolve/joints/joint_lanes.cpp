@@ -5,6 +5,8 @@
 #include <atomic>
 #include <cstring>
 
+#include "base/colored_runs.h"
+
 namespace cairn::physics {
 namespace {
 
@@ -147,26 +149,14 @@ template <class Block>
 template <class BlockPass>
 void JointPool<Block>::for_each_bucket(TaskPool& tasks, const BlockPass& pass) const {
     if (used_count_ == 0) return;
-    struct Part {
-        const BlockPass* pass;
-        std::span<const int> blocks;
-        JointBlockKind kind;
-    };
-    const auto body = [](const void* context, const Chunk& chunk) {
-        const Part& part = *static_cast<const Part*>(context);
-        const auto first = static_cast<std::size_t>(chunk.begin);
-        const auto count = static_cast<std::size_t>(chunk.end - chunk.begin);
-        (*part.pass)(part.blocks.subspan(first, count), part.kind);
-    };
-    std::array<Part, kJointBuckets> parts;
-    std::array<ParallelLoop, kJointBuckets> loops;
-    std::size_t count = 0;
-    for (const int bucket : buckets()) {
-        parts[count] = {&pass, blocks(bucket), joint_block_kind(bucket)};
-        loops[count] = {body, &parts[count], static_cast<int>(parts[count].blocks.size()), kBlocksPerChunk};
-        ++count;
-    }
-    tasks.run_in_order({loops.data(), count});
+    std::array<ColoredRun, kJointBuckets> runs;
+    for (std::size_t i = 0; i < used_count_; ++i)
+        runs[i] = {joint_color(used_[i]), static_cast<int>(blocks(used_[i]).size())};
+    for_colored_runs<kJointBuckets>({runs.data(), used_count_}, kBlocksPerChunk, tasks,
+                                    [&](int i, int first, int count) {
+                                        const int bucket = used_[static_cast<std::size_t>(i)];
+                                        pass(blocks(bucket).subspan(first, count), joint_block_kind(bucket));
+                                    });
 }
 
 template class JointPool<PinBlock>;

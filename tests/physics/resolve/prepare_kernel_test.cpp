@@ -340,9 +340,9 @@ TEST_CASE("lanes and points without a contact do nothing") {
         }
         const std::vector<VelocityRow> before = motions.velocity;
         const std::array<ContactBlock*, 1> first{&p.block};
-        warm_start_blocks(first, BlockKind::TwoBodies, motions.velocity.data(), 1.2f, 1.2f);
-        solve_blocks(first, BlockKind::TwoBodies, motions.velocity.data(), time);
-        relax_blocks(first, BlockKind::TwoBodies, motions.velocity.data(), motions.pose.data(), time);
+        warm_start_blocks({first}, motions.velocity.data(), 1.2f, 1.2f);
+        solve_blocks({first}, motions.velocity.data(), time);
+        relax_blocks({first}, motions.velocity.data(), motions.pose.data(), time);
         for (int row = 0; row < kRows; ++row) {
             REQUIRE(motions.velocity[row].v == before[row].v);
             REQUIRE(motions.velocity[row].w == before[row].w);
