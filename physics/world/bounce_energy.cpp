@@ -293,13 +293,22 @@ void give_back_speed(ContactConstraint& c, const std::array<VelocityRow, 2>& cam
 }
 
 void give_back_speed(Stores& stores, StepScratch& scratch, const ContactRules& rules) {
-    if (scratch.impacts.met.empty()) return;
-    Bouncing bouncing(stores, scratch);
-    for (const int i : scratch.impacts.met) bouncing.note(scratch.contacts[static_cast<std::size_t>(i)]);
-    apply_restitution(scratch.contacts, scratch.motions, scratch.drives, rules);
-    bouncing.find_heaps(scratch.impacts.met.size());
-    bouncing.limit();
-    for (const int i : scratch.impacts.met) {
+    const std::vector<int>& met = scratch.impacts.met;
+    if (met.empty()) return;
+    const bool some_may_win = std::ranges::any_of(met, [&](int i) {
+        const ContactConstraint& c = scratch.contacts[static_cast<std::size_t>(i)];
+        return c.friction == 0 || !gives_back_little(c.restitution);
+    });
+    if (some_may_win) {
+        Bouncing bouncing(stores, scratch);
+        for (const int i : met) bouncing.note(scratch.contacts[static_cast<std::size_t>(i)]);
+        apply_restitution(scratch.contacts, scratch.motions, scratch.drives, rules);
+        bouncing.find_heaps(met.size());
+        bouncing.limit();
+    } else {
+        apply_restitution(scratch.contacts, scratch.motions, scratch.drives, rules);
+    }
+    for (const int i : met) {
         ContactConstraint& c = scratch.contacts[static_cast<std::size_t>(i)];
         forget_lane_impulses(stores.contacts, c.contact);
         for (ContactPointConstraint& p : c.points) p.normal_impulse = 0;

@@ -197,7 +197,7 @@ class Groups {
             is_alone_ = false;
             return !has_pushed(contact);
         }
-        if (c.restitution == 0 || (c.special & (special::kSurface | special::kOneWay)) != 0) return false;
+        if (gives_back_little(c.restitution) || (c.special & (special::kSurface | special::kOneWay)) != 0) return false;
         hit.friction = c.friction;
         hit.restitution = c.restitution;
         const float g =
@@ -340,10 +340,16 @@ class Groups {
 }  // namespace
 
 void pass_impacts_on(Stores& stores, StepScratch& scratch, const StepTime& time, const ContactRules& rules) {
-    if (scratch.impacts.met.empty()) return;
+    const auto goes_on = [&](int i) {
+        return !gives_back_little(scratch.contacts[static_cast<std::size_t>(i)].restitution);
+    };
+    const std::vector<int>& met = scratch.impacts.met;
+    if (std::ranges::none_of(met, goes_on)) return;
     Groups groups(stores, scratch, time, rules);
     groups.find_heaps();
-    for (const int i : scratch.impacts.met) groups.from(scratch.contacts[static_cast<std::size_t>(i)]);
+    for (const int i : met) {
+        if (goes_on(i)) groups.from(scratch.contacts[static_cast<std::size_t>(i)]);
+    }
 }
 
 }  // namespace cairn::physics
