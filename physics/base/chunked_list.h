@@ -58,6 +58,13 @@ class ChunkedList {
         }
     }
 
+    /// How many stand in it.
+    [[nodiscard]] std::size_t size() const {
+        std::size_t sum = 0;
+        for (const Part& part : parts_) sum += part.end - part.begin;
+        return sum;
+    }
+
     void copy_to(std::vector<T>& all) const {
         all.clear();
         for_each([&](const T& item) { all.push_back(item); });

@@ -1,4 +1,4 @@
-// Loops over runs of blocks, colour by colour, on several threads.
+// Loops over runs of blocks, colour by colour, on several threads (docs/adr/010-contact-lanes.md).
 // What is of one colour may be worked on at once, whatever its kind: it is one loop. Each loop ends with a
 // wait for the slowest, of about half a microsecond, and colours differ in size by a factor of hundreds: a
 // body with many neighbours has a colour for each. So small colours that follow one another are worked on by
@@ -56,7 +56,8 @@ void for_colored_runs(std::span<const ColoredRun> runs, int grain, TaskPool& tas
         if (is_small && last_is_small) {
             const auto begin = static_cast<std::size_t>(parts[loop - 1].first_run);
             parts[loop - 1].runs = runs.subspan(begin, last - begin);
-            loops[loop - 1].grain = loops[loop - 1].count += count;
+            loops[loop - 1].count += count;
+            loops[loop - 1].grain = std::max(loops[loop - 1].count, 1);
         } else {
             parts[loop] = {&pass, runs.subspan(first, last - first), static_cast<int>(first)};
             loops[loop] = {body, &parts[loop], count, is_small ? std::max(count, 1) : grain};

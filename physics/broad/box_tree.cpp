@@ -26,7 +26,7 @@ void BoxTree::insert(int item, const Aabb& box, OrderScratch& scratch) {
     levels_[0][place / kGroupSize].set_box(place % kGroupSize, box);
     enlarge_ancestors(place, box);
     ++live_;
-    ++disorder_;
+    ++wear_.disorder;
     // The largest node that is full now.
     int full = kGroupSize;
     while (end_ % (full * kGroupSize) == 0) full *= kGroupSize;
@@ -40,7 +40,7 @@ void BoxTree::remove(int item, OrderScratch& scratch) {
     items_[place] = kNone;
     levels_[0][place / kGroupSize].set_box(place % kGroupSize, Aabb{});
     --live_;
-    ++disorder_;
+    ++wear_.disorder;
     if (live_ == 0) {
         clear();
     } else if (end_ > kFewPlaces && live_ < end_ / 2) {
@@ -51,7 +51,7 @@ void BoxTree::remove(int item, OrderScratch& scratch) {
 void BoxTree::move(int item, const Aabb& box) {
     const int place = places_[item];
     levels_[0][place / kGroupSize].set_box(place % kGroupSize, box);
-    if (enlarge_ancestors(place, box)) ++disorder_;
+    if (enlarge_ancestors(place, box)) ++wear_.disorder;
 }
 
 void BoxTree::rebuild(OrderScratch& scratch) {
@@ -67,7 +67,22 @@ void BoxTree::rebuild(OrderScratch& scratch) {
         if (groups > 0) ++level_count_;
         groups = groups > 1 ? groups_for(groups) : 0;
     }
-    disorder_ = 0;
+    const float girth = girth_m();
+    wear_ = {0, girth, girth};
+}
+
+void BoxTree::refit() {
+    refit(0, static_cast<int>(levels_[0].size()));
+    wear_.girth_m = girth_m();
+}
+
+float BoxTree::girth_m() const {
+    if (level_count_ < 2) return 0;
+    float sum = 0;
+    for (const BoxGroup& groups : levels_[1]) {
+        for (int lane = 0; lane < kGroupSize; ++lane) sum += std::max(half_perimeter(groups.box(lane)), 0.0f);
+    }
+    return sum;
 }
 
 void BoxTree::clear() {
@@ -75,7 +90,7 @@ void BoxTree::clear() {
     level_count_ = 0;
     items_.clear();
     end_ = 0;
-    disorder_ = 0;
+    wear_ = {};
 }
 
 // One more group at the bottom, and the nodes above it that are not there yet.

@@ -3,9 +3,10 @@
 // child follows from the numbers alone, so a node is nothing but the eight boxes of its children. New boxes
 // are appended; each time a node fills up, all that is below it is put in order anew, so each box is sorted
 // once per level. A box that goes leaves an empty box behind; one that moves stays in its place and its
-// ancestors grow. `rebuild` puts everything in order; what the tree then holds follows from the calls alone.
-// Invariant: the boxes of a node enclose its children; each item has one place, and the place names the item.
-// Source: wide trees for ray tracing, Dammertz et al. 2008; order along a curve, Lauterbach et al. 2009.
+// ancestors grow, or all nodes are made anew where many moved. `rebuild` puts everything in order; what the
+// tree then holds follows from the calls alone. Invariant: the boxes of a node enclose its children; each
+// item has one place, and the place names the item. Source: wide trees for ray tracing, Dammertz et al. 2008;
+// order along a curve, Lauterbach et al. 2009.
 #pragma once
 
 #include <algorithm>
@@ -30,6 +31,15 @@ struct OrderScratch {
     std::vector<int> items;
 };
 
+/// How far the order of a tree is from what putting it in order anew would give.
+struct TreeWear {
+    int disorder = 0;  // boxes that came, went, or grew their group by `move` since then
+    // m: half the perimeters of the groups at the bottom, which is what searching costs. As of the last
+    // refit, and when they were put in order.
+    float girth_m = 0;
+    float sorted_girth_m = 0;
+};
+
 class BoxTree {
   public:
     static constexpr int kMaxLevels = 9;  // 8^9 boxes
@@ -38,10 +48,18 @@ class BoxTree {
     void insert(int item, const Aabb& box, OrderScratch& scratch);
     void remove(int item, OrderScratch& scratch);
     void move(int item, const Aabb& box);
+    /// The same for many at once: `shift` each, then `refit`, before anything is asked. Nodes are just large
+    /// enough then.
+    void shift(int item, const Aabb& box) {
+        levels_[0][places_[item] / kGroupSize].set_box(places_[item] % kGroupSize, box);
+    }
+    void refit();
     /// Puts all boxes in order and drops the places of those that went.
     void rebuild(OrderScratch& scratch);
     /// Whether so much came, went or moved that searching costs more than a rebuild.
-    [[nodiscard]] bool is_worn() const { return disorder_ > live_ / 4; }
+    [[nodiscard]] bool is_worn() const {
+        return wear_.disorder > live_ / 4 || wear_.girth_m > kWornGirth * wear_.sorted_girth_m;
+    }
 
     [[nodiscard]] int size() const { return live_; }
     [[nodiscard]] bool holds(int item) const {
@@ -92,6 +110,9 @@ class BoxTree {
   private:
     friend struct StateAccess;
 
+    // Of the girth: with 1.5 the time is the same.
+    static constexpr float kWornGirth = 1.25f;
+
     // A walk holds at most seven siblings per level, and the eight children of the last.
     static constexpr int kMaxStack = (kGroupSize - 1) * kMaxLevels + 1;
 
@@ -100,6 +121,7 @@ class BoxTree {
     bool enlarge_ancestors(int place, const Aabb& box);
     void sort_groups(int first, int last, OrderScratch& scratch);
     void refit(int first, int last);
+    [[nodiscard]] float girth_m() const;
     void clear();
 
     std::array<std::vector<BoxGroup>, kMaxLevels> levels_;
@@ -108,7 +130,7 @@ class BoxTree {
     std::vector<int> places_;  // by item
     int end_ = 0;              // one past the last place that was ever taken
     int live_ = 0;
-    int disorder_ = 0;  // boxes that came, went, or grew their group since the last rebuild
+    TreeWear wear_;
     std::int64_t ordered_count_ = 0;
 };
 

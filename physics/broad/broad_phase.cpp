@@ -33,6 +33,13 @@ void BroadPhase::move(int item, const Aabb& box) {
     if (state.layer != Layer::Awake) state.unsettled = true;
 }
 
+void BroadPhase::shift(int item, const Aabb& box) {
+    BoxTree& tree = trees_[index(Layer::Awake)];
+    note_move(item, tree.box(item));
+    drop_way(item);
+    tree.shift(item, box);
+}
+
 void BroadPhase::set_way(int item, Vec2 way) {
     drop_way(item);
     if (way == Vec2{}) return;

@@ -22,6 +22,9 @@ class BroadPhase {
     void add(int item, Layer layer, const Aabb& box);
     void remove(int item);
     void move(int item, const Aabb& box);
+    /// The same for many at once, all of them awake: `shift` each, then `refit`, before anything is asked.
+    void shift(int item, const Aabb& box);
+    void refit() { trees_[index(Layer::Awake)].refit(); }
     /// What the box holds moves by so much (m) in the next step, within the box all along. Pairs that keep
     /// apart on their ways (broad/box_way.h) count as if their boxes did not overlap. The box has just been
     /// moved; it keeps the way until it is moved again, which must be before the next search but one. Only

@@ -27,11 +27,11 @@ struct StateAccess {
         return use(rules);
     }
 
-    /// use(levels, level count, items, places, end, live, disorder). What sorting cost is left out.
+    /// use(levels, level count, items, places, end, live, wear). What sorting cost is left out.
     template <class Tree, class Use>
     static auto tree(Tree& tree, Use&& use) {
-        auto& [levels, level_count, items, places, end, live, disorder, ordered_count] = tree;
-        return use(levels, level_count, items, places, end, live, disorder);
+        auto& [levels, level_count, items, places, end, live, wear, ordered_count] = tree;
+        return use(levels, level_count, items, places, end, live, wear);
     }
 
     /// use(trees, states, boxes before, ways, ways before, how many have ways, whether any had, moved items).

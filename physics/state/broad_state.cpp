@@ -44,17 +44,19 @@ const std::byte* get_group(const std::byte* at, BoxGroup& group, Reading& readin
 }
 
 void save_tree(const BoxTree& tree, Writer& out) {
-    StateAccess::tree(
-        tree, [&](const auto& levels, int, const auto& items, const auto&, int end, int, int disorder) {
-            out.value(end);
-            out.value(disorder);
-            out.list(items);
-            for_each_upper_level(levels[0].size(), [&](std::size_t level, std::size_t nodes) {
-                std::byte* at = out.room(nodes * kGroupBytes);
-                for (const BoxGroup& group : levels[level]) at = put_group(at, group);
-                out.end(at);
-            });
+    StateAccess::tree(tree, [&](const auto& levels, int, const auto& items, const auto&, int end, int,
+                                const TreeWear& wear) {
+        out.value(end);
+        out.value(wear.disorder);
+        out.value(wear.girth_m);
+        out.value(wear.sorted_girth_m);
+        out.list(items);
+        for_each_upper_level(levels[0].size(), [&](std::size_t level, std::size_t nodes) {
+            std::byte* at = out.room(nodes * kGroupBytes);
+            for (const BoxGroup& group : levels[level]) at = put_group(at, group);
+            out.end(at);
         });
+    });
 }
 
 // Whoever walks down a tree enters every child whose box is met: it must be there, and all of it in the box.
@@ -71,9 +73,11 @@ bool enclose(const std::vector<BoxGroup>& nodes, const std::vector<BoxGroup>& ch
 // Whether its items are shapes, and of this layer, is looked at by the shapes, which stand in order.
 void load_tree(Reader& in, const Stores& stores, BoxTree& tree) {
     StateAccess::tree(tree, [&](auto& levels, int& level_count, auto& items, auto& places, int& end,
-                                int& live, int& disorder) {
+                                int& live, TreeWear& wear) {
         in.value(end);
-        in.value(disorder);
+        in.value(wear.disorder);
+        in.value(wear.girth_m);
+        in.value(wear.sorted_girth_m);
         in.list(items);
         for (auto& level : levels) level.clear();
         level_count = 0;
@@ -82,7 +86,7 @@ void load_tree(Reader& in, const Stores& stores, BoxTree& tree) {
         places.assign(static_cast<std::size_t>(slots), kNone);
         if (!in.ok()) return;
         const bool fits = end >= 0 && items.size() == kGroupSize * groups_for(static_cast<std::size_t>(end));
-        if (!in.require(fits && disorder >= 0 && disorder <= kMostDisorder,
+        if (!in.require(fits && wear.disorder >= 0 && wear.disorder <= kMostDisorder,
                         "a tree has not as many places as it says"))
             return;
         levels[0].resize(items.size() / kGroupSize);

@@ -129,7 +129,16 @@ void tell_fat_box(Stores& stores, int shape) {
 }
 
 void tell_fat_boxes(Stores& stores, const ChunkedList<int>& shapes) {
-    shapes.for_each([&](int shape) { tell_fat_box(stores, shape); });
+    // Where many moved it is less work to go over all nodes of the tree.
+    if (8 * shapes.size() < static_cast<std::size_t>(stores.broad.tree(Layer::Awake).size())) {
+        shapes.for_each([&](int shape) { tell_fat_box(stores, shape); });
+        return;
+    }
+    shapes.for_each([&](int shape) {
+        stores.broad.shift(shape, stores.fat_boxes[shape]);
+        note_moved_boxes(stores, stores.shapes[shape].body);
+    });
+    stores.broad.refit();
 }
 
 float clearance(const Aabb& outer, const Aabb& inner) {

@@ -197,7 +197,8 @@ class Groups {
             is_alone_ = false;
             return !has_pushed(contact);
         }
-        if (gives_back_little(c.restitution) || (c.special & (special::kSurface | special::kOneWay)) != 0) return false;
+        if (gives_back_little(c.restitution) || (c.special & (special::kSurface | special::kOneWay)) != 0)
+            return false;
         hit.friction = c.friction;
         hit.restitution = c.restitution;
         const float g =

@@ -369,4 +369,63 @@ TEST_CASE("a box that comes and goes for ever does not make the tree grow") {
     CHECK(tree.is_valid());
 }
 
+TEST_CASE("boxes that are shifted together are found where they are, and nodes are made just large enough") {
+    for (const int count : {1, 7, 8, 9, 64, 65, 700}) {
+        Random random(static_cast<std::uint64_t>(count));
+        OrderScratch scratch;
+        BoxTree tree;
+        Entries entries;
+        for (int item = 0; item < count; ++item) {
+            entries[item] = random_box(random);
+            tree.insert(item, entries[item], scratch);
+        }
+        tree.rebuild(scratch);
+        for (int round = 0; round < 20; ++round) {
+            Aabb all;
+            for (auto& [item, box] : entries) {
+                const Vec2 way = random.vector(-30, 30);
+                box = {box.lower + way, box.upper + way};
+                all = merged(all, box);
+                tree.shift(item, box);
+            }
+            tree.refit();
+            INFO(count << " boxes, round " << round);
+            REQUIRE(tree.is_valid());
+            const Aabb root = bounds(tree.level(tree.level_count() - 1)[0]);
+            REQUIRE(root.lower == all.lower);
+            REQUIRE(root.upper == all.upper);
+            for (int i = 0; i < 20; ++i) {
+                const Aabb box = random_box(random);
+                REQUIRE(items_in(tree, box) == items_in(entries, box));
+            }
+        }
+    }
+}
+
+TEST_CASE("a tree is worn when its boxes have scattered, and not when they move along together") {
+    Random random(5);
+    OrderScratch scratch;
+    BoxTree tree;
+    Entries entries;
+    for (int item = 0; item < 700; ++item) {
+        entries[item] = random_box(random);
+        tree.insert(item, entries[item], scratch);
+    }
+    tree.rebuild(scratch);
+    const auto shift_all = [&](auto&& way_of) {
+        for (auto& [item, box] : entries) {
+            const Vec2 way = way_of();
+            box = {box.lower + way, box.upper + way};
+            tree.shift(item, box);
+        }
+        tree.refit();
+    };
+    for (int i = 0; i < 100; ++i) shift_all([] { return Vec2{1, -2}; });
+    CHECK_FALSE(tree.is_worn());
+    shift_all([&] { return random.vector(-30, 30); });
+    CHECK(tree.is_worn());
+    tree.rebuild(scratch);
+    CHECK_FALSE(tree.is_worn());
+}
+
 }  // namespace cairn::physics
