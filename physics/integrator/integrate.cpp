@@ -1,6 +1,8 @@
 // Time integration of bodies.
 #include "integrator/integrate.h"
 
+#include <utility>
+
 #include "base/dithered_rounding.h"
 
 namespace cairn::physics {
@@ -11,22 +13,26 @@ float decay(float damping_1_s, float time_s) {
     return static_cast<float>(deterministic::exp(static_cast<double>(-damping_1_s * time_s)));
 }
 
-// The same, where one damping follows another that is mostly alike.
+// The same, where the dampings that follow one another are mostly the last two, as of the limbs of ragdolls.
 class Decays {
   public:
     explicit Decays(float time_s) : time_s_(time_s) {}
     float of(float damping_1_s) {
-        if (damping_1_s != damping_1_s_) {
-            damping_1_s_ = damping_1_s;
-            kept_ = decay(damping_1_s, time_s_);
-        }
-        return kept_;
+        if (damping_1_s == last_.damping_1_s) return last_.kept;
+        std::swap(last_, other_);
+        if (damping_1_s != last_.damping_1_s) last_ = {damping_1_s, decay(damping_1_s, time_s_)};
+        return last_.kept;
     }
 
   private:
+    struct Known {
+        float damping_1_s = 0;
+        float kept = 1;
+    };
+
     float time_s_;
-    float damping_1_s_ = 0;
-    float kept_ = 1;
+    Known last_;
+    Known other_;
 };
 
 // Of all columns, the inverse mass too: m - m + m is m to the bit.
