@@ -23,7 +23,7 @@ struct ContactBlocks {
     std::span<ContactBlock* const> blocks;
     BlockKind kind = BlockKind::TwoBodies;
     /// Other threads work on the same bodies: what they wrote last is asked for in time, as it takes long to
-    /// come. Where a thread has its bodies to itself that would cost 2 to 3 % for nothing.
+    /// come. Where a thread has its bodies to itself that would cost 1 to 3 % for nothing.
     bool are_shared = false;
 };
 

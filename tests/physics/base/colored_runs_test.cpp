@@ -3,7 +3,6 @@
 
 #include <atomic>
 #include <catch2/catch.hpp>
-#include <numeric>
 #include <vector>
 
 #include "physics/support/random.h"
