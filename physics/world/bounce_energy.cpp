@@ -310,7 +310,6 @@ void give_back_speed(Stores& stores, StepScratch& scratch, const ContactRules& r
     }
     for (const int i : met) {
         ContactConstraint& c = scratch.contacts[static_cast<std::size_t>(i)];
-        forget_lane_impulses(stores.contacts, c.contact);
         for (ContactPointConstraint& p : c.points) p.normal_impulse = 0;
         c.friction_impulse = 0;
     }

@@ -51,20 +51,20 @@ void report_parting(const Stores& stores, ContactRecord& contact, std::vector<Co
 }
 
 void report_contacts(Stores& stores, const StepScratch& scratch, float hit_speed_m_s, Events& events) {
+    const Motions& motions = scratch.motions;
     for (const ContactConstraint& c : scratch.contacts) {
         ContactRecord& record = stores.contacts.slots[c.contact];
-        const Motion a = scratch.motions.get(c.a);
         const bool touching =
             touches(c.count, {c.points[0].total_normal_impulse, c.points[1].total_normal_impulse},
                     {c.points[0].end_separation, c.points[1].end_separation}, record.touching);
         if (record.touching && !touching) report_parting(stores, record, events.ends);
         if (touching && !record.touching) {
             record.touching = true;
-            if (record.reports_touch) events.begins.push_back(begin_event(stores, record, c, a));
+            if (record.reports_touch) events.begins.push_back(begin_event(stores, record, c, motions.get(c.a)));
         }
         if (!record.reports_hit) continue;
         if (const auto* fastest = fastest_hit(c, hit_speed_m_s)) {
-            const ContactHit hit = hit_event(stores, record, c, *fastest, a);
+            const ContactHit hit = hit_event(stores, record, c, *fastest, motions.get(c.a));
             // Beyond all measure: one of the two is put back and halted, and has hit nothing.
             if (std::isfinite(hit.approach_speed_m_s) && std::isfinite(hit.impulse_ns)) {
                 events.hits.push_back(hit);

@@ -284,29 +284,40 @@ class Update {
         block.reports = told != 0;
         for (unsigned rest = apart; rest != 0; rest &= rest - 1) {
             const int lane = std::countr_zero(rest);
-            LaneNote& note = notes.emplace_back(LaneNote{.block = block_index, .lane = lane, .parts = true});
-            note.will_meet = meets_again(places, manifold, lane, pairs.contact[lane], note.input);
+            LaneNote& note = notes.emplace_back(LaneNote{block_index, lane, false, {}});
+            ContactInput ahead;
+            if (meets_again(places, manifold, lane, pairs.contact[lane], ahead)) note.form = ahead;
         }
-        for (unsigned rest = (told | loose | deep) & ~gone; rest != 0; rest &= rest - 1) {
+        const unsigned plain = (told | loose | deep) & ~gone;
+        for (unsigned rest = plain; rest != 0; rest &= rest - 1)
+            prefetch(&stores_.contacts.slots[pairs.contact[std::countr_zero(rest)]], sizeof(ContactRecord));
+        for (unsigned rest = plain; rest != 0; rest &= rest - 1) {
             const int lane = std::countr_zero(rest);
-            LaneNote& note = notes.emplace_back(LaneNote{.block = block_index, .lane = lane});
-            note.is_loose = (loose >> lane & 1) != 0;
-            note.input = make_input(stores_, pairs, places, manifold, lane);
+            LaneNote& note =
+                notes.emplace_back(LaneNote{block_index, lane, (loose >> lane & 1) != 0, {}});
+            note.form = plain_form(make_input(stores_, pairs, places, manifold, lane), block, lane);
         }
         return gone;
     }
 
+    // With the impulses of the lane.
+    [[nodiscard]] ContactConstraint plain_form(ContactInput input, const ContactBlock& block, int lane) const {
+        for (int i = 0; i < input.count; ++i) input.points[i].impulse = block.points[i].impulse[lane];
+        input.friction_impulse = block.friction_impulse[lane];
+        return make_contact(input, scratch_.motions, rules_);
+    }
+
     void settle(const LaneNote& note) {
-        const int contact = stores_.contacts.lanes.pairs(note.block).contact[note.lane];
-        if (note.parts) {
-            part(contact, note.will_meet ? &note.input : nullptr);
+        const auto* plain = std::get_if<ContactConstraint>(&note.form);
+        if (plain == nullptr) {
+            part(stores_.contacts.lanes.pairs(note.block).contact[note.lane],
+                 std::get_if<ContactInput>(&note.form));
             return;
         }
-        ContactBlock& block = stores_.contacts.lanes.block(note.block);
-        add_plain(note.input, block, note.lane);
+        scratch_.contacts.push_back(*plain);
         if (is_pushed_apart(scratch_.contacts.back())) {
             note_deep();
-            hide_overlap(block, note.lane);
+            hide_overlap(stores_.contacts.lanes.block(note.block), note.lane);
         }
         if (!note.is_loose) return;
         solve_as_scalar();
@@ -328,13 +339,6 @@ class Update {
         scratch_.parted.push_back(contact);
         report_parting(stores_, stores_.contacts.slots[contact], world_.events.ends);
         stores_.contacts.slots[contact].has_points = false;
-    }
-
-    // The plain form, beside the lane.
-    void add_plain(ContactInput input, const ContactBlock& block, int lane) {
-        for (int i = 0; i < input.count; ++i) input.points[i].impulse = block.points[i].impulse[lane];
-        input.friction_impulse = block.friction_impulse[lane];
-        scratch_.contacts.push_back(make_contact(input, scratch_.motions, rules_));
     }
 
     // The constraint that was added last is solved itself: no lane does it.

@@ -21,6 +21,7 @@ constexpr float kWhirl_rad = 1;
 
 // What a thread takes at once.
 constexpr int kRowsPerChunk = 512;
+constexpr int kContactsPerChunk = 128;
 
 // Substeps that gravity alone asks for, so that no setting makes a step endless: enough for 9,200 m/s2 at
 // 1/60 s.
@@ -133,9 +134,9 @@ void choose_movers(const Stores& stores, StepScratch& scratch) {
     }
 }
 
-void collect_outcomes(const ContactStore& contacts, StepScratch& scratch) {
-    for (ContactConstraint& c : scratch.contacts) {
-        if (!c.in_lane) continue;
+void collect_outcomes(const ContactStore& contacts, StepScratch& scratch, TaskPool& tasks) {
+    const auto collect = [&](ContactConstraint& c) {
+        if (!c.in_lane) return;
         const ContactRecord& record = contacts.slots[c.contact];
         const ContactBlock& block = contacts.lanes.block(record.lane / kLanes);
         const int lane = record.lane % kLanes;
@@ -145,7 +146,10 @@ void collect_outcomes(const ContactStore& contacts, StepScratch& scratch) {
             c.points[i].end_separation = block.points[i].separation[lane];
         }
         c.friction_impulse = block.friction_impulse[lane];
-    }
+    };
+    tasks.parallel_for(static_cast<int>(scratch.contacts.size()), kContactsPerChunk, [&](const Chunk& chunk) {
+        for (int i = chunk.begin; i < chunk.end; ++i) collect(scratch.contacts[static_cast<std::size_t>(i)]);
+    });
 }
 
 void store_contact_impulses(ContactStore& contacts, const StepScratch& scratch) {

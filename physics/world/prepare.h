@@ -30,7 +30,7 @@ void extend_motions(BodyStore& bodies, Vec2 gravity_m_s2, float dt_s, StepScratc
 void choose_movers(const Stores& stores, StepScratch& scratch);
 
 /// Stage: what the lanes hold, for contacts that impact or are told about.
-void collect_outcomes(const ContactStore& contacts, StepScratch& scratch);
+void collect_outcomes(const ContactStore& contacts, StepScratch& scratch, TaskPool& tasks);
 
 /// Stage: impulses of contacts in plain form, to start the next step from.
 void store_contact_impulses(ContactStore& contacts, const StepScratch& scratch);

@@ -84,7 +84,7 @@ void step_world(WorldState& world, float dt_s) {
     return_rest(scratch, acting_substeps);
     clock.enter(Stage::Store);
     fly_freely(scratch.motions, scratch.drives, def.gravity_m_s2, time.dt_s, world.step_count);
-    collect_outcomes(stores.contacts, scratch);
+    collect_outcomes(stores.contacts, scratch, tasks);
     place_bounces(stores.bodies.rows(RowSet::Awake), scratch, time, rules);
     pass_impacts_on(stores, scratch, time, rules);
     give_back_speed(stores, scratch, rules);

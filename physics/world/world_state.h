@@ -5,6 +5,7 @@
 #include <limits>
 #include <memory>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include <cairn/physics/world.h>
@@ -155,10 +156,10 @@ struct WayScratch {
 struct LaneNote {
     int block;
     int lane;
-    bool parts;      ///< no points any more
-    bool will_meet;  ///< again, within the step: as `input` says
-    bool is_loose;   ///< solved in plain form, which `input` is, instead of the lane's; else beside it
-    ContactInput input;
+    bool is_loose;  ///< solved in plain form instead of the lane's; else beside it
+    /// The plain form. What has no points any more has none, or the contact that it will make again within the
+    /// step.
+    std::variant<std::monostate, ContactInput, ContactConstraint> form;
 };
 
 /// What was found in a block in a colour that touches more than the block.
