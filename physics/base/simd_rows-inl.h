@@ -45,6 +45,18 @@ HWY_INLINE void store(VI v, Lanes<std::int32_t>& lanes, int lane) {
     hn::Store(v, DI(), lanes.data() + lane);
 }
 
+// The lanes of which the bit is set.
+HWY_INLINE M wanted_lanes(unsigned lanes, int lane) {
+    alignas(32) static constexpr Lanes<std::int32_t> kBits{1, 2, 4, 8, 16, 32, 64, 128};
+    const VI bits = hn::And(load(kBits, lane), set_int(static_cast<std::int32_t>(lanes)));
+    return hn::RebindMask(D(), hn::Ne(bits, hn::Zero(DI())));
+}
+
+// The numbers in some lanes; those that are not wanted are 0.
+HWY_INLINE void load_wanted(const Lanes<std::int32_t>& numbers, M wanted, int lane, std::int32_t* out) {
+    hn::Store(hn::IfThenElseZero(hn::RebindMask(DI(), wanted), load(numbers, lane)), DI(), out);
+}
+
 // One bit per lane of a register.
 HWY_INLINE unsigned bits_of(M mask) {
     std::uint8_t bits = 0;

@@ -8,6 +8,8 @@
 
 #include <hwy/highway.h>
 
+#include <cairn/physics/math.h>
+
 #include "base/simd_rows-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -17,6 +19,42 @@ namespace HWY_NAMESPACE {
 struct Vec {
     V x, y;
 };
+
+#if HWY_TARGET == HWY_SCALAR
+
+// Vectors that stand anywhere, by number.
+HWY_INLINE Vec load_vecs(const Vec2* vectors, const std::int32_t* index) {
+    return {set(vectors[index[0]].x), set(vectors[index[0]].y)};
+}
+
+#else
+
+// Of x and y side by side: pair(i) is that of lane i.
+template <class PairOf>
+HWY_INLINE Vec from_pairs(const PairOf& pair) {
+    const hn::FixedTag<float, 4> quad;
+    const auto both = [&](int i) HWY_ATTR {  // x y of lanes i and i + 1
+        const auto low = hn::Combine(quad, pair(i + 1), pair(i));
+#if HWY_MAX_BYTES >= 32
+        return hn::Combine(D(), hn::Combine(quad, pair(i + 5), pair(i + 4)), low);
+#else
+        return low;
+#endif
+    };
+    const V first = both(0);
+    const V second = both(2);
+    const V even = hn::InterleaveLower(D(), first, second);  // x0 x2 y0 y2
+    const V odd = hn::InterleaveUpper(D(), first, second);   // x1 x3 y1 y3
+    return {hn::InterleaveLower(D(), even, odd), hn::InterleaveUpper(D(), even, odd)};
+}
+
+// Vectors that stand anywhere, by number.
+HWY_INLINE Vec load_vecs(const Vec2* vectors, const std::int32_t* index) {
+    const hn::FixedTag<float, 2> two;
+    return from_pairs([&](int i) HWY_ATTR { return hn::LoadU(two, &vectors[index[i]].x); });
+}
+
+#endif
 
 HWY_INLINE V dot(Vec a, Vec b) {
     return hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y));

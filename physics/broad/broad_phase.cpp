@@ -51,6 +51,7 @@ void BroadPhase::set_way(int item, Vec2 way) {
 void BroadPhase::drop_way(int item) {
     if (!states_[item].has_way) return;
     states_[item].has_way = false;
+    ways_[item] = {};
     --with_ways_;
 }
 

@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "broad/box_way.h"
@@ -39,7 +40,11 @@ class BroadPhase {
     [[nodiscard]] Aabb box(int item) const { return tree(layer(item)).box(item); }
     [[nodiscard]] const BoxTree& tree(Layer layer) const { return trees_[index(layer)]; }
     [[nodiscard]] bool has_ways() const { return with_ways_ > 0; }
-    [[nodiscard]] Vec2 way(int item) const { return states_[item].has_way ? ways_[item] : Vec2{}; }
+    [[nodiscard]] Vec2 way(int item) const { return ways_[item]; }
+    /// By item; empty while none has any.
+    [[nodiscard]] std::span<const Vec2> ways() const {
+        return has_ways() ? std::span<const Vec2>(ways_) : std::span<const Vec2>();
+    }
 
     /// All in one. The pairs are valid until the next call.
     const std::vector<ItemPair>& find_new_pairs();
@@ -79,7 +84,7 @@ class BroadPhase {
     std::array<BoxTree, kLayers.size()> trees_;
     std::vector<State> states_;     // by item
     std::vector<Aabb> box_before_;  // by item
-    std::vector<Vec2> ways_;        // by item, of those that have one
+    std::vector<Vec2> ways_;        // by item; 0 for those that have none
     std::vector<Vec2> way_before_;  // by item, of those that had one
     int with_ways_ = 0;
     bool had_ways_ = false;         // some item, now or at some time since the last search

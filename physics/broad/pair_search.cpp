@@ -7,6 +7,7 @@
 #include <hwy/highway.h>
 
 #include "base/simd_rows-inl.h"
+#include "broad/box_way-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace cairn::physics {
@@ -31,25 +32,17 @@ HWY_INLINE LaneMask overlapping_lanes(const BoxGroup& group, const Aabb& box) {
     return found;
 }
 
-HWY_INLINE V least_overlap(V way_a, V way_b) {
-    const V zero = hn::Zero(D());
-    return hn::Sub(hn::Sub(hn::Min(way_a, zero), hn::Max(way_b, zero)), hn::Min(hn::Sub(way_a, way_b), zero));
-}
-
-// The lanes that keep apart from the given one: keep_apart to the last bit.
+// The lanes that keep apart from the given one.
 LaneMask lanes_apart(const BoxGroup& group, const GroupWays& ways, const Aabb& box, Vec2 way) {
-    const auto is_more = [](V gap, V way_1, V way_2) { return hn::Gt(gap, least_overlap(way_1, way_2)); };
     const V way_x = set(way.x);
     const V way_y = set(way.y);
     LaneMask apart = 0;
     for (int lane = 0; lane < kLanes; lane += kStep) {
-        const V x = load(ways.x, lane);
-        const V y = load(ways.y, lane);
-        const M along_x = hn::Or(is_more(hn::Sub(load(group.lower_x, lane), set(box.upper.x)), x, way_x),
-                                 is_more(hn::Sub(set(box.lower.x), load(group.upper_x, lane)), way_x, x));
-        const M along_y = hn::Or(is_more(hn::Sub(load(group.lower_y, lane), set(box.upper.y)), y, way_y),
-                                 is_more(hn::Sub(set(box.lower.y), load(group.upper_y, lane)), way_y, y));
-        apart |= bits_of(hn::Or(along_x, along_y)) << lane;
+        const M x = keep_apart_along(load(group.lower_x, lane), load(group.upper_x, lane), load(ways.x, lane),
+                                     set(box.lower.x), set(box.upper.x), way_x);
+        const M y = keep_apart_along(load(group.lower_y, lane), load(group.upper_y, lane), load(ways.y, lane),
+                                     set(box.lower.y), set(box.upper.y), way_y);
+        apart |= bits_of(hn::Or(x, y)) << lane;
     }
     return apart;
 }

@@ -19,18 +19,6 @@ namespace HWY_NAMESPACE {
 
 constexpr float kFarApart_m = 1e9f;
 
-// The lanes of which the bit is set.
-HWY_INLINE M wanted_lanes(unsigned lanes, int lane) {
-    alignas(32) static constexpr Lanes<std::int32_t> kBits{1, 2, 4, 8, 16, 32, 64, 128};
-    const VI bits = hn::And(load(kBits, lane), set_int(static_cast<std::int32_t>(lanes)));
-    return hn::RebindMask(D(), hn::Ne(bits, hn::Zero(DI())));
-}
-
-// The bodies of some lanes; those that are not wanted take the first body there is.
-HWY_INLINE void load_bodies(const Lanes<std::int32_t>& bodies, M wanted, int lane, std::int32_t* out) {
-    hn::Store(hn::IfThenElseZero(hn::RebindMask(DI(), wanted), load(bodies, lane)), DI(), out);
-}
-
 // Rotations, rows and flags, as bits of floats.
 HWY_INLINE Columns load_turns(const Place* places, const std::int32_t* bodies) {
     static_assert(offsetof(Place, rotation) == 16 && sizeof(Rotation) == 8 && sizeof(Place) == 32);
@@ -58,24 +46,10 @@ HWY_INLINE Vec between(const Place* places, const std::int32_t* a, const std::in
     static_assert(offsetof(Place, center) == 0);
     const hn::FixedTag<double, 2> two;
     const hn::FixedTag<float, 2> narrow;
-    const hn::FixedTag<float, 4> quad;
-    const auto difference = [&](int i) HWY_ATTR {
+    return from_pairs([&](int i) HWY_ATTR {
         const auto from_a = hn::Load(two, &places[a[i]].center.x);
         return hn::DemoteTo(narrow, hn::Sub(hn::Load(two, &places[b[i]].center.x), from_a));
-    };
-    const auto both = [&](int i) HWY_ATTR {  // x y of lanes i and i + 1
-        const auto low = hn::Combine(quad, difference(i + 1), difference(i));
-#if HWY_MAX_BYTES >= 32
-        return hn::Combine(D(), hn::Combine(quad, difference(i + 5), difference(i + 4)), low);
-#else
-        return low;
-#endif
-    };
-    const V first = both(0);
-    const V second = both(2);
-    const V even = hn::InterleaveLower(D(), first, second);  // x0 x2 y0 y2
-    const V odd = hn::InterleaveUpper(D(), first, second);   // x1 x3 y1 y3
-    return {hn::InterleaveLower(D(), even, odd), hn::InterleaveUpper(D(), even, odd)};
+    });
 }
 
 #endif
@@ -87,8 +61,8 @@ void load_places(const Place* places, const Lanes<std::int32_t>& body_a, const L
         const M wanted = wanted_lanes(lanes, lane);
         alignas(32) std::int32_t a[kLanes];
         alignas(32) std::int32_t b[kLanes];
-        load_bodies(body_a, wanted, lane, a);
-        load_bodies(body_b, wanted, lane, b);
+        load_wanted(body_a, wanted, lane, a);
+        load_wanted(body_b, wanted, lane, b);
         const Columns turn_a = load_turns(places, a);
         const Columns turn_b = load_turns(places, b);
         const Vec d = between(places, a, b);
@@ -142,8 +116,8 @@ void look_near(const Place* places, const Lanes<std::int32_t>& body_a, const Lan
         const M wanted = wanted_lanes(lanes, lane);
         alignas(32) std::int32_t a[kLanes];
         alignas(32) std::int32_t b[kLanes];
-        load_bodies(body_a, wanted, lane, a);
-        load_bodies(body_b, wanted, lane, b);
+        load_wanted(body_a, wanted, lane, a);
+        load_wanted(body_b, wanted, lane, b);
         const Columns turn_a = load_turns(places, a);
         const Columns turn_b = load_turns(places, b);
         const Vec d = between(places, a, b);
@@ -214,8 +188,8 @@ void find_passed(const Place* places, const Lanes<std::int32_t>& body_a, const L
         const M wanted = wanted_lanes(lanes, lane);
         alignas(32) std::int32_t a[kLanes];
         alignas(32) std::int32_t b[kLanes];
-        load_bodies(body_a, wanted, lane, a);
-        load_bodies(body_b, wanted, lane, b);
+        load_wanted(body_a, wanted, lane, a);
+        load_wanted(body_b, wanted, lane, b);
         const Columns turn_a = load_turns(places, a);
         const Columns turn_b = load_turns(places, b);
         const VI flags = hn::Or(hn::BitCast(DI(), turn_a.u), hn::BitCast(DI(), turn_b.u));

@@ -181,7 +181,7 @@ void load_broad(Reader& in, Stores& stores) {
             const std::byte* at = in.take(static_cast<std::size_t>(boxed));
             if (at == nullptr) return;
             box_before.resize(slots);
-            ways.resize(slots);
+            ways.assign(slots, {});
             way_before.resize(slots);
             with_ways = 0;
             int waiting = 0;  // that moved, and must be listed

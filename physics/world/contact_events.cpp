@@ -60,7 +60,8 @@ void report_contacts(Stores& stores, const StepScratch& scratch, float hit_speed
         if (record.touching && !touching) report_parting(stores, record, events.ends);
         if (touching && !record.touching) {
             record.touching = true;
-            if (record.reports_touch) events.begins.push_back(begin_event(stores, record, c, motions.get(c.a)));
+            if (record.reports_touch)
+                events.begins.push_back(begin_event(stores, record, c, motions.get(c.a)));
         }
         if (!record.reports_hit) continue;
         if (const auto* fastest = fastest_hit(c, hit_speed_m_s)) {

@@ -293,15 +293,15 @@ class Update {
             prefetch(&stores_.contacts.slots[pairs.contact[std::countr_zero(rest)]], sizeof(ContactRecord));
         for (unsigned rest = plain; rest != 0; rest &= rest - 1) {
             const int lane = std::countr_zero(rest);
-            LaneNote& note =
-                notes.emplace_back(LaneNote{block_index, lane, (loose >> lane & 1) != 0, {}});
+            LaneNote& note = notes.emplace_back(LaneNote{block_index, lane, (loose >> lane & 1) != 0, {}});
             note.form = plain_form(make_input(stores_, pairs, places, manifold, lane), block, lane);
         }
         return gone;
     }
 
     // With the impulses of the lane.
-    [[nodiscard]] ContactConstraint plain_form(ContactInput input, const ContactBlock& block, int lane) const {
+    [[nodiscard]] ContactConstraint plain_form(ContactInput input, const ContactBlock& block,
+                                               int lane) const {
         for (int i = 0; i < input.count; ++i) input.points[i].impulse = block.points[i].impulse[lane];
         input.friction_impulse = block.friction_impulse[lane];
         return make_contact(input, scratch_.motions, rules_);

@@ -8,6 +8,7 @@
 
 #include <cairn/physics/tuning.h>
 
+#include "broad/parted_pairs.h"
 #include "collide/hull_lanes.h"
 #include "world/tiny_contacts.h"
 
@@ -69,20 +70,7 @@ HullLanes hulls_of(const Stores& stores, const PairBlock& pairs, unsigned lanes)
 }  // namespace
 
 unsigned gone_lanes(const Stores& stores, const PairBlock& pairs, unsigned lanes) {
-    const auto where = [&](unsigned among, auto&& has_parted) {
-        unsigned gone = 0;
-        for (; among != 0; among &= among - 1) {
-            const int lane = std::countr_zero(among);
-            if (has_parted(pairs.shape_a[lane], pairs.shape_b[lane])) gone |= 1u << lane;
-        }
-        return gone;
-    };
-    const std::vector<Aabb>& boxes = stores.fat_boxes;
-    const unsigned gone = where(lanes, [&](int a, int b) { return !overlap(boxes[a], boxes[b]); });
-    if (!stores.broad.has_ways()) return gone;
-    return gone | where(lanes & ~gone, [&](int a, int b) {
-               return keep_apart(boxes[a], stores.broad.way(a), boxes[b], stores.broad.way(b));
-           });
+    return parted_lanes(stores.fat_boxes, stores.broad.ways(), pairs.shape_a, pairs.shape_b, lanes);
 }
 
 void collide_block(const Stores& stores, const PairBlock& pairs, PairGeometry geometry, unsigned lanes,

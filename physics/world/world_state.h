@@ -157,8 +157,8 @@ struct LaneNote {
     int block;
     int lane;
     bool is_loose;  ///< solved in plain form instead of the lane's; else beside it
-    /// The plain form. What has no points any more has none, or the contact that it will make again within the
-    /// step.
+    /// The plain form. What has no points any more has none, or the contact that it will make again within
+    /// the step.
     std::variant<std::monostate, ContactInput, ContactConstraint> form;
 };
 
