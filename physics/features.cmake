@@ -82,8 +82,10 @@ cairn_feature(FRACTURE "cuts, breaks and breakable bodies"
 cairn_feature(RESTITUTION "impacts that give back speed"
   resolve/impacts.cpp
   resolve/restitution.cpp
+  resolve/restitution_kernel.cpp
   world/bounce_energy.cpp
   world/bounces.cpp
+  world/faint_bounces.cpp
   world/impact_groups.cpp)
 cairn_feature(ROLLING_RESISTANCE "torques that resist rolling"
   resolve/rolling.cpp)

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 
 namespace cairn::physics {
 
@@ -11,5 +12,16 @@ inline constexpr int kLanes = 8;
 
 template <class T>
 using Lanes = std::array<T, kLanes>;
+
+/// One bit per lane.
+using LaneBits = std::uint8_t;
+
+constexpr void set_lane_bit(LaneBits& bits, int lane, bool on) {
+    bits = static_cast<LaneBits>((bits & ~(1 << lane)) | (on ? 1 : 0) << lane);
+}
+
+constexpr void copy_lane_bit(LaneBits& to, int to_lane, LaneBits from, int from_lane) {
+    set_lane_bit(to, to_lane, (from >> from_lane & 1) != 0);
+}
 
 }  // namespace cairn::physics

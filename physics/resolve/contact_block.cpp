@@ -29,6 +29,7 @@ void copy_lane(ContactBlock& to, int to_lane, const ContactBlock& from, int from
     copy(to.friction, from.friction);
     copy(to.friction_impulse, from.friction_impulse);
     to.reports = to.reports || from.reports;
+    copy_lane_bit(to.bounces, to_lane, from.bounces, from_lane);
 }
 
 void clear_lane(ContactBlock& block, int lane) {
@@ -43,6 +44,7 @@ void clear_lane(ContactBlock& block, int lane) {
     }
     block.tangent_arm_a[lane] = block.tangent_arm_b[lane] = block.tangent_mass[lane] = 0;
     block.friction[lane] = block.friction_impulse[lane] = 0;
+    set_lane_bit(block.bounces, lane, false);
 }
 
 void copy_outcome(ContactBlock& to, int to_lane, const ContactBlock& from, int from_lane) {

@@ -36,6 +36,13 @@ struct alignas(64) ContactBlock {
     // Touched only when `reports` is set: what impacts gave over the whole step.
     std::array<Lanes<float>, 2> total_impulse;
     bool reports = false;
+    LaneBits bounces = 0;  // that may have met fast in this step, and bounce in their lanes
+};
+
+/// Of a block, what bouncing takes besides.
+struct alignas(32) ImpactLanes {
+    Lanes<float> restitution{};  // kept from step to step; 0 in lanes that do not bounce here
+    std::array<Lanes<float>, 2> closing_velocity{};  // m/s, Jv of both points at the start of the step
 };
 
 void copy_lane(ContactBlock& to, int to_lane, const ContactBlock& from, int from_lane);

@@ -11,12 +11,10 @@ namespace {
 void copy_pair(PairBlock& to, int to_lane, const PairBlock& from, int from_lane) {
     copy_geometry(to, to_lane, from, from_lane);
     for (int i = 0; i < 2; ++i) to.features[i][to_lane] = from.features[i][from_lane];
-    const auto copy_bit = [&](std::uint8_t& t, std::uint8_t f) {
-        const int bit = f >> from_lane & 1;
-        t = static_cast<std::uint8_t>((t & ~(1 << to_lane)) | bit << to_lane);
-    };
+    const auto copy_bit = [&](LaneBits& t, LaneBits f) { copy_lane_bit(t, to_lane, f, from_lane); };
     copy_bit(to.reports, from.reports);
     copy_bit(to.impacts, from.impacts);
+    copy_bit(to.faint, from.faint);
     copy_bit(to.remembers, from.remembers);
     copy_bit(to.seen, from.seen);
 }
@@ -36,13 +34,16 @@ void write_pair(PairBlock& to, int lane, const PairLane& from) {
     to.boxes.offset_bx[lane] = from.offset_b.x;
     to.boxes.offset_by[lane] = from.offset_b.y;
     for (auto& features : to.features) features[lane] = kNoFeature;
-    const auto put_bit = [lane](std::uint8_t& bits, bool on) {
-        bits = static_cast<std::uint8_t>((bits & ~(1 << lane)) | (on ? 1 : 0) << lane);
-    };
-    put_bit(to.reports, from.reports);
-    put_bit(to.impacts, from.impacts);
-    put_bit(to.remembers, from.remembers);
-    put_bit(to.seen, false);
+    set_lane_bit(to.reports, lane, from.reports);
+    set_lane_bit(to.impacts, lane, from.impacts);
+    set_lane_bit(to.faint, lane, from.faint);
+    set_lane_bit(to.remembers, lane, from.remembers);
+    set_lane_bit(to.seen, lane, false);
+}
+
+void copy_lane(ImpactLanes& to, int to_lane, const ImpactLanes& from, int from_lane) {
+    to.restitution[to_lane] = from.restitution[from_lane];
+    for (int i = 0; i < 2; ++i) to.closing_velocity[i][to_lane] = from.closing_velocity[i][from_lane];
 }
 
 void clear_pairs(PairBlock& pairs) {
@@ -91,6 +92,10 @@ int ContactLanes::remove(int bucket, int lane) {
     copy_pair(to, lane % kLanes, from, last);
     copy_lane(blocks_[lane / kLanes], lane % kLanes, blocks_[last_block], last);
     clear_lane(blocks_[last_block], last);
+    if (!impacts_.empty()) {
+        copy_lane(impacts_[lane / kLanes], lane % kLanes, impacts_[last_block], last);
+        impacts_[last_block].restitution[last] = 0;
+    }
     write_pair(from, last, PairLane{});
     const int moved = last_block * kLanes + last == lane ? kNone : to.contact[lane % kLanes];
     if (last == 0) close_block(bucket);
@@ -138,6 +143,7 @@ int ContactLanes::open_block(int bucket) {
         blocks_.emplace_back();
         links_.emplace_back();
         for (int lane = 0; lane < kLanes; ++lane) clear_lane(blocks_.back(), lane);
+        if (!impacts_.empty()) make_room_for_impacts();
         free_.reserve(pairs_.capacity());
         order_.reserve(pairs_.capacity());
         in_memory_.reserve(pairs_.capacity());
@@ -218,10 +224,12 @@ void ContactLanes::take_order(LaneOrderScratch& scratch) {
     constexpr std::uint64_t kLower = 0xffffffffu;
     PairBlock first_pair;
     ContactBlock first_block;
+    ImpactLanes first_impact;
     for (std::size_t first = 0; first < scratch.keys.size(); ++first) {
         if (scratch.keys[first] <= kLower || (scratch.keys[first] & kLower) == first) continue;
         copy_pair(first_pair, 0, pairs_[at(first).block], at(first).lane);
         copy_lane(first_block, 0, blocks_[at(first).block], at(first).lane);
+        if (!impacts_.empty()) copy_lane(first_impact, 0, impacts_[at(first).block], at(first).lane);
         for (std::size_t i = first;;) {
             const std::size_t next = scratch.keys[i] &= kLower;
             const auto [block, lane] = at(i);
@@ -230,6 +238,10 @@ void ContactLanes::take_order(LaneOrderScratch& scratch) {
             copy_pair(pairs_[block], lane, closes ? first_pair : pairs_[from_block], closes ? 0 : from_lane);
             copy_lane(blocks_[block], lane, closes ? first_block : blocks_[from_block],
                       closes ? 0 : from_lane);
+            if (!impacts_.empty()) {
+                copy_lane(impacts_[block], lane, closes ? first_impact : impacts_[from_block],
+                          closes ? 0 : from_lane);
+            }
             if (closes) break;
             i = next;
         }
@@ -258,8 +270,16 @@ void ContactLanes::set_memory(int lane, const ContactMemory& memory) {
     block.friction_impulse[lane % kLanes] = memory.friction_impulse;
 }
 
-void ContactLanes::set_friction(int lane, float friction) {
+void ContactLanes::set_material(int lane, float friction, float restitution) {
     blocks_[lane / kLanes].friction[lane % kLanes] = friction;
+    if (restitution > 0 || !impacts_.empty()) make_room_for_impacts();
+    if (!impacts_.empty()) impacts_[lane / kLanes].restitution[lane % kLanes] = restitution;
+}
+
+void ContactLanes::make_room_for_impacts() {
+    if (impacts_.size() == pairs_.size()) return;
+    impacts_.reserve(pairs_.capacity());
+    impacts_.resize(pairs_.size());
 }
 
 void ContactLanes::blank(int lane) {

@@ -37,10 +37,11 @@ struct alignas(64) PairBlock {
     Lanes<std::int32_t> shape_b;
     BoxLanes boxes;  // of other shapes only the offsets are used: of the body's origin
     FeatureLanes features;
-    std::uint8_t reports = 0;    // bits: touching is told, which takes the plain form of the contact too
-    std::uint8_t impacts = 0;    // bits: impacts bounce or are told; they take that form as well
-    std::uint8_t remembers = 0;  // bits: it had points in the last step, though it is not in a colour
-    std::uint8_t seen = 0;       // bits: a near pair that has its NearSight
+    LaneBits reports = 0;    // touching is told, which takes the plain form of the contact too
+    LaneBits impacts = 0;    // impacts bounce or are told; they take that form as well
+    LaneBits faint = 0;      // impacts bounce in their lanes
+    LaneBits remembers = 0;  // it had points in the last step, though it is not in a colour
+    LaneBits seen = 0;       // a near pair that has its NearSight
 };
 
 /// Where a block in a colour stands.
@@ -65,6 +66,7 @@ struct PairLane {
     float reach_m = 0;  // see NearReaches
     bool reports = false;
     bool impacts = false;
+    bool faint = false;
     bool remembers = false;
 };
 
@@ -147,6 +149,12 @@ class ContactLanes {
     [[nodiscard]] ContactBlock& block(int block) { return blocks_[block]; }
     [[nodiscard]] const ContactBlock& block(int block) const { return blocks_[block]; }
 
+    /// Of a block; null as long as no contact bounces in its lane.
+    [[nodiscard]] ImpactLanes* impacts(int block) { return impacts_.empty() ? nullptr : &impacts_[block]; }
+    [[nodiscard]] const ImpactLanes* impacts(int block) const {
+        return impacts_.empty() ? nullptr : &impacts_[block];
+    }
+
     /// Of a bucket in colours; kNone when it is empty. BlockLink::next leads on.
     [[nodiscard]] int first_block(int bucket) const { return chains_[bucket].first; }
     /// Lists the blocks of all buckets in colours, for the stages of a step. Adding and removing ends that.
@@ -170,7 +178,8 @@ class ContactLanes {
     /// Of lanes in colours.
     [[nodiscard]] ContactMemory memory(int lane) const;
     void set_memory(int lane, const ContactMemory& memory);
-    void set_friction(int lane, float friction);
+    /// `restitution` is that of impacts which bounce in their lanes, 0 for all others.
+    void set_material(int lane, float friction, float restitution);
 
     /// Leaves a lane out of the passes of this step: it keeps its bodies, so that nobody else writes them
     /// meanwhile, and does nothing to them.
@@ -188,6 +197,7 @@ class ContactLanes {
     int add_near(PairGeometry geometry, const PairLane& lane);
     int remove_near(PairGeometry geometry, int lane);
     int open_block(int bucket);
+    void make_room_for_impacts();
     void close_block(int bucket);
     bool sort_keys(int bucket, std::span<const Place> places, LaneOrderScratch& scratch) const;
     void take_order(LaneOrderScratch& scratch);
@@ -199,6 +209,8 @@ class ContactLanes {
     std::vector<PairBlock> pairs_;
     std::vector<BlockLink> links_;      // beside the pairs
     std::vector<ContactBlock> blocks_;  // beside the pairs
+    std::vector<ImpactLanes>
+        impacts_;  // the same, from when the first contact bounces in its lane; else empty
     std::vector<int> free_;
     std::array<Chain, kBuckets> chains_;
     std::uint64_t version_ = 0;

@@ -62,7 +62,8 @@ HWY_INLINE V response(const Columns& velocity, V arm) {
 
 HWY_INLINE PreparedLanes prepare_part(const PoseLanes& poses, const ManifoldLanes& manifold,
                                       const float* velocity, const float* pose, int lane,
-                                      FeatureLanes& features, float impact_speed_m_s, ContactBlock& block) {
+                                      FeatureLanes& features, float impact_speed_m_s, ContactBlock& block,
+                                      ImpactLanes* impacts) {
     const V zero = hn::Zero(D());
     const Bodies bodies = load_bodies(block, velocity, pose, lane);
     const V nx = load(manifold.normal_x, lane);
@@ -78,6 +79,8 @@ HWY_INLINE PreparedLanes prepare_part(const PoseLanes& poses, const ManifoldLane
     const VI old1 = load(features[1], lane);
     const V impulse0 = load(block.points[0].impulse, lane);
     const V impulse1 = load(block.points[1].impulse, lane);
+    const bool bounces =
+        impacts != nullptr && !hn::AllTrue(D(), hn::Eq(load(impacts->restitution, lane), zero));
     M used = hn::FirstN(D(), 0);
     M carried = used;
     M swings = used;
@@ -111,6 +114,7 @@ HWY_INLINE PreparedLanes prepare_part(const PoseLanes& poses, const ManifoldLane
         store(zero, to.static_impulse, lane);
         store(hn::IfThenElseZero(is_used, first_guess), to.impulse, lane);
         store(zero, block.total_impulse[i], lane);
+        if (bounces) store(jv, impacts->closing_velocity[i], lane);
         store(id, features[i], lane);
         used = hn::Or(used, is_used);
         deep = hn::Or(deep, hn::Lt(s, set(-kDeepOverlap_m)));
@@ -142,10 +146,10 @@ HWY_INLINE PreparedLanes prepare_part(const PoseLanes& poses, const ManifoldLane
 
 void prepare_block(const PoseLanes& poses, const ManifoldLanes& manifold, const float* velocity,
                    const float* pose, FeatureLanes& features, float impact_speed_m_s, ContactBlock& block,
-                   PreparedLanes& prepared) {
+                   ImpactLanes* impacts, PreparedLanes& prepared) {
     for (int lane = 0; lane < kLanes; lane += kStep) {
         const PreparedLanes part =
-            prepare_part(poses, manifold, velocity, pose, lane, features, impact_speed_m_s, block);
+            prepare_part(poses, manifold, velocity, pose, lane, features, impact_speed_m_s, block, impacts);
         prepared.apart |= part.apart << lane;
         prepared.fast |= part.fast << lane;
         prepared.swings |= part.swings << lane;
@@ -164,10 +168,10 @@ HWY_EXPORT(prepare_block);
 
 PreparedLanes prepare_block(const PoseLanes& poses, const ManifoldLanes& manifold,
                             const VelocityRow* velocity, const PoseRow* pose, FeatureLanes& features,
-                            float impact_speed_m_s, ContactBlock& block) {
+                            float impact_speed_m_s, ContactBlock& block, ImpactLanes* impacts) {
     PreparedLanes prepared;
     HWY_DYNAMIC_DISPATCH(prepare_block)
-    (poses, manifold, &velocity->v.x, &pose->d.x, features, impact_speed_m_s, block, prepared);
+    (poses, manifold, &velocity->v.x, &pose->d.x, features, impact_speed_m_s, block, impacts, prepared);
     return prepared;
 }
 

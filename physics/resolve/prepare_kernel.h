@@ -18,9 +18,10 @@ struct PreparedLanes {
 };
 
 /// The rows `a` and `b` of the block, its friction and its impulses are given; the rest is made. `features`
-/// are those of the last step, and become those of the manifold.
+/// are those of the last step, and become those of the manifold. Where lanes bounce, closing velocities are
+/// noted in `impacts`, which may be null.
 PreparedLanes prepare_block(const PoseLanes& poses, const ManifoldLanes& manifold,
                             const VelocityRow* velocity, const PoseRow* pose, FeatureLanes& features,
-                            float impact_speed_m_s, ContactBlock& block);
+                            float impact_speed_m_s, ContactBlock& block, ImpactLanes* impacts);
 
 }  // namespace cairn::physics

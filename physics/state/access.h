@@ -53,17 +53,18 @@ struct StateAccess {
     /// use(near blocks, their reaches, what was seen of them, their counts), by geometry.
     template <class Lanes, class Use>
     static auto near(Lanes& lanes, Use&& use) {
-        auto& [near, near_reaches, near_sights, near_count, pairs, links, blocks, free, chains, version,
-               is_arranged, order, in_memory, ranges, used, used_count] = lanes;
+        auto& [near, near_reaches, near_sights, near_count, pairs, links, blocks, impacts, free, chains,
+               version, is_arranged, order, in_memory, ranges, used, used_count] = lanes;
         return use(near, near_reaches, near_sights, near_count);
     }
 
-    /// use(pairs, links, blocks, free blocks, chains, is arranged). The order follows from the chains.
+    /// use(pairs, links, blocks, what bouncing takes of them, free blocks, chains, is arranged). The order
+    /// follows from the chains.
     template <class Lanes, class Use>
     static auto colored(Lanes& lanes, Use&& use) {
-        auto& [near, near_reaches, near_sights, near_count, pairs, links, blocks, free, chains, version,
-               is_arranged, order, in_memory, ranges, used, used_count] = lanes;
-        return use(pairs, links, blocks, free, chains, is_arranged);
+        auto& [near, near_reaches, near_sights, near_count, pairs, links, blocks, impacts, free, chains,
+               version, is_arranged, order, in_memory, ranges, used, used_count] = lanes;
+        return use(pairs, links, blocks, impacts, free, chains, is_arranged);
     }
 
     /// use(pins, drives, h, springs changed, has loads, dt).

@@ -68,8 +68,8 @@ bool is_unused(const Lanes<T>& lanes, int used, T unused) {
 // As put_lanes leaves them. Passes go over all lanes of a block, so nothing may lie hidden there.
 bool is_unused(const PairBlock& pairs, int used) {
     if (used == kLanes) return true;
-    const auto& [contact, body_a, body_b, shape_a, shape_b, boxes, features, reports, impacts, remembers,
-                 seen] = pairs;
+    const auto& [contact, body_a, body_b, shape_a, shape_b, boxes, features, reports, impacts, faint,
+                 remembers, seen] = pairs;
     const auto& [half_ax, half_ay, half_bx, half_by, offset_ax, offset_ay, offset_bx, offset_by] = boxes;
     bool unused = static_cast<unsigned>(reports | impacts | remembers) <= lanes_below(used);
     for (const IntLanes* lanes : {&contact, &shape_a, &shape_b}) unused &= is_unused(*lanes, used, kNone);
@@ -90,8 +90,8 @@ bool is_unused(const ContactBlock& block, int used) {
 // What near blocks and those in colours have in common; features are of the latter.
 std::byte* put_pairs(std::byte* at, const PairBlock& pairs, int used, bool has_features,
                      RepeatedParts& last) {
-    const auto& [contact, body_a, body_b, shape_a, shape_b, boxes, features, reports, impacts, remembers,
-                 seen] = pairs;
+    const auto& [contact, body_a, body_b, shape_a, shape_b, boxes, features, reports, impacts, faint,
+                 remembers, seen] = pairs;
     std::byte* const same_at = at++;
     for (const IntLanes* lanes : {&contact, &shape_a, &shape_b}) at = put_lanes(at, *lanes, used, kNone);
     BoxLanes clean_boxes = boxes;
@@ -114,8 +114,8 @@ std::byte* put_pairs(std::byte* at, const PairBlock& pairs, int used, bool has_f
 
 // Of a block that has all of its bytes; those that near blocks have of features are none.
 const std::byte* get_pairs(const std::byte* at, PairBlock& pairs, RepeatedParts& last, Reading& reading) {
-    auto& [contact, body_a, body_b, shape_a, shape_b, boxes, features, reports, impacts, remembers, seen] =
-        pairs;
+    auto& [contact, body_a, body_b, shape_a, shape_b, boxes, features, reports, impacts, faint, remembers,
+           seen] = pairs;
     std::uint8_t same = 0;
     at = get(at, same, reading);
     for (IntLanes* lanes : {&contact, &shape_a, &shape_b}) at = get(at, *lanes, reading);
@@ -126,7 +126,8 @@ const std::byte* get_pairs(const std::byte* at, PairBlock& pairs, RepeatedParts&
     body_a.fill(kNone);
     body_b.fill(kNone);
     for (std::uint8_t* bits : {&reports, &impacts, &remembers}) at = get(at, *bits, reading);
-    seen = 0;  // they are looked at again
+    faint = 0;  // follows from the record
+    seen = 0;   // they are looked at again
     return at;
 }
 

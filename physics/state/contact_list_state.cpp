@@ -37,7 +37,7 @@ void save_near(const ContactLanes& lanes, Writer& out) {
 
 void save_colored(const ContactLanes& lanes, Writer& out) {
     StateAccess::colored(lanes, [&](const auto& pairs, const auto& links, const auto& blocks, const auto&,
-                                    const auto& chains, const auto&) {
+                                    const auto&, const auto& chains, const auto&) {
         const auto used = std::count_if(chains.begin(), chains.end(),
                                         [](const auto& chain) { return chain.first != kNone; });
         out.count(static_cast<std::size_t>(used));
@@ -160,26 +160,28 @@ class Placing {
     }
 
     void load_colored() {
-        StateAccess::colored(stores_.contacts.lanes, [&](auto& pairs, auto& links, auto& blocks, auto& free,
-                                                         auto& chains, bool& is_arranged) {
-            links.clear();
-            free.clear();
-            chains.fill({});
-            is_arranged = false;
-            RepeatedParts last;
-            const std::size_t buckets = in_.count(2 * sizeof(std::uint32_t));
-            for (std::size_t i = 0; i < buckets && in_.ok(); ++i) {
-                std::uint32_t bucket = 0;
-                in_.value(bucket);
-                const bool fits = bucket < kBuckets && is_colored(static_cast<int>(bucket)) &&
-                                  chains[bucket].first == kNone;
-                if (!in_.require(fits, "a colour of contacts is none, or is there twice")) return;
-                load_bucket(static_cast<int>(bucket), last, pairs, links, blocks, chains[bucket]);
-            }
-            pairs.resize(links.size());
-            blocks.resize(links.size());
-            free.reserve(pairs.capacity());
-        });
+        StateAccess::colored(
+            stores_.contacts.lanes, [&](auto& pairs, auto& links, auto& blocks, auto& impacts, auto& free,
+                                        auto& chains, bool& is_arranged) {
+                links.clear();
+                impacts.clear();
+                free.clear();
+                chains.fill({});
+                is_arranged = false;
+                RepeatedParts last;
+                const std::size_t buckets = in_.count(2 * sizeof(std::uint32_t));
+                for (std::size_t i = 0; i < buckets && in_.ok(); ++i) {
+                    std::uint32_t bucket = 0;
+                    in_.value(bucket);
+                    const bool fits = bucket < kBuckets && is_colored(static_cast<int>(bucket)) &&
+                                      chains[bucket].first == kNone;
+                    if (!in_.require(fits, "a colour of contacts is none, or is there twice")) return;
+                    load_bucket(static_cast<int>(bucket), last, pairs, links, blocks, chains[bucket]);
+                }
+                pairs.resize(links.size());
+                blocks.resize(links.size());
+                free.reserve(pairs.capacity());
+            });
         if (in_.settle()) stores_.contacts.lanes.arrange();
     }
 
@@ -203,12 +205,12 @@ class Placing {
             links[first + i] = {bucket, used, i > 0 ? block - 1 : kNone, i + 1 < length ? block + 1 : kNone};
             if (!read_colored_block(in_, pair_block, contact_block, used, last)) return;
             if (!place_lanes(pair_block, used, bucket, block * kLanes)) return;
-            for (int lane = 0; lane < used; ++lane) color(bucket, pair_block, lane, contact_block);
+            for (int lane = 0; lane < used; ++lane) color(bucket, pair_block, lane, block * kLanes);
         }
     }
 
-    // Marks the colour of the bodies, in which nobody else may be, and takes the friction from the record.
-    void color(int bucket, const PairBlock& pairs, int at, ContactBlock& block) {
+    // Marks the colour of the bodies, in which nobody else may be, and takes the material from the record.
+    void color(int bucket, PairBlock& pairs, int at, int first_lane) {
         const auto lane = static_cast<std::size_t>(at);
         const int a = pairs.body_a[lane];
         const int b = pairs.body_b[lane];
@@ -226,7 +228,9 @@ class Placing {
             colors_a |= bit;
         }
         in_.require(fits, "a body is moved twice in one colour of contacts, or by none that moves it");
-        block.friction[lane] = stores_.contacts.slots[pairs.contact[lane]].friction;
+        const ContactRecord& record = stores_.contacts.slots[pairs.contact[lane]];
+        stores_.contacts.lanes.set_material(first_lane + at, record.friction, faint_restitution(record));
+        set_lane_bit(pairs.faint, at, faint_restitution(record) > 0);
     }
 
     void load_uneven() {

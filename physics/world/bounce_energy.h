@@ -10,13 +10,6 @@
 
 namespace cairn::physics {
 
-/// Whether so little speed comes back that impacts are no more than stops: at most a 25th of the energy. Such
-/// impacts go on to what else is touched by being stopped there, and where friction takes its part they win
-/// nothing: each gives at most e^2 of what stopping it took, and a body would have to meet 25 others at once.
-constexpr bool gives_back_little(float restitution) {
-    return restitution <= 0.2f;
-}
-
 /// Stage: impacts give back their speed, each group of bodies that touch at most so much of it that it has no
 /// more energy than it came with. Groups are left as they are where anything else could give them energy: a
 /// joint, or something that is moved from outside. Impulses of impacts are forgotten.

@@ -50,7 +50,8 @@ PairLane make_lane(const Stores& stores, int contact) {
     lane.reach_m = farthest_distance(a, stores.bodies.slots[c.body_a].mass.center_m) +
                    farthest_distance(b, stores.bodies.slots[c.body_b].mass.center_m);
     lane.reports = c.reports_touch || special::has(c, special::kWatched);
-    lane.impacts = c.restitution > 0 || c.reports_hit;
+    lane.faint = faint_restitution(c) > 0;
+    lane.impacts = (c.restitution > 0 && !lane.faint) || c.reports_hit;
     lane.remembers = c.has_points;
     return lane;
 }
@@ -151,7 +152,7 @@ void color_contact(Stores& stores, int contact) {
     mark_color(stores, c, c.bucket, true);
     c.lane = contacts.lanes.add(c.bucket, make_lane(stores, contact));
     contacts.lanes.set_memory(c.lane, c.memory);
-    contacts.lanes.set_friction(c.lane, c.friction);
+    contacts.lanes.set_material(c.lane, c.friction, faint_restitution(c));
 }
 
 void relist_contact(Stores& stores, int contact) {

@@ -40,6 +40,19 @@ struct ContactRecord {
     std::uint8_t special = 0;  // bits of world/special_contacts.h
 };
 
+/// Whether so little speed comes back that impacts are no more than stops: at most a 25th of the energy. Such
+/// impacts go on to what else is touched by being stopped there, and where friction takes its part they win
+/// nothing: each gives at most e^2 of what stopping it took, and a body would have to meet 25 others at once.
+constexpr bool gives_back_little(float restitution) {
+    return restitution <= 0.2f;
+}
+
+/// The restitution of impacts that bounce in their lanes, 0 for others: those of crowds, which give back
+/// little, lose energy to friction, and of which nobody is told.
+constexpr float faint_restitution(const ContactRecord& c) {
+    return gives_back_little(c.restitution) && c.friction > 0 && !c.reports_hit ? c.restitution : 0;
+}
+
 struct ContactStore {
     explicit ContactStore(std::uint16_t world_tag) : slots(world_tag) {}
 

@@ -222,15 +222,18 @@ class Update {
                 const unsigned gone = update_block(blocks[i], places, manifold, notes.items());
                 found.gone = static_cast<std::uint8_t>(gone);
                 found.notes = static_cast<std::uint8_t>(notes.items().size() - noted);
+                found.bounces = stores_.contacts.lanes.block(blocks[i]).bounces != 0;
             }
         });
         int all_notes = 0;
+        scratch_.some_bounce_in_lanes = false;
         for (const int block : stores_.contacts.lanes.blocks()) {
             BlockFindings& found = scratch_.block_findings[block];
             for (unsigned gone = found.gone; gone != 0; gone &= gone - 1)
                 scratch_.gone.push_back(stores_.contacts.lanes.pairs(block).contact[std::countr_zero(gone)]);
             found.next_note = all_notes;
             all_notes += found.notes;
+            scratch_.some_bounce_in_lanes |= found.bounces;
         }
         resize_amply(scratch_.notes_in_order, static_cast<std::size_t>(all_notes));
         scratch_.notes.for_each([&](const LaneNote& note) {
@@ -271,17 +274,22 @@ class Update {
         collide(pairs, geometry, lanes_of(block_index), places, manifold);
         block.a = places.row_a;
         block.b = places.row_b;
-        const PreparedLanes prepared =
-            prepare_block(places.poses, manifold, scratch_.motions.velocity.data(),
-                          scratch_.motions.pose.data(), pairs.features, impact_speed_, block);
+        const PreparedLanes prepared = prepare_block(
+            places.poses, manifold, scratch_.motions.velocity.data(), scratch_.motions.pose.data(),
+            pairs.features, impact_speed_, block, stores_.contacts.lanes.impacts(block_index));
         // The boxes of what has points overlap.
         const unsigned without = prepared.apart & lanes_of(block_index);
         const unsigned gone = gone_lanes(stores_, pairs, places.boxes_moved & without);
         const unsigned apart = without & ~gone;
-        const unsigned told = (pairs.reports | (pairs.impacts & prepared.fast)) & ~prepared.apart;
+        const unsigned faint = pairs.faint & prepared.fast & ~prepared.apart;
+        const unsigned told =
+            ((pairs.reports | (pairs.impacts & prepared.fast)) & ~prepared.apart) | lone_lanes(pairs, faint);
         const unsigned loose = ((places.turn_far & prepared.swings) | places.direct) & ~prepared.apart;
         const unsigned deep = calm_lanes(block, prepared.deep & ~places.direct & ~prepared.apart);
-        block.reports = told != 0;
+        // What takes the plain form bounces in it.
+        const unsigned bounces = faint & ~(told | loose | deep);
+        block.bounces = static_cast<LaneBits>(bounces);
+        block.reports = (told | bounces) != 0;
         for (unsigned rest = apart; rest != 0; rest &= rest - 1) {
             const int lane = std::countr_zero(rest);
             LaneNote& note = notes.emplace_back(LaneNote{block_index, lane, false, {}});
@@ -297,6 +305,20 @@ class Update {
             note.form = plain_form(make_input(stores_, pairs, places, manifold, lane), block, lane);
         }
         return gone;
+    }
+
+    // Of some lanes, those of bodies that no other contact in a lane moves: what they do can be told exactly.
+    [[nodiscard]] unsigned lone_lanes(const PairBlock& pairs, unsigned lanes) const {
+        const auto is_moved_more = [&](int body) {
+            const auto at = static_cast<std::size_t>(body);
+            return at < stores_.contacts.colors.size() && std::popcount(stores_.contacts.colors[at]) > 1;
+        };
+        unsigned lone = 0;
+        for (; lanes != 0; lanes &= lanes - 1) {
+            const int lane = std::countr_zero(lanes);
+            if (!is_moved_more(pairs.body_a[lane]) && !is_moved_more(pairs.body_b[lane])) lone |= 1u << lane;
+        }
+        return lone;
     }
 
     // With the impulses of the lane.

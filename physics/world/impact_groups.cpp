@@ -213,10 +213,16 @@ class Groups {
 
     // What it gave one of the group another body would keep.
     [[nodiscard]] bool has_pushed(int contact) {
-        const ContactConstraint* plain = plain_form(contact);
-        return plain != nullptr &&
-               std::any_of(plain->points.begin(), plain->points.begin() + plain->count,
-                           [](const ContactPointConstraint& p) { return p.total_normal_impulse > 0; });
+        if (const ContactConstraint* plain = plain_form(contact)) {
+            return std::any_of(plain->points.begin(), plain->points.begin() + plain->count,
+                               [](const ContactPointConstraint& p) { return p.total_normal_impulse > 0; });
+        }
+        const ContactRecord& c = stores_.contacts.slots[contact];
+        if (!is_colored(c.bucket)) return false;
+        const ContactBlock& block = stores_.contacts.lanes.block(c.lane / kLanes);
+        const int lane = c.lane % kLanes;
+        return (block.bounces >> lane & 1) != 0 &&
+               (block.total_impulse[0][lane] > 0 || block.total_impulse[1][lane] > 0);
     }
 
     // False when the surfaces are apart at the end of the step.

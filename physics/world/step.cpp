@@ -16,6 +16,7 @@
 #include "world/contacts.h"
 #include "world/direct_groups.h"
 #include "world/direct_solve.h"
+#include "world/faint_bounces.h"
 #include "world/fast_bodies.h"
 #include "world/fast_guard.h"
 #include "world/finalize.h"
@@ -84,6 +85,7 @@ void step_world(WorldState& world, float dt_s) {
     return_rest(scratch, acting_substeps);
     clock.enter(Stage::Store);
     fly_freely(scratch.motions, scratch.drives, def.gravity_m_s2, time.dt_s, world.step_count);
+    bounce_in_lanes(stores.contacts, scratch, time, rules, tasks);
     collect_outcomes(stores.contacts, scratch, tasks);
     place_bounces(stores.bodies.rows(RowSet::Awake), scratch, time, rules);
     pass_impacts_on(stores, scratch, time, rules);

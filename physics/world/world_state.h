@@ -25,6 +25,7 @@
 #include "resolve/impacts.h"
 #include "resolve/joints/joint_constraint.h"
 #include "resolve/joints/torn_joints.h"
+#include "resolve/restitution_kernel.h"
 #include "resolve/support_lanes.h"
 #include "world/body_mass.h"
 #include "world/body_store.h"
@@ -167,6 +168,7 @@ struct BlockFindings {
     int next_note = 0;  // of all blocks, in the order of the colours
     std::uint8_t notes = 0;
     std::uint8_t gone = 0;  // bits: lanes of which the boxes have parted
+    bool bounces = false;   // in some lane
 };
 
 /// A contact that acts once, when it is reached (world/awaited_contacts.h).
@@ -268,6 +270,8 @@ struct StepScratch {
     std::vector<BlockFindings> block_findings;  // of blocks in colours, by their number
     ChunkedList<LaneNote> notes;
     std::vector<const LaneNote*> notes_in_order;  // of the colours
+    bool some_bounce_in_lanes = false;
+    std::vector<BouncingBlock> bouncing_blocks;  // in the order of the colours
     std::vector<NearFindings> near_findings;
     ChunkedList<NearAhead> ahead_found;
     std::vector<NearAhead> near_ahead;  // in the order of their lanes

@@ -21,6 +21,7 @@ struct Kept {
     PairLane pair;
     ContactMemory memory;  // in colours
     float friction = 0;
+    float restitution = 0;
     float mass = 0;  // stands for all that is made anew in each step
 };
 
@@ -110,6 +111,8 @@ void check_against(const ContactLanes& lanes, const Model& model) {
         if (!is_colored(kept.bucket)) continue;
         REQUIRE(holds(lanes.memory(kept.lane), kept.memory));
         REQUIRE(lanes.block(block).friction[lane] == kept.friction);
+        const ImpactLanes* impacts = lanes.impacts(block);
+        REQUIRE((impacts == nullptr ? 0 : impacts->restitution[lane]) == kept.restitution);
         REQUIRE(lanes.block(block).points[0].mass[lane] == kept.mass);
     }
     for (const int i : kSomeBuckets) {
@@ -167,7 +170,8 @@ void change(Random& random, ContactLanes& lanes, Model& model) {
     kept.friction = random.real_f(0, 1);
     kept.mass = random.real_f(0, 1);
     lanes.set_memory(kept.lane, kept.memory);
-    lanes.set_friction(kept.lane, kept.friction);
+    kept.restitution = random.chance(0.1) ? random.real_f(0, 0.2) : 0;
+    lanes.set_material(kept.lane, kept.friction, kept.restitution);
     ContactBlock& block = lanes.block(kept.lane / kLanes);
     block.points[0].mass[kept.lane % kLanes] = kept.mass;
     block.a[kept.lane % kLanes] = random.below(100);

@@ -36,6 +36,7 @@ struct Prepared {
     ContactBlock before{};
     FeatureLanes features{};
     ContactBlock block{};
+    ImpactLanes impacts{};
     PreparedLanes bits;
 };
 
@@ -114,7 +115,7 @@ void prepare(Prepared& p, const Motions& motions) {
     p.block = p.before;
     p.features = p.old_features;
     p.bits = prepare_block(p.poses, p.manifold, motions.velocity.data(), motions.pose.data(), p.features, 1,
-                           p.block);
+                           p.block, &p.impacts);
 }
 
 // A block of which the lanes have two points, one, none, or are empty.
@@ -256,6 +257,28 @@ TEST_CASE("a new point that is closed and at rest starts with an unknown impulse
     });
     CHECK(unknown > 200);
     CHECK(none > 1000);
+}
+
+TEST_CASE("closing velocities are noted where a lane of the block bounces") {
+    Random random(8);
+    for (int round = 0; round < 200; ++round) {
+        const Motions motions = make_motions(random);
+        Prepared p = make_prepared(random, motions);
+        for (const auto& velocities : p.impacts.closing_velocity) {
+            REQUIRE(std::ranges::all_of(velocities, [](float v) { return v == 0; }));
+        }
+        // One of four: lanes stand in one register, or in several.
+        for (std::size_t lane = 0; lane < kLanes; lane += 4) p.impacts.restitution[lane] = 0.1f;
+        prepare(p, motions);
+        for (std::size_t lane = 0; lane < kLanes; lane += 4) {
+            const ContactConstraint c = scalar_form(p, motions, static_cast<int>(lane));
+            for (std::size_t i = 0; i < static_cast<std::size_t>(c.count); ++i) {
+                const auto expected = static_cast<double>(c.points[i].closing_velocity);
+                REQUIRE(static_cast<double>(p.impacts.closing_velocity[i][lane]) ==
+                        Approx(expected).margin(1e-5));
+            }
+        }
+    }
 }
 
 TEST_CASE(

@@ -78,7 +78,8 @@ void prepare(Heap& heap) {
     heap.lanes.arrange();
     for (auto& [place, made] : found) {
         (void)prepare_block(made.first, made.second, heap.motions.velocity.data(), heap.motions.pose.data(),
-                            heap.lanes.pairs(place.second).features, 1, heap.lanes.block(place.second));
+                            heap.lanes.pairs(place.second).features, 1, heap.lanes.block(place.second),
+                            heap.lanes.impacts(place.second));
     }
 }
 
@@ -134,7 +135,8 @@ Heap make_heap(unsigned seed, const std::vector<BlockKind>& kinds, int free_bodi
         }
         memory.friction_impulse = p.input.friction_impulse;
         heap.lanes.set_memory(p.lane, memory);
-        heap.lanes.set_friction(p.lane, p.input.friction);
+        p.input.restitution = i % 3 == 0 ? 0.05f * static_cast<float>(1 + i % 4) : 0;
+        heap.lanes.set_material(p.lane, p.input.friction, p.input.restitution);
         p.scalar = make_contact(p.input, heap.motions, kHeapRules);
         heap.placed.push_back(p);
     }
