@@ -26,6 +26,14 @@ constexpr int kBlocksPerChunk = 32;
 // Of a way, how far float may put what lies along it aside.
 constexpr float kRounding = 1e-6f;
 
+// Whether a straight way stays farther from the origin than the reach.
+bool stays_outside(Vec2 from, Vec2 way, float reach) {
+    const float whole = length_squared(way);
+    const float share = whole > 0 ? std::clamp(-dot(from, way) / whole, 0.0f, 1.0f) : 0;
+    const float rounding = kRounding * (length(from) + length(way));
+    return length(from + share * way) > reach + rounding;
+}
+
 // The way of a point during the last step against another shape, as seen from that shape: what moved along
 // with the point, or was pushed ahead of it, was not passed. Ways up to the least one are not looked at.
 std::optional<LocalRayHit> cast_relative_way(const Stores& stores, int shape, Position from, Vec2 way,
@@ -45,8 +53,11 @@ std::optional<LocalRayHit> cast_relative_way(const Stores& stores, int shape, Po
     const Position center = place.center + -moved;
     // Turning moves a point by the chord of the angle.
     const float chord = length(Vec2{place.rotation.c - q.c, place.rotation.s - q.s});
-    if (length(way - moved) + chord * length(from - center) <= least_way) return {};
+    const Vec2 seen = from - center;
+    const Vec2 straight_way = way - moved;
+    if (length(straight_way) + chord * length(seen) <= least_way) return {};
     const BodyRecord& record = stores.bodies.slots[body];
+    if (stays_outside(seen, straight_way, record.extent_m + chord * length(seen + straight_way))) return {};
     const Transform now = stores.bodies.transform(body);
     const Convex& convex = stores.shapes[shape].convex;
     const Vec2 start = inverse_transform_point({center + -rotate(q, record.mass.center_m), q}, from);
