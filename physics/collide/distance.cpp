@@ -85,7 +85,7 @@ bool reduce_triangle(Simplex& s, Vec2& nearest) {
 
 }  // namespace
 
-Distance distance_between(const Convex& a, const Convex& b, const RelativePose& b_in_a) {
+Distance distance_between(const Convex& a, const Convex& b, const RelativePose& b_in_a, Vec2 guess) {
     const auto vertex = [&](Vec2 direction) {  // of B - A, farthest along the direction
         Vertex v;
         v.index_a = support(a, -direction);
@@ -94,7 +94,7 @@ Distance distance_between(const Convex& a, const Convex& b, const RelativePose& 
         return v;
     };
     Simplex simplex;
-    simplex.vertices[0] = vertex({1, 0});
+    simplex.vertices[0] = vertex(-guess);
     simplex.count = 1;
     Vec2 nearest = simplex.vertices[0].w;
 

@@ -15,7 +15,7 @@ struct Distance {
     int vertex_b = 0;
 };
 
-/// In the frame of A.
-Distance distance_between(const Convex& a, const Convex& b, const RelativePose& b_in_a);
+/// In the frame of A. A guess at the normal, of any length, saves rounds where it is about right.
+Distance distance_between(const Convex& a, const Convex& b, const RelativePose& b_in_a, Vec2 guess = {-1, 0});
 
 }  // namespace cairn::physics

@@ -1,6 +1,8 @@
 // Conservative advancement.
 #include "continuous/sweep.h"
 
+#include <limits>
+
 namespace cairn::physics {
 
 SweptPose pose_at(const Sweep& sweep, float time_s) {
@@ -20,7 +22,8 @@ RelativePose relative_pose_at(const Sweep& a, const Sweep& b, float time_s) {
     return relative_pose(pose_at(a, time_s), pose_at(b, time_s));
 }
 
-std::optional<float> time_of_impact(const Sweep& a, const Sweep& b, float duration_s, float gap_m) {
+std::optional<float> time_of_impact(const Sweep& a, const Sweep& b, float duration_s, float gap_m,
+                                    const AxisGap& seen) {
     // What rotation can add to the closing speed, at most: it does not move the rims of discs.
     const auto spin_speed_of = [](const Sweep& sweep) {
         if (sweep.spin == 0) return 0.0f;
@@ -28,19 +31,24 @@ std::optional<float> time_of_impact(const Sweep& a, const Sweep& b, float durati
         return std::fabs(sweep.spin) * arm;
     };
     const float spin_speed = spin_speed_of(a) + spin_speed_of(b);
+    // Half of gap_m past the target, so that rounding cannot make the rounds creep towards it for ever.
+    // Infinite where the gap never closes.
+    const auto time_to_close = [&](const AxisGap& at) {
+        const float closing = dot(a.velocity - b.velocity, at.axis) + spin_speed;
+        return closing > 0 ? (at.gap_m - 0.5f * gap_m) / closing : std::numeric_limits<float>::infinity();
+    };
     // Straight motion is exact after one or two rounds; a spin that grazes takes many.
     constexpr int kMaxRounds = 256;
-    float time = 0;
+    float time = seen.gap_m > gap_m ? time_to_close(seen) : 0;
+    Vec2 guess = inverse_rotate(a.rotation, b.center - a.center);
     for (int round = 0; round < kMaxRounds; ++round) {
-        const SweptPose pose_a = pose_at(a, time);
-        const Distance at = distance_between(*a.shape, *b.shape, relative_pose(pose_a, pose_at(b, time)));
-        if (at.distance <= gap_m) return time > 0 ? std::optional(time) : std::nullopt;
-        const Vec2 normal = rotate(pose_a.rotation, at.normal);
-        const float closing = dot(a.velocity - b.velocity, normal) + spin_speed;
-        if (closing <= 0) return {};
-        // Half of gap_m past the target, so that rounding cannot make the rounds creep towards it for ever.
-        time += (at.distance - 0.5f * gap_m) / closing;
         if (time >= duration_s) return {};
+        const SweptPose pose_a = pose_at(a, time);
+        const Distance at =
+            distance_between(*a.shape, *b.shape, relative_pose(pose_a, pose_at(b, time)), guess);
+        if (at.distance <= gap_m) return time > 0 ? std::optional(time) : std::nullopt;
+        guess = at.normal;
+        time += time_to_close({rotate(pose_a.rotation, at.normal), at.distance});
     }
     return time;
 }

@@ -31,8 +31,15 @@ SweptPose pose_at(const Sweep& sweep, float time_s);
 /// The pose of b in the frame of a after time_s.
 RelativePose relative_pose_at(const Sweep& a, const Sweep& b, float time_s);
 
+/// An axis along which two shapes are at least this far apart; 0 says nothing.
+struct AxisGap {
+    Vec2 axis;  // unit, from a to b
+    float gap_m = 0;
+};
+
 /// The time until the gap is closed to gap_m, up to duration_s; nothing when they start nearer than that, or
-/// never meet.
-std::optional<float> time_of_impact(const Sweep& a, const Sweep& b, float duration_s, float gap_m);
+/// never meet. What was seen of their start saves a round.
+std::optional<float> time_of_impact(const Sweep& a, const Sweep& b, float duration_s, float gap_m,
+                                    const AxisGap& seen = {});
 
 }  // namespace cairn::physics

@@ -193,7 +193,7 @@ bool predict_contact(const Stores& stores, const ContactRecord& contact, const A
     const Sweep a = make_sweep(stores, contact.shape_a, origin, gravity_m_s2, dt_s);
     const Sweep b = make_sweep(stores, contact.shape_b, origin, gravity_m_s2, dt_s);
     const float unit = length_unit(stores, contact);
-    const std::optional<float> time = time_of_impact(a, b, dt_s, unit * kImpactGap_m);
+    const std::optional<float> time = time_of_impact(a, b, dt_s, unit * kImpactGap_m, apart);
     if (!time) return false;
 
     const RelativePose b_in_a = relative_pose_at(a, b, *time);

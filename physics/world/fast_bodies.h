@@ -21,12 +21,6 @@ void cover_fast_ways(Stores& stores, Vec2 gravity_m_s2, float dt_s, StepScratch&
 /// The same for rows that came since, of bodies that woke.
 void extend_advances(Stores& stores, Vec2 gravity_m_s2, float dt_s, StepScratch& scratch);
 
-/// An axis, from a to b, along which two shapes are at least this far apart; 0 says nothing.
-struct AxisGap {
-    Vec2 axis;
-    float gap_m = 0;
-};
-
 /// Whether two bodies could meet within the step, or pass through each other, as far as that can be told
 /// without their shapes.
 bool could_meet(const Advance& a, const Advance& b, const AxisGap& seen, float dt_s);

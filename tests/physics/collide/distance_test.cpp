@@ -23,7 +23,10 @@ TEST_CASE("the distance of two shapes is the least of all pairs of features, wit
                 const Convex b = random_convex(random, form_b);
                 const RelativePose pose{random.vector(-2.5, 2.5), Rotation::from_angle(random.real(-4, 4))};
                 const Separation expected = separation(rounded_hull(a), rounded_hull(b, pose));
-                const Distance d = distance_between(a, b, pose);
+                // Whatever the guess.
+                const Vec2 guess = round % 4 == 0 ? Vec2{} : random.vector(-2, 2);
+                const Distance d =
+                    round % 4 == 1 ? distance_between(a, b, pose) : distance_between(a, b, pose, guess);
                 INFO("forms " << static_cast<int>(form_a) << " and " << static_cast<int>(form_b) << ", round "
                               << round);
                 if (expected.cores_overlap) {
