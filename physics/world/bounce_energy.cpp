@@ -296,8 +296,7 @@ void give_back_speed(Stores& stores, StepScratch& scratch, const ContactRules& r
     const std::vector<int>& met = scratch.impacts.met;
     if (met.empty()) return;
     const bool some_may_win = std::ranges::any_of(met, [&](int i) {
-        const ContactConstraint& c = scratch.contacts[static_cast<std::size_t>(i)];
-        return c.friction == 0 || !gives_back_little(c.restitution);
+        return !gives_back_little(scratch.contacts[static_cast<std::size_t>(i)].restitution);
     });
     if (some_may_win) {
         Bouncing bouncing(stores, scratch);

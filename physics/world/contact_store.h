@@ -41,16 +41,16 @@ struct ContactRecord {
 };
 
 /// Whether so little speed comes back that impacts are no more than stops: at most a 25th of the energy. Such
-/// impacts go on to what else is touched by being stopped there, and where friction takes its part they win
-/// nothing: each gives at most e^2 of what stopping it took, and a body would have to meet 25 others at once.
+/// impacts go on to what else is touched by being stopped there, and win nothing: each gives at most e^2 of
+/// what stopping it took, and a body would have to meet 25 others at once.
 constexpr bool gives_back_little(float restitution) {
     return restitution <= 0.2f;
 }
 
-/// The restitution of impacts that bounce in their lanes, 0 for others: those of crowds, which give back
-/// little, lose energy to friction, and of which nobody is told.
+/// The restitution of impacts that may bounce in their lanes, 0 for others: those which give back little, and
+/// of which nobody is told.
 constexpr float faint_restitution(const ContactRecord& c) {
-    return gives_back_little(c.restitution) && c.friction > 0 && !c.reports_hit ? c.restitution : 0;
+    return gives_back_little(c.restitution) && !c.reports_hit ? c.restitution : 0;
 }
 
 struct ContactStore {
