@@ -140,8 +140,13 @@ void integrate_positions(Motions& motions, float h_s, int first, int last) {
 
 void fly_freely(Motions& motions, std::span<const Drive> drives, Vec2 gravity_m_s2, float dt_s,
                 std::uint64_t step) {
+    fly_freely(motions, drives, gravity_m_s2, dt_s, step, 0, motions.size());
+}
+
+void fly_freely(Motions& motions, std::span<const Drive> drives, Vec2 gravity_m_s2, float dt_s,
+                std::uint64_t step, int first, int last) {
     const double threshold = rounding_threshold(step);
-    for (int i = 0; i < motions.size(); ++i) {
+    for (int i = first; i < last; ++i) {
         if (motions.mover[i] != Mover::Flight) continue;
         const VelocityRow before = motions.velocity[i];
         const Drive& drive = drives[i];

@@ -37,5 +37,7 @@ void integrate_positions(Motions& motions, float h_s, int first, int last);
 /// number of the step: roundings of the velocity even out over many (base/dithered_rounding.h).
 void fly_freely(Motions& motions, std::span<const Drive> drives, Vec2 gravity_m_s2, float dt_s,
                 std::uint64_t step);
+void fly_freely(Motions& motions, std::span<const Drive> drives, Vec2 gravity_m_s2, float dt_s,
+                std::uint64_t step, int first, int last);
 
 }  // namespace cairn::physics

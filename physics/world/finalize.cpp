@@ -166,13 +166,20 @@ void renew_boxes(Stores& stores, int body, std::vector<int>& untold) {
     });
 }
 
-void halt_lost_bodies(const BodyStore& bodies, Motions& motions, std::vector<BodyId>& quarantined) {
+void halt_lost_bodies(const BodyStore& bodies, StepScratch& scratch, std::vector<BodyId>& quarantined,
+                      TaskPool& tasks) {
     const BodyRows& awake = bodies.rows(RowSet::Awake);
-    for (int row = 0; row < awake.size(); ++row) {
-        if (is_finite(motions, row + 1) && !leaves_world(bodies, motions, row + 1)) continue;
-        halt(motions, row + 1);
-        quarantined.push_back(bodies.slots.id(awake.body[row]));
-    }
+    Motions& motions = scratch.motions;
+    scratch.noted_rows.start(awake.size(), kRowsPerChunk, tasks);
+    tasks.parallel_for(awake.size(), kRowsPerChunk, [&](const Chunk& chunk) {
+        ChunkedList<int>::Appender lost(scratch.noted_rows, chunk);
+        for (int row = chunk.begin; row < chunk.end; ++row) {
+            if (is_finite(motions, row + 1) && !leaves_world(bodies, motions, row + 1)) continue;
+            halt(motions, row + 1);
+            lost.items().push_back(row);
+        }
+    });
+    scratch.noted_rows.for_each([&](int row) { quarantined.push_back(bodies.slots.id(awake.body[row])); });
 }
 
 void finalize_bodies(Stores& stores, StepScratch& scratch, float dt_s, bool sleep_enabled, TaskPool& tasks) {

@@ -8,7 +8,8 @@ namespace cairn::physics {
 
 /// Bodies whose motion became infinite or NaN, or led beyond kFarthest_m, are where they were, stand, and are
 /// noted in `quarantined`. For all stages from here on: events tell of places, and there is none at infinity.
-void halt_lost_bodies(const BodyStore& bodies, Motions& motions, std::vector<BodyId>& quarantined);
+void halt_lost_bodies(const BodyStore& bodies, StepScratch& scratch, std::vector<BodyId>& quarantined,
+                      TaskPool& tasks);
 
 /// Stage: bodies take their new places. Those that were hurled so far that they could have passed through
 /// others, though nobody expected it, join the fast ones.

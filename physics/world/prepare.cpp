@@ -46,9 +46,9 @@ void set_motions(BodyStore& bodies, Vec2 gravity_m_s2, float dt_s, int first, St
     const BodyRows& awake = bodies.rows(RowSet::Awake);
     motions.resize(awake.size() + 1);
     resize_amply(scratch.drives, static_cast<std::size_t>(motions.size()));
-    scratch.locked_rows.start(awake.size() - first, kRowsPerChunk, tasks);
+    scratch.noted_rows.start(awake.size() - first, kRowsPerChunk, tasks);
     tasks.parallel_for(awake.size() - first, kRowsPerChunk, [&](const Chunk& chunk) {
-        ChunkedList<int>::Appender locked(scratch.locked_rows, chunk);
+        ChunkedList<int>::Appender locked(scratch.noted_rows, chunk);
         for (int row = first + chunk.begin; row < first + chunk.end; ++row) {
             const BodyRecord& record = bodies.slots[awake.body[row]];
             motions.set_row(row + 1, awake.velocity[row], awake.spin[row], record.inverse_mass,
@@ -64,7 +64,7 @@ void set_motions(BodyStore& bodies, Vec2 gravity_m_s2, float dt_s, int first, St
             }
         }
     });
-    scratch.locked_rows.for_each(
+    scratch.noted_rows.for_each(
         [&](int row) { motions.lock(row + 1, locked_axes(bodies.slots[awake.body[row]])); });
 }
 

@@ -70,6 +70,13 @@ inline void integrate_positions(StepScratch& scratch, float h_s, TaskPool& tasks
                   [&](int first, int last) { integrate_positions(scratch.motions, h_s, first, last); });
 }
 
+inline void fly_freely(StepScratch& scratch, Vec2 gravity_m_s2, float dt_s, std::uint64_t step,
+                       TaskPool& tasks) {
+    tasks.parallel_for(scratch.motions.size(), kRowsPerChunk, [&](const Chunk& rows) {
+        fly_freely(scratch.motions, scratch.drives, gravity_m_s2, dt_s, step, rows.begin, rows.end);
+    });
+}
+
 inline JointPassTime joint_time(float h_s) {
     return {softness_of(JointStiffness{}, h_s), 1 / h_s};
 }

@@ -84,7 +84,7 @@ void step_world(WorldState& world, float dt_s) {
     }
     return_rest(scratch, acting_substeps);
     clock.enter(Stage::Store);
-    fly_freely(scratch.motions, scratch.drives, def.gravity_m_s2, time.dt_s, world.step_count);
+    fly_freely(scratch, def.gravity_m_s2, time.dt_s, world.step_count, tasks);
     bounce_in_lanes(stores.contacts, scratch, time, rules, tasks);
     collect_outcomes(stores.contacts, scratch, tasks);
     place_bounces(stores.bodies.rows(RowSet::Awake), scratch, time, rules);
@@ -93,7 +93,7 @@ void step_world(WorldState& world, float dt_s) {
     push_apart(scratch.deep, scratch.contacts, def.max_push_out_speed_m_s * dt_s, scratch.motions);
     close_tears(scratch.torn, scratch.motions);
 
-    halt_lost_bodies(stores.bodies, scratch.motions, world.events.quarantined);
+    halt_lost_bodies(stores.bodies, scratch, world.events.quarantined, tasks);
     report_contacts(stores, scratch, def.hit_speed_m_s, world.events);
     find_overloads(stores, scratch, world.events);
     store_contact_impulses(stores.contacts, scratch);

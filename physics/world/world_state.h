@@ -240,7 +240,7 @@ struct StepScratch {
 
     Motions motions;  // row i + 1 is awake row i
     std::vector<Drive> drives;
-    ChunkedList<int> locked_rows;  // of awake bodies that do not move along some axis
+    ChunkedList<int> noted_rows;  // of a loop: those that move along no axis or one, those that are lost
     std::vector<ContactConstraint>
         contacts;  // in plain form: solved as scalars, or wanted for restitution or events
     std::vector<int> scalar_contacts;              // those of them
