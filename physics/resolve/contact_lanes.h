@@ -209,8 +209,7 @@ class ContactLanes {
     std::vector<PairBlock> pairs_;
     std::vector<BlockLink> links_;      // beside the pairs
     std::vector<ContactBlock> blocks_;  // beside the pairs
-    std::vector<ImpactLanes>
-        impacts_;  // the same, from when the first contact bounces in its lane; else empty
+    std::vector<ImpactLanes> impacts_;  // the same; empty until a contact bounces in its lane
     std::vector<int> free_;
     std::array<Chain, kBuckets> chains_;
     std::uint64_t version_ = 0;

@@ -296,10 +296,7 @@ class Update {
             ContactInput ahead;
             if (meets_again(places, manifold, lane, pairs.contact[lane], ahead)) note.form = ahead;
         }
-        const unsigned plain = (told | loose | deep) & ~gone;
-        for (unsigned rest = plain; rest != 0; rest &= rest - 1)
-            prefetch(&stores_.contacts.slots[pairs.contact[std::countr_zero(rest)]], sizeof(ContactRecord));
-        for (unsigned rest = plain; rest != 0; rest &= rest - 1) {
+        for (unsigned rest = (told | loose | deep) & ~gone; rest != 0; rest &= rest - 1) {
             const int lane = std::countr_zero(rest);
             LaneNote& note = notes.emplace_back(LaneNote{block_index, lane, (loose >> lane & 1) != 0, {}});
             note.form = plain_form(make_input(stores_, pairs, places, manifold, lane), block, lane);
