@@ -53,7 +53,16 @@ class ChunkedList {
     /// Calls visit(item) for all, in the order of the chunks.
     template <class Visit>
     void for_each(Visit&& visit) const {
-        for (const Part& part : parts_) {
+        for_parts(0, parts(), visit);
+    }
+
+    /// How many chunks it has parts of, for loops over them on several threads.
+    [[nodiscard]] int parts() const { return static_cast<int>(parts_.size()); }
+    /// Calls visit(item) for those of some parts, in their order.
+    template <class Visit>
+    void for_parts(int first, int last, Visit&& visit) const {
+        for (int p = first; p < last; ++p) {
+            const Part& part = parts_[static_cast<std::size_t>(p)];
             for (std::size_t i = part.begin; i < part.end; ++i) visit(lists_[part.worker].items[i]);
         }
     }

@@ -1,10 +1,19 @@
 // What moved since the last search, and the search.
 #include "broad/broad_phase.h"
 
+#include <atomic>
+#include <bit>
+
 #include "base/ample.h"
 #include "base/assert.h"
 
 namespace cairn::physics {
+namespace {
+
+// What a thread takes at once.
+constexpr int kGroupsPerChunk = 64;
+
+}  // namespace
 
 void BroadPhase::add(int item, Layer layer, const Aabb& box) {
     if (item >= static_cast<int>(states_.size())) {
@@ -33,11 +42,21 @@ void BroadPhase::move(int item, const Aabb& box) {
     if (state.layer != Layer::Awake) state.unsettled = true;
 }
 
-void BroadPhase::shift(int item, const Aabb& box) {
+BroadPhase::Shifted BroadPhase::shift(int item, const Aabb& box) {
     BoxTree& tree = trees_[index(Layer::Awake)];
-    note_move(item, tree.box(item));
-    drop_way(item);
+    const Shifted shifted{remember(item, tree.box(item)), states_[item].has_way};
+    if (shifted.had_way) {
+        states_[item].has_way = false;
+        ways_[item] = {};
+    }
     tree.shift(item, box);
+    return shifted;
+}
+
+void BroadPhase::end_shifts(const ChunkedList<int>& first_moves, int dropped_ways) {
+    first_moves.for_each([&](int item) { moved_items_.push_back(item); });
+    with_ways_ -= dropped_ways;
+    trees_[index(Layer::Awake)].refit();
 }
 
 void BroadPhase::set_way(int item, Vec2 way) {
@@ -74,8 +93,13 @@ void BroadPhase::set_layer(int item, Layer layer) {
     drop_way(item);
 }
 
-// Remembers where the box was at the last search, if this is its first move since.
 void BroadPhase::note_move(int item, const Aabb& before) {
+    if (remember(item, before)) moved_items_.push_back(item);
+}
+
+// Remembers where the box was at the last search, if this is its first move since. Whether it is yet to be
+// listed.
+bool BroadPhase::remember(int item, const Aabb& before) {
     State& state = states_[item];
     if (!state.moved) {
         box_before_[item] = before;
@@ -83,71 +107,105 @@ void BroadPhase::note_move(int item, const Aabb& before) {
         if (state.has_way) way_before_[item] = ways_[item];
     }
     state.moved = true;
-    if (!state.listed) moved_items_.push_back(item);
+    const bool was_listed = state.listed;
     state.listed = true;
+    return !was_listed;
 }
 
-const std::vector<ItemPair>& BroadPhase::find_new_pairs() {
+const std::vector<ItemPair>& BroadPhase::find_new_pairs(TaskPool& tasks) {
     pairs_.clear();
     beside_.clear();
-    search(0, start_search(), {pairs_, beside_});
+    search(0, start_search(tasks), {pairs_, beside_});
     end_search(pairs_);
     return pairs_;
 }
 
-int BroadPhase::start_search() {
+int BroadPhase::start_search(TaskPool& tasks) {
     moved_groups_.clear();
     group_ways_.clear();
     if (moved_items_.empty()) return 0;
     for (BoxTree& tree : trees_) {
         if (tree.is_worn()) tree.rebuild(order_scratch_);
     }
-    collect_moved_groups();
+    collect_moved_groups(tasks);
     return static_cast<int>(moved_groups_.size());
 }
 
-void BroadPhase::collect_moved_groups() {
-    // First the lanes that moved, by group; then the groups in their order; then where each box was.
-    for (auto& lanes : moved_index_) lanes.clear();
-    for (const int item : moved_items_) {
-        if (!states_[item].moved) continue;
-        const BoxTree& tree = this->tree(layer(item));
-        auto& lanes = moved_index_[index(layer(item))];
-        if (lanes.empty()) resize_amply(lanes, tree.level(0).size());
-        lanes[tree.place(item) / kGroupSize] |= 1 << (tree.place(item) % kGroupSize);
-    }
+// The lanes that moved, by group; then the groups in their order; then where each box was.
+void BroadPhase::collect_moved_groups(TaskPool& tasks) {
+    mark_moved_lanes(tasks);
     for (const Layer layer : kLayers) {
         auto& lanes = moved_index_[index(layer)];
         for (std::size_t group = 0; group < lanes.size(); ++group) {
             const auto moved = static_cast<LaneMask>(lanes[group]);
             lanes[group] = moved == 0 ? kNone : static_cast<int>(moved_groups_.size());
-            if (moved == 0) continue;
-            moved_groups_.push_back({layer, static_cast<int>(group), moved, tree(layer).level(0)[group]});
+            if (moved != 0) moved_groups_.push_back({layer, static_cast<int>(group), moved, {}});
         }
     }
-    [[maybe_unused]] int with_ways = 0;
-    for (const int item : moved_items_) {
-        if (!states_[item].moved) continue;
-        const int place = tree(layer(item)).place(item);
-        const int lane = place % kGroupSize;
-        MovedGroup& group = moved_groups_[moved_index_[index(layer(item))][place / kGroupSize]];
-        group.before.set_box(lane, box_before_[item]);
-        if (!had_ways_) continue;
-        const State& state = states_[item];
-        if (state.has_way) note_way(group.ways, lane, ways_[item]);
-        if (state.had_way) note_way(group.ways_before, lane, way_before_[item]);
-        with_ways += state.has_way ? 1 : 0;
-    }
+    if (had_ways_) assign_amply(group_ways_, 2 * moved_groups_.size(), GroupWays{});
+    [[maybe_unused]] std::atomic<int> with_ways = 0;
+    tasks.parallel_for(static_cast<int>(moved_groups_.size()), kGroupsPerChunk, [&](const Chunk& chunk) {
+        int found = 0;
+        for (int i = chunk.begin; i < chunk.end; ++i) found += fill_moved_group(static_cast<std::size_t>(i));
+        with_ways.fetch_add(found, std::memory_order_relaxed);
+    });
     CAIRN_VALIDATE(!had_ways_ || with_ways == with_ways_, "a box was not moved since it had its way");
 }
 
-// Of a group, which gets an index with the first.
-void BroadPhase::note_way(int& index, int lane, Vec2 way) {
-    if (index == kNone) {
-        index = static_cast<int>(group_ways_.size());
-        group_ways_.emplace_back();
+// Where many moved, group by group, on all threads; else from one that moved to the next.
+void BroadPhase::mark_moved_lanes(TaskPool& tasks) {
+    for (auto& lanes : moved_index_) lanes.clear();
+    const BoxTree& awake = tree(Layer::Awake);
+    const bool many = 8 * moved_items_.size() >= static_cast<std::size_t>(awake.size());
+    if (many) {
+        auto& lanes = moved_index_[index(Layer::Awake)];
+        resize_amply(lanes, awake.level(0).size());
+        const std::span<const int> items = awake.items();
+        tasks.parallel_for(static_cast<int>(lanes.size()), kGroupsPerChunk, [&](const Chunk& chunk) {
+            for (int group = chunk.begin; group < chunk.end; ++group) {
+                unsigned moved = 0;
+                for (int lane = 0; lane < kGroupSize; ++lane) {
+                    const int item = items[kGroupSize * group + lane];
+                    if (item != kNone && states_[item].moved) moved |= 1u << lane;
+                }
+                lanes[group] = static_cast<int>(moved);
+            }
+        });
     }
-    group_ways_[index].set_way(lane, way);
+    for (const int item : moved_items_) {
+        const State& state = states_[item];
+        if (!state.moved || (many && state.layer == Layer::Awake)) continue;
+        const BoxTree& tree = this->tree(state.layer);
+        auto& lanes = moved_index_[index(state.layer)];
+        if (lanes.empty()) assign_amply(lanes, tree.level(0).size(), 0);
+        lanes[tree.place(item) / kGroupSize] |= 1 << (tree.place(item) % kGroupSize);
+    }
+}
+
+// The boxes of a group as of the last search, and the ways of what moved: those of group i have the places 2 i
+// and 2 i + 1. The result is how many have a way.
+int BroadPhase::fill_moved_group(std::size_t at) {
+    MovedGroup& moved = moved_groups_[at];
+    const BoxTree& tree = this->tree(moved.layer);
+    moved.before = tree.level(0)[moved.group];
+    int with_ways = 0;
+    for (LaneMask lanes = moved.lanes; lanes != 0; lanes &= lanes - 1) {
+        const int lane = std::countr_zero(lanes);
+        const int item = tree.items()[kGroupSize * moved.group + lane];
+        moved.before.set_box(lane, box_before_[item]);
+        if (!had_ways_) continue;
+        const State& state = states_[item];
+        if (state.has_way) {
+            moved.ways = static_cast<int>(2 * at);
+            group_ways_[moved.ways].set_way(lane, ways_[item]);
+            ++with_ways;
+        }
+        if (state.had_way) {
+            moved.ways_before = static_cast<int>(2 * at + 1);
+            group_ways_[moved.ways_before].set_way(lane, way_before_[item]);
+        }
+    }
+    return with_ways;
 }
 
 void BroadPhase::search(int first_group, int last_group, const FoundPairs& found) const {

@@ -12,6 +12,8 @@
 #include <span>
 #include <vector>
 
+#include "base/chunked_list.h"
+#include "base/task_pool.h"
 #include "broad/box_way.h"
 #include "broad/pair_search.h"
 
@@ -23,9 +25,15 @@ class BroadPhase {
     void add(int item, Layer layer, const Aabb& box);
     void remove(int item);
     void move(int item, const Aabb& box);
-    /// The same for many at once, all of them awake: `shift` each, then `refit`, before anything is asked.
-    void shift(int item, const Aabb& box);
-    void refit() { trees_[index(Layer::Awake)].refit(); }
+    /// The same for many at once, all of them awake, by as many threads as there are: each calls `shift` for
+    /// items of its own, and keeps what it says; then `end_shifts` is told all of that, in an order that does
+    /// not depend on threads. Before it nothing may be asked.
+    struct Shifted {
+        bool is_first = false;  // of this item since the last search
+        bool had_way = false;   // and has none any more
+    };
+    Shifted shift(int item, const Aabb& box);
+    void end_shifts(const ChunkedList<int>& first_moves, int dropped_ways);
     /// What the box holds moves by so much (m) in the next step, within the box all along. Pairs that keep
     /// apart on their ways (broad/box_way.h) count as if their boxes did not overlap. The box has just been
     /// moved; it keeps the way until it is moved again, which must be before the next search but one. Only
@@ -47,12 +55,12 @@ class BroadPhase {
     }
 
     /// All in one. The pairs are valid until the next call.
-    const std::vector<ItemPair>& find_new_pairs();
+    const std::vector<ItemPair>& find_new_pairs(TaskPool& tasks);
 
     /// The same in parts, for threads: `start_search` gives the number of groups; `search` may run for
     /// disjoint ranges of them at once and appends to `found`; `end_search` takes the new pairs that all of
     /// them appended, in any order, and makes of it what `find_new_pairs` gives.
-    int start_search();
+    int start_search(TaskPool& tasks);
     void search(int first_group, int last_group, const FoundPairs& found) const;
     void end_search(std::vector<ItemPair>& pairs);
 
@@ -75,9 +83,11 @@ class BroadPhase {
     };
 
     void note_move(int item, const Aabb& before);
+    bool remember(int item, const Aabb& before);
     void drop_way(int item);
-    void note_way(int& index, int lane, Vec2 way);
-    void collect_moved_groups();
+    void collect_moved_groups(TaskPool& tasks);
+    void mark_moved_lanes(TaskPool& tasks);
+    int fill_moved_group(std::size_t at);
     void sort(std::vector<ItemPair>& pairs);
     [[nodiscard]] bool may_be_known(const ItemPair& pair) const;
 

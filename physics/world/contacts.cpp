@@ -72,7 +72,7 @@ bool has_contact(const Stores& stores, int shape_a, int shape_b) {
 }
 
 void find_new_pairs(Stores& stores, StepScratch& scratch, TaskPool& tasks) {
-    const int groups = stores.broad.start_search();
+    const int groups = stores.broad.start_search(tasks);
     scratch.found_pairs.start(groups, kGroupsPerChunk, tasks);
     scratch.beside.start(groups, kGroupsPerChunk, tasks);
     tasks.parallel_for(groups, kGroupsPerChunk, [&](const Chunk& chunk) {

@@ -148,7 +148,7 @@ void cover_fast_ways(Stores& stores, Vec2 gravity_m_s2, float dt_s, StepScratch&
         ChunkedList<int>::Appender untold(scratch.untold_boxes, chunk);
         for (int row = chunk.begin; row < chunk.end; ++row) cover(row, fast.items(), untold.items());
     });
-    tell_fat_boxes(stores, scratch.untold_boxes);
+    tell_fat_boxes(stores, scratch, tasks);
     scratch.fast_found.copy_to(scratch.fast);
     for (const int body : scratch.fast) {
         const Place& place = stores.bodies.places[body];

@@ -22,6 +22,7 @@ namespace {
 constexpr int kBodiesPerChunk = 64;
 constexpr int kRowsPerChunk = 512;
 constexpr int kBlocksPerChunk = 32;
+constexpr int kContactsPerChunk = 64;
 
 // Of a way, how far float may put what lies along it aside.
 constexpr float kRounding = 1e-6f;
@@ -192,73 +193,144 @@ class AllBlocks {
     std::array<int, kPairGeometries + 1> first_{};
 };
 
-void find_passed(const Stores& stores, const AllBlocks& blocks, WayScratch& scratch, TaskPool& tasks) {
-    resize_amply(scratch.found, static_cast<std::size_t>(blocks.size()));
-    tasks.parallel_for(blocks.size(), kBlocksPerChunk, [&](const Chunk& chunk) {
-        for (int i = chunk.begin; i < chunk.end; ++i) {
-            unsigned found = 0;
-            blocks.with(i, [&](const PairBlock& pairs, int used) {
-                found = physics::find_passed(stores.bodies.places.data(), pairs.body_a, pairs.body_b,
-                                             scratch.displacements.data(), (1u << used) - 1);
-            });
-            scratch.found[i] = static_cast<std::uint8_t>(found);
-        }
-    });
-}
-
-// Pairs that kept apart by what was expected of them: those of which a body strayed from that, and which may
-// have met then.
-void find_crossed(const Stores& stores, const StepScratch& scratch, WayScratch& ways) {
-    assign_amply(ways.strayed, stores.fat_boxes.size(), std::uint8_t{0});
-    for (const int body : scratch.fast) {
-        if ((stores.bodies.places[body].flags & place_flag::kStrayed) == 0) continue;
-        for (int s = stores.bodies.slots[body].first_shape; s != kNone; s = stores.shapes[s].next_of_body)
-            ways.strayed[static_cast<std::size_t>(s)] = 1;
+// Finds how far fast bodies were free to go, by all pairs of which one may have passed through the other. What
+// threads find are shares of ways, of which the least counts, so their order does not matter.
+class Guard {
+  public:
+    Guard(const Stores& stores, WayScratch& ways, TaskPool& tasks)
+        : stores_(stores), ways_(ways), tasks_(tasks), places_(stores.bodies.places.data()) {
+        assign_amply(ways.free_shares, ways.displacements.size(), 1.0f);
     }
-    ways.crossed.clear();
-    std::array<ItemPair, kLanes> pack;
-    alignas(32) Lanes<std::int32_t> body_a{};
-    alignas(32) Lanes<std::int32_t> body_b{};
-    int packed = 0;
-    const auto look = [&] {
-        unsigned passed = physics::find_passed(stores.bodies.places.data(), body_a, body_b,
-                                               ways.displacements.data(), (1u << packed) - 1);
+
+    void look_at_strays(std::span<const int> fast) {
+        tasks_.parallel_for(static_cast<int>(fast.size()), kBodiesPerChunk, [&](const Chunk& chunk) {
+            for (int i = chunk.begin; i < chunk.end; ++i) {
+                const int body = fast[i];
+                if (!is_guarded(stores_, body) || !has_left_its_boxes(stores_, body)) continue;
+                ways_.free_shares[stores_.bodies.places[body].row] = free_share_by_trees(stores_, body);
+            }
+        });
+    }
+
+    void look_at_blocks() {
+        const AllBlocks blocks(stores_.contacts.lanes);
+        look(blocks.size(), kBlocksPerChunk, [&](int i, std::vector<FreeShare>& found) {
+            blocks.with(i, [&](const PairBlock& pairs, int used) {
+                unsigned passed = passed_lanes(pairs.body_a, pairs.body_b, used);
+                for (; passed != 0; passed &= passed - 1) {
+                    const int lane = std::countr_zero(passed);
+                    follow_both({pairs.body_a[lane], pairs.shape_a[lane]},
+                                {pairs.body_b[lane], pairs.shape_b[lane]}, found);
+                }
+            });
+        });
+    }
+
+    void look_at_loose() {
+        look(static_cast<int>(stores_.contacts.loose.size()), kContactsPerChunk,
+             [&](int i, std::vector<FreeShare>& found) {
+                 const ContactRecord& c = stores_.contacts.slots[stores_.contacts.loose[i]];
+                 if (special::has(c, special::kRefused | special::kPassing)) return;
+                 alignas(32) const Lanes<std::int32_t> body_a{c.body_a};
+                 alignas(32) const Lanes<std::int32_t> body_b{c.body_b};
+                 if (passed_lanes(body_a, body_b, 1) != 0)
+                     follow_both({c.body_a, c.shape_a}, {c.body_b, c.shape_b}, found);
+             });
+    }
+
+    // Pairs that kept apart by what was expected of them: those of which a body strayed from that, and which
+    // may have met then.
+    void look_beside(std::span<const int> fast, const ChunkedList<ItemPair>& beside) {
+        if (beside.size() == 0 || !note_strayed(fast)) return;
+        look(beside.parts(), 1, [&](int part, std::vector<FreeShare>& found) {
+            Pack pack;
+            beside.for_parts(part, part + 1, [&](const ItemPair& pair) {
+                if (ways_.strayed[pair.a] == 0 && ways_.strayed[pair.b] == 0) return;
+                pack.pairs[pack.size] = pair;
+                pack.body_a[pack.size] = stores_.shapes[pair.a].body;
+                pack.body_b[pack.size] = stores_.shapes[pair.b].body;
+                if (++pack.size == kLanes) look_at(pack, found);
+            });
+            look_at(pack, found);
+        });
+    }
+
+  private:
+    struct Side {
+        int body;
+        int shape;
+    };
+
+    // Pairs beside each other, eight at once.
+    struct Pack {
+        std::array<ItemPair, kLanes> pairs;
+        alignas(32) Lanes<std::int32_t> body_a{};
+        alignas(32) Lanes<std::int32_t> body_b{};
+        int size = 0;
+    };
+
+    // Calls visit(i, found) for 0 up to, and without, count, and takes the least shares found.
+    template <class Visit>
+    void look(int count, int grain, const Visit& visit) {
+        ways_.found_shares.start(count, grain, tasks_);
+        tasks_.parallel_for(count, grain, [&](const Chunk& chunk) {
+            ChunkedList<FreeShare>::Appender found(ways_.found_shares, chunk);
+            for (int i = chunk.begin; i < chunk.end; ++i) visit(i, found.items());
+        });
+        ways_.found_shares.for_each([&](const FreeShare& found) {
+            float& share = ways_.free_shares[found.row];
+            share = std::min(share, found.share);
+        });
+    }
+
+    [[nodiscard]] unsigned passed_lanes(const Lanes<std::int32_t>& body_a, const Lanes<std::int32_t>& body_b,
+                                        int used) const {
+        return find_passed(places_, body_a, body_b, ways_.displacements.data(), (1u << used) - 1);
+    }
+
+    // Two shapes that may have met, seen from each fast body.
+    void follow_both(const Side& a, const Side& b, std::vector<FreeShare>& found) const {
+        follow(a, b.shape, found);
+        follow(b, a.shape, found);
+    }
+    void follow(const Side& side, int other, std::vector<FreeShare>& found) const {
+        if (!is_guarded(stores_, side.body) || has_left_its_boxes(stores_, side.body)) return;
+        const float share = Way(stores_, side.shape).free_share(other);
+        if (share < 1) found.push_back({places_[side.body].row, share});
+    }
+
+    // Empties the pack.
+    void look_at(Pack& pack, std::vector<FreeShare>& found) const {
+        if (pack.size == 0) return;
+        unsigned passed = passed_lanes(pack.body_a, pack.body_b, pack.size);
         for (; passed != 0; passed &= passed - 1) {
-            const ItemPair& pair = pack[static_cast<std::size_t>(std::countr_zero(passed))];
-            if (may_collide(stores, pair.a, pair.b) && !lets_pass(stores, pair.a, pair.b))
-                ways.crossed.push_back(pair);
+            const auto lane = static_cast<std::size_t>(std::countr_zero(passed));
+            const ItemPair& pair = pack.pairs[lane];
+            if (may_collide(stores_, pair.a, pair.b) && !lets_pass(stores_, pair.a, pair.b))
+                follow_both({pack.body_a[lane], pair.a}, {pack.body_b[lane], pair.b}, found);
         }
-        packed = 0;
-    };
-    scratch.beside.for_each([&](const ItemPair& pair) {
-        const auto has_strayed = [&](int shape) {
-            return ways.strayed[static_cast<std::size_t>(shape)] != 0;
-        };
-        if (!has_strayed(pair.a) && !has_strayed(pair.b)) return;
-        const auto lane = static_cast<std::size_t>(packed++);
-        pack[lane] = pair;
-        body_a[lane] = stores.shapes[pair.a].body;
-        body_b[lane] = stores.shapes[pair.b].body;
-        if (packed == kLanes) look();
-    });
-    if (packed > 0) look();
-}
+        pack.size = 0;
+    }
 
-struct Side {
-    int body;
-    int shape;
+    // By shape; whether there are any.
+    bool note_strayed(std::span<const int> fast) {
+        bool some = false;
+        assign_amply(ways_.strayed, stores_.fat_boxes.size(), std::uint8_t{0});
+        for (const int body : fast) {
+            if ((places_[body].flags & place_flag::kStrayed) == 0) continue;
+            some = true;
+            for (int s = stores_.bodies.slots[body].first_shape; s != kNone;
+                 s = stores_.shapes[s].next_of_body)
+                ways_.strayed[s] = 1;
+        }
+        return some;
+    }
+
+    const Stores& stores_;
+    WayScratch& ways_;
+    TaskPool& tasks_;
+    const Place* places_;
 };
-
-// Two shapes that may have met, seen from each fast body.
-void follow_ways(const Stores& stores, const Side& a, const Side& b, std::vector<float>& free_shares) {
-    const auto follow = [&](int body, int shape, int other) {
-        if (!is_guarded(stores, body) || has_left_its_boxes(stores, body)) return;
-        float& share = free_shares[stores.bodies.places[body].row];
-        share = std::min(share, Way(stores, shape).free_share(other));
-    };
-    follow(a.body, a.shape, b.shape);
-    follow(b.body, b.shape, a.shape);
-}
 
 void put_back(Stores& stores, int body, float share) {
     BodyRows& awake = stores.bodies.rows(RowSet::Awake);
@@ -277,41 +349,11 @@ void hold_fast_bodies(Stores& stores, StepScratch& scratch, TaskPool& tasks) {
     if (!scratch.ways) scratch.ways = std::make_unique<WayScratch>();
     WayScratch& ways = *scratch.ways;
     note_displacements(stores, ways.displacements, tasks);
-    const AllBlocks blocks(stores.contacts.lanes);
-    find_passed(stores, blocks, ways, tasks);
-
-    assign_amply(ways.free_shares, ways.displacements.size(), 1.0f);
-    tasks.parallel_for(static_cast<int>(scratch.fast.size()), kBodiesPerChunk, [&](const Chunk& chunk) {
-        for (int i = chunk.begin; i < chunk.end; ++i) {
-            const int body = scratch.fast[i];
-            if (!is_guarded(stores, body) || !has_left_its_boxes(stores, body)) continue;
-            ways.free_shares[stores.bodies.places[body].row] = free_share_by_trees(stores, body);
-        }
-    });
-    const ContactStore& contacts = stores.contacts;
-    for (int i = 0; i < blocks.size(); ++i) {
-        for (unsigned found = ways.found[i]; found != 0; found &= found - 1) {
-            blocks.with(i, [&](const PairBlock& pairs, int) {
-                const int lane = std::countr_zero(found);
-                follow_ways(stores, {pairs.body_a[lane], pairs.shape_a[lane]},
-                            {pairs.body_b[lane], pairs.shape_b[lane]}, ways.free_shares);
-            });
-        }
-    }
-    find_crossed(stores, scratch, ways);
-    for (const ItemPair& pair : ways.crossed) {
-        follow_ways(stores, {stores.shapes[pair.a].body, pair.a}, {stores.shapes[pair.b].body, pair.b},
-                    ways.free_shares);
-    }
-    const Place* places = stores.bodies.places.data();
-    for (const int contact : contacts.loose) {
-        const ContactRecord& c = contacts.slots[contact];
-        if (special::has(c, special::kRefused | special::kPassing)) continue;
-        alignas(32) const Lanes<std::int32_t> body_a{c.body_a};
-        alignas(32) const Lanes<std::int32_t> body_b{c.body_b};
-        if (physics::find_passed(places, body_a, body_b, ways.displacements.data(), 1) != 0)
-            follow_ways(stores, {c.body_a, c.shape_a}, {c.body_b, c.shape_b}, ways.free_shares);
-    }
+    Guard guard(stores, ways, tasks);
+    guard.look_at_strays(scratch.fast);
+    guard.look_at_blocks();
+    guard.look_beside(scratch.fast, scratch.beside);
+    guard.look_at_loose();
     for (const int body : scratch.fast) {
         if (!is_guarded(stores, body)) continue;
         const float share = ways.free_shares[stores.bodies.places[body].row];

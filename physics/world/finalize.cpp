@@ -128,17 +128,33 @@ void tell_fat_box(Stores& stores, int shape) {
     note_moved_boxes(stores, stores.shapes[shape].body);
 }
 
-void tell_fat_boxes(Stores& stores, const ChunkedList<int>& shapes) {
+void tell_fat_boxes(Stores& stores, StepScratch& scratch, TaskPool& tasks) {
+    const ChunkedList<int>& shapes = scratch.untold_boxes;
     // Where many moved it is less work to go over all nodes of the tree.
     if (8 * shapes.size() < static_cast<std::size_t>(stores.broad.tree(Layer::Awake).size())) {
         shapes.for_each([&](int shape) { tell_fat_box(stores, shape); });
         return;
     }
-    shapes.for_each([&](int shape) {
-        stores.broad.shift(shape, stores.fat_boxes[shape]);
-        note_moved_boxes(stores, stores.shapes[shape].body);
+    // Shapes of a body stand in one part.
+    constexpr int kPartsPerChunk = 1;
+    ShiftedBoxes& shifted = scratch.shifted_boxes;
+    shifted.first_moves.start(shapes.parts(), kPartsPerChunk, tasks);
+    shifted.without_way.start(shapes.parts(), kPartsPerChunk, tasks);
+    shifted.bodies.start(shapes.parts(), kPartsPerChunk, tasks);
+    tasks.parallel_for(shapes.parts(), kPartsPerChunk, [&](const Chunk& chunk) {
+        ChunkedList<int>::Appender first_moves(shifted.first_moves, chunk);
+        ChunkedList<int>::Appender without_way(shifted.without_way, chunk);
+        ChunkedList<int>::Appender bodies(shifted.bodies, chunk);
+        shapes.for_parts(chunk.begin, chunk.end, [&](int shape) {
+            const BroadPhase::Shifted s = stores.broad.shift(shape, stores.fat_boxes[shape]);
+            if (s.is_first) first_moves.items().push_back(shape);
+            if (s.had_way) without_way.items().push_back(shape);
+            const int body = stores.shapes[shape].body;
+            if (mark_moved_boxes(stores, body)) bodies.items().push_back(body);
+        });
     });
-    stores.broad.refit();
+    shifted.bodies.for_each([&](int body) { stores.boxes_moved.push_back(body); });
+    stores.broad.end_shifts(shifted.first_moves, static_cast<int>(shifted.without_way.size()));
 }
 
 float clearance(const Aabb& outer, const Aabb& inner) {
@@ -203,7 +219,7 @@ void finalize_bodies(Stores& stores, StepScratch& scratch, float dt_s, bool slee
             update_boxes(stores, body, untold.items());
         }
     });
-    tell_fat_boxes(stores, scratch.untold_boxes);
+    tell_fat_boxes(stores, scratch, tasks);
     scratch.fast_found.for_each([&](int body) { scratch.fast.push_back(body); });
 }
 

@@ -20,7 +20,7 @@ void set_fat_box(Stores& stores, int shape, const Aabb& box);
 
 /// The same for boxes that were written already, by threads: they become known.
 void tell_fat_box(Stores& stores, int shape);
-void tell_fat_boxes(Stores& stores, const ChunkedList<int>& shapes);
+void tell_fat_boxes(Stores& stores, StepScratch& scratch, TaskPool& tasks);  // scratch.untold_boxes
 
 /// How far the inner box may move in any direction without leaving the outer one.
 float clearance(const Aabb& outer, const Aabb& inner);

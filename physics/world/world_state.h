@@ -84,12 +84,16 @@ inline int insert_shape(Stores& stores, const ShapeRecord& record, const Aabb& f
     return shape;
 }
 
-/// The contacts of the body will be asked whether their boxes still overlap.
-inline void note_moved_boxes(Stores& stores, int body) {
+/// The contacts of the body will be asked whether their boxes still overlap. Whether it is yet to be listed in
+/// boxes_moved.
+inline bool mark_moved_boxes(Stores& stores, int body) {
     std::uint32_t& flags = stores.bodies.places[body].flags;
-    if (flags & place_flag::kBoxesMoved) return;
+    if (flags & place_flag::kBoxesMoved) return false;
     flags |= place_flag::kBoxesMoved;
-    stores.boxes_moved.push_back(body);
+    return true;
+}
+inline void note_moved_boxes(Stores& stores, int body) {
+    if (mark_moved_boxes(stores, body)) stores.boxes_moved.push_back(body);
 }
 
 struct Events {
@@ -144,13 +148,25 @@ struct StaticsScratch {
     std::vector<float> shares;
 };
 
+/// What comes of telling many boxes at once, on several threads.
+struct ShiftedBoxes {
+    ChunkedList<int> first_moves;  // shapes, of which it is the first since the last search
+    ChunkedList<int> without_way;  // shapes that have none any more
+    ChunkedList<int> bodies;       // that are marked anew
+};
+
+/// How much of its way a body was free to go.
+struct FreeShare {
+    int row = 0;
+    float share = 1;
+};
+
 /// For the guard of fast bodies.
 struct WayScratch {
     std::vector<Displacement> displacements;  // by row of the motions
     std::vector<std::uint8_t> strayed;        // by shape: the body went another way than was expected
-    std::vector<ItemPair> crossed;            // of those beside each other, shapes that may have met
-    std::vector<float> free_shares;           // of their ways, by row
-    std::vector<std::uint8_t> found;          // by block, bits: lanes across which something may have passed
+    ChunkedList<FreeShare> found_shares;      // of ways that met something
+    std::vector<float> free_shares;           // of all ways, by row: the least that was found
 };
 
 /// A contact in a lane that wants more than its block can do for it.
@@ -266,6 +282,7 @@ struct StepScratch {
     std::vector<int> fast;          // bodies that could pass through others in this step
     ChunkedList<int> fast_found;
     ChunkedList<int> untold_boxes;              // of shapes: written, but not known to the broad phase yet
+    ShiftedBoxes shifted_boxes;
     std::unique_ptr<WayScratch> ways;           // none before the first fast body
     std::vector<BlockFindings> block_findings;  // of blocks in colours, by their number
     ChunkedList<LaneNote> notes;

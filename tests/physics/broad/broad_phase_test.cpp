@@ -16,6 +16,10 @@
 namespace cairn::physics {
 namespace {
 
+// More threads than groups in small cases.
+TaskPool tasks(3);
+
+
 using test::Random;
 using Pair = std::pair<int, int>;
 using Pairs = std::set<Pair>;
@@ -110,7 +114,7 @@ class Model {
         const Pairs& expected = overlaps.pairs;
         std::vector<ItemPair> fresh;
         std::vector<ItemPair> beside;
-        broad.search(0, broad.start_search(), {fresh, beside});
+        broad.search(0, broad.start_search(tasks), {fresh, beside});
         broad.end_search(fresh);
         Pairs found_beside;
         for (const ItemPair& pair : beside) REQUIRE(found_beside.emplace(pair.a, pair.b).second);
@@ -193,7 +197,7 @@ void change_at_random(Random& random, Model& model, double extent) {
 
 Pairs found(BroadPhase& broad) {
     Pairs pairs;
-    for (const ItemPair& pair : broad.find_new_pairs()) REQUIRE(pairs.emplace(pair.a, pair.b).second);
+    for (const ItemPair& pair : broad.find_new_pairs(tasks)) REQUIRE(pairs.emplace(pair.a, pair.b).second);
     return pairs;
 }
 
@@ -208,7 +212,7 @@ TEST_CASE("every new pair is reported once while boxes come, go, move, sleep, wa
             INFO("extent " << extent << ", round " << round);
             model.search();
             model.check_trees();
-            if (random.chance(0.2)) REQUIRE(model.broad.find_new_pairs().empty());
+            if (random.chance(0.2)) REQUIRE(model.broad.find_new_pairs(tasks).empty());
             model.go_on(random);
         }
         CHECK(model.reported() > 2'000);
@@ -340,13 +344,64 @@ TEST_CASE("pairs are sorted, whatever the order in which boxes were added") {
         BroadPhase broad;
         for (const int i : order) broad.add(i, kLayers[i % 3], boxes[i]);
         std::vector<Pair> pairs;
-        for (const ItemPair& pair : broad.find_new_pairs()) pairs.emplace_back(pair.a, pair.b);
+        for (const ItemPair& pair : broad.find_new_pairs(tasks)) pairs.emplace_back(pair.a, pair.b);
         REQUIRE(std::is_sorted(pairs.begin(), pairs.end()));
         if (round == 0) first = pairs;
         REQUIRE(pairs == first);
         for (int i = 299; i > 0; --i) std::swap(order[i], order[random.below(i + 1)]);
     }
     CHECK(first.size() > 300);
+}
+
+TEST_CASE("boxes that are told all at once, on several threads, make the pairs of boxes told one by one") {
+    constexpr int kItems = 600;
+    Random random(11);
+    BroadPhase one_by_one;
+    BroadPhase at_once;
+    const auto for_both = [&](auto&& change) {
+        change(one_by_one);
+        change(at_once);
+    };
+    for (int i = 0; i < kItems; ++i) {
+        const Aabb box = random_box(random, 10);
+        const Layer layer = i < 50 ? Layer::Static : Layer::Awake;
+        for_both([&](BroadPhase& broad) { broad.add(i, layer, box); });
+    }
+    std::vector<Aabb> boxes(kItems);
+    std::size_t all = 0;
+    ChunkedList<int> first_moves;
+    ChunkedList<int> without_way;
+    for (int round = 0; round < 60; ++round) {
+        const Pairs expected = found(one_by_one);
+        REQUIRE(found(at_once) == expected);
+        all += expected.size();
+        // Few, many or all of those awake.
+        std::vector<int> moved;
+        for (int i = 50; i < kItems; ++i) {
+            if (random.below(3) <= round % 3) moved.push_back(i);
+        }
+        for (const int i : moved) one_by_one.move(i, boxes[i] = random_box(random, 10));
+        const int count = static_cast<int>(moved.size());
+        first_moves.start(count, 16, tasks);
+        without_way.start(count, 16, tasks);
+        tasks.parallel_for(count, 16, [&](const Chunk& chunk) {
+            ChunkedList<int>::Appender first(first_moves, chunk);
+            ChunkedList<int>::Appender without(without_way, chunk);
+            for (int n = chunk.begin; n < chunk.end; ++n) {
+                const BroadPhase::Shifted shifted = at_once.shift(moved[n], boxes[moved[n]]);
+                if (shifted.is_first) first.items().push_back(moved[n]);
+                if (shifted.had_way) without.items().push_back(moved[n]);
+            }
+        });
+        at_once.end_shifts(first_moves, static_cast<int>(without_way.size()));
+        REQUIRE(at_once.tree(Layer::Awake).is_valid());
+        // What has a way is moved again before the search after the next.
+        if (round % 3 != 1) continue;
+        for (const int i : moved) {
+            for_both([&](BroadPhase& broad) { broad.set_way(i, {0.5f, 0}); });
+        }
+    }
+    CHECK(all > 5'000);
 }
 
 TEST_CASE("searching in parts gives what the whole gives") {
@@ -358,7 +413,7 @@ TEST_CASE("searching in parts gives what the whole gives") {
         std::vector<ItemPair> beside;
         for (int i = 0; i < 400; ++i) broad.add(i, random_layer(random), random_box(random, 10));
         for (int round = 0; round < 30; ++round) {
-            const int groups = broad.start_search();
+            const int groups = broad.start_search(tasks);
             found_now.clear();
             // The last part first: threads end in any order.
             for (int part = parts - 1; part >= 0; --part)
@@ -398,7 +453,7 @@ TEST_CASE("the pairs of a hundred thousand boxes, far from the origin too, are t
             }
         }
         std::vector<Pair> pairs;
-        for (const ItemPair& pair : broad.find_new_pairs()) pairs.emplace_back(pair.a, pair.b);
+        for (const ItemPair& pair : broad.find_new_pairs(tasks)) pairs.emplace_back(pair.a, pair.b);
         std::sort(expected.begin(), expected.end());
         std::sort(pairs.begin(), pairs.end());
         CHECK(pairs.size() > 50'000);
@@ -410,7 +465,7 @@ TEST_CASE("a world in which nothing moved is searched without looking at a group
     Random random(5);
     BroadPhase broad;
     for (int i = 0; i < 1'000; ++i) broad.add(i, random_layer(random), random_box(random, 10));
-    REQUIRE(broad.find_new_pairs().size() > 100);
+    REQUIRE(broad.find_new_pairs(tasks).size() > 100);
     const auto ordered = [&] {
         std::int64_t sum = 0;
         for (const Layer layer : kLayers) sum += broad.tree(layer).ordered_count();
@@ -418,11 +473,11 @@ TEST_CASE("a world in which nothing moved is searched without looking at a group
     };
     const std::int64_t before = ordered();
     std::vector<ItemPair> none;
-    CHECK(broad.start_search() == 0);
+    CHECK(broad.start_search(tasks) == 0);
     broad.end_search(none);
     CHECK(ordered() == before);
     broad.move(7, {{100, 100}, {101, 101}});
-    CHECK(broad.start_search() == 1);
+    CHECK(broad.start_search(tasks) == 1);
 }
 
 }  // namespace cairn::physics
