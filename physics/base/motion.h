@@ -38,6 +38,11 @@ enum class Mover : std::uint8_t {
     Direct,    // the structure of joints that it is part of
 };
 
+/// Of a row.
+inline constexpr std::uint8_t kNotAtRest = 0;
+inline constexpr std::uint8_t kAtRest = 1;
+inline constexpr std::uint8_t kNeverAtRest = 2;
+
 /// Axes along which a body does not move, as bits.
 inline constexpr std::uint8_t kLockedX = 1;
 inline constexpr std::uint8_t kLockedY = 2;
@@ -95,6 +100,9 @@ struct Motions {
     std::vector<Rotation> turned;  // angle of the pose, kept for turning bodies
     std::vector<float> inverse_inertia;
     std::vector<Mover> mover;
+    // From the second substep on: which rows are at rest (base/rest.h), as the world's always is. Empty where
+    // too few are.
+    std::vector<std::uint8_t> resting;
     std::vector<std::uint8_t> locked;  // axes of each row; empty while no body has any
 
     [[nodiscard]] int size() const { return static_cast<int>(velocity.size()); }

@@ -182,8 +182,8 @@ void BroadPhase::mark_moved_lanes(TaskPool& tasks) {
     }
 }
 
-// The boxes of a group as of the last search, and the ways of what moved: those of group i have the places 2 i
-// and 2 i + 1. The result is how many have a way.
+// The boxes of a group as of the last search, and the ways of what moved: those of group i have the places 2
+// i and 2 i + 1. The result is how many have a way.
 int BroadPhase::fill_moved_group(std::size_t at) {
     MovedGroup& moved = moved_groups_[at];
     const BoxTree& tree = this->tree(moved.layer);

@@ -6,14 +6,19 @@
 #define HWY_TARGET_INCLUDE "resolve/contact_kernels.cpp"
 #include "resolve/contact_kernels.h"
 
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
+#include <cstdint>
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
+#include <span>
 
 #include <cairn/physics/tuning.h>
 
 #include "base/prefetch.h"
+#include "base/rest.h"
 #include "base/simd_rows-inl.h"
 #include "resolve/contact_pair-inl.h"
 
@@ -57,8 +62,21 @@ HWY_INLINE M is_apart(V separation, V base_impulse) {
     return hn::Gt(separation, gap);
 }
 
+// Rows that get a kick are not at rest any more.
 template <BlockKind kKind>
-HWY_INLINE void solve_lanes(ContactBlock& block, int lane, float* velocity, const ContactPassTime& time) {
+HWY_INLINE void disturb(const ContactBlock& block, int lane, V impulses, V inverse_mass,
+                        std::uint8_t* resting) {
+    const V kick = hn::Mul(impulses, inverse_mass);
+    for (unsigned kicked = bits_of(hn::Gt(kick, set(kStillSpeed_m_s))); kicked != 0; kicked &= kicked - 1) {
+        const int i = lane + std::countr_zero(kicked);
+        resting[block.b[i]] = kNotAtRest;
+        if constexpr (moves_a(kKind)) resting[block.a[i]] = kNotAtRest;
+    }
+}
+
+template <BlockKind kKind, bool kWatched>
+HWY_INLINE void solve_lanes(ContactBlock& block, int lane, float* velocity, const ContactPassTime& time,
+                            std::uint8_t* resting) {
     const V zero = hn::Zero(D());
     const V one = hn::Set(D(), 1);
     const V nx = load(block.normal_x, lane);
@@ -66,6 +84,7 @@ HWY_INLINE void solve_lanes(ContactBlock& block, int lane, float* velocity, cons
     Pair<kKind> pair(block, lane, velocity, nx, ny);
     V change_sum = zero;
     V impulse_sum = zero;
+    V kicks = zero;
     for (ContactBlockPoint& point : block.points) {
         const V s = load(point.separation, lane);
         const V old = load(point.impulse, lane);
@@ -90,14 +109,17 @@ HWY_INLINE void solve_lanes(ContactBlock& block, int lane, float* velocity, cons
         pair.normal_velocity = hn::Add(pair.normal_velocity, hn::Mul(pair.inverse_mass, change));
         change_sum = hn::Add(change_sum, change);
         impulse_sum = hn::Add(impulse_sum, impulse);
+        if constexpr (kWatched) kicks = hn::Add(kicks, hn::Abs(change));
     }
     const V tangent_change = solve_friction(block, lane, pair, impulse_sum);
     pair.finish(block, lane, velocity, nx, ny, change_sum, tangent_change);
+    if constexpr (kWatched)
+        disturb<kKind>(block, lane, hn::Add(kicks, hn::Abs(tangent_change)), pair.inverse_mass, resting);
 }
 
-template <BlockKind kKind>
+template <BlockKind kKind, bool kWatched>
 HWY_INLINE void relax_lanes(ContactBlock& block, int lane, float* velocity, const float* pose,
-                            const ContactPassTime& time) {
+                            const ContactPassTime& time, std::uint8_t* resting) {
     const V nx = load(block.normal_x, lane);
     const V ny = load(block.normal_y, lane);
     const Columns pose_b = load_rows(pose, block.b.data() + lane);
@@ -166,6 +188,10 @@ HWY_INLINE void relax_lanes(ContactBlock& block, int lane, float* velocity, cons
     pair.turn(change1, points[1].arm_a, points[1].arm_b);
     pair.turn(tangent_change, tangent_arm_a, tangent_arm_b);
     pair.finish(block, lane, velocity, nx, ny, hn::Add(change0, change1), tangent_change);
+    if constexpr (kWatched) {
+        const V kicks = hn::Add(hn::Abs(change0), hn::Add(hn::Abs(change1), hn::Abs(tangent_change)));
+        disturb<kKind>(block, lane, kicks, pair.inverse_mass, resting);
+    }
 }
 
 template <BlockKind kKind>
@@ -190,10 +216,9 @@ HWY_INLINE void warm_start_lanes(ContactBlock& block, int lane, float* velocity,
     pair.finish(block, lane, velocity, nx, ny, sum, tangent);
 }
 
-HWY_INLINE void fetch_ahead(const ContactBlocks& run, std::size_t at, const float* velocity) {
-    const auto& blocks = run.blocks;
-    if (at + kBlocksAhead < blocks.size()) prefetch(blocks[at + kBlocksAhead], kFetchedBytes);
-    if (!run.are_shared || at + kBodiesAhead >= blocks.size()) return;
+HWY_INLINE void fetch_bodies_ahead(std::span<ContactBlock* const> blocks, std::size_t at,
+                                   const float* velocity) {
+    if (at + kBodiesAhead >= blocks.size()) return;
     const ContactBlock& block = *blocks[at + kBodiesAhead];
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
         prefetch_to_write(velocity + kRowFloats * static_cast<std::size_t>(block.a[lane]));
@@ -201,31 +226,80 @@ HWY_INLINE void fetch_ahead(const ContactBlocks& run, std::size_t at, const floa
     }
 }
 
+// Whether nothing would change.
+HWY_INLINE bool is_at_rest(const ContactBlock& block, const std::uint8_t* resting) {
+    unsigned all = kAtRest;
+    for (std::size_t lane = 0; lane < kLanes; ++lane)
+        all &= static_cast<unsigned>(resting[block.a[lane]] & resting[block.b[lane]]);
+    return all != 0;
+}
+
+// Calls pass(block, lane) for all blocks.
+template <class LanesPass>
+HWY_INLINE void for_blocks(const ContactBlocks& run, const float* velocity, const LanesPass& pass) {
+    const auto& blocks = run.blocks;
+    for (std::size_t n = 0; n < blocks.size(); ++n) {
+        if (n + kBlocksAhead < blocks.size()) prefetch(blocks[n + kBlocksAhead], kFetchedBytes);
+        if (run.are_shared) fetch_bodies_ahead(blocks, n, velocity);
+        for (int lane = 0; lane < kLanes; lane += kStep) pass(*blocks[n], lane);
+    }
+}
+
+// The same for those of which not all bodies are at rest, a few at a time: blocks of a colour share no body,
+// so none of them disturbs another.
+template <class LanesPass>
+HWY_INLINE void for_disturbed_blocks(const ContactBlocks& run, const float* velocity, const LanesPass& pass) {
+    constexpr std::size_t kAtOnce = 2 * kBlocksAhead;
+    std::array<ContactBlock*, kAtOnce> found;
+    for (std::size_t first = 0; first < run.blocks.size(); first += kAtOnce) {
+        const std::size_t last = std::min(first + kAtOnce, run.blocks.size());
+        std::size_t count = 0;
+        for (std::size_t n = first; n < last; ++n) {
+            if (n + kAtOnce < run.blocks.size()) prefetch(run.blocks[n + kAtOnce], kCacheLine_B);
+            ContactBlock* const block = run.blocks[n];
+            if (is_at_rest(*block, run.resting)) continue;
+            prefetch(block, kFetchedBytes);
+            found[count++] = block;
+        }
+        const std::span<ContactBlock* const> disturbed(found.data(), count);
+        for (std::size_t n = 0; n < count; ++n) {
+            if (run.are_shared) fetch_bodies_ahead(disturbed, n, velocity);
+            for (int lane = 0; lane < kLanes; lane += kStep) pass(*disturbed[n], lane);
+        }
+    }
+}
+
 template <BlockKind kKind>
 void solve_all(const ContactBlocks& run, float* velocity, const ContactPassTime& time) {
-    for (std::size_t n = 0; n < run.blocks.size(); ++n) {
-        fetch_ahead(run, n, velocity);
-        for (int lane = 0; lane < kLanes; lane += kStep)
-            solve_lanes<kKind>(*run.blocks[n], lane, velocity, time);
+    if (run.resting == nullptr) {
+        for_blocks(run, velocity, [&](ContactBlock& block, int lane) HWY_ATTR {
+            solve_lanes<kKind, false>(block, lane, velocity, time, nullptr);
+        });
+    } else {
+        for_disturbed_blocks(run, velocity, [&](ContactBlock& block, int lane) HWY_ATTR {
+            solve_lanes<kKind, true>(block, lane, velocity, time, run.resting);
+        });
     }
 }
 
 template <BlockKind kKind>
 void relax_all(const ContactBlocks& run, float* velocity, const float* pose, const ContactPassTime& time) {
-    for (std::size_t n = 0; n < run.blocks.size(); ++n) {
-        fetch_ahead(run, n, velocity);
-        for (int lane = 0; lane < kLanes; lane += kStep)
-            relax_lanes<kKind>(*run.blocks[n], lane, velocity, pose, time);
+    if (run.resting == nullptr) {
+        for_blocks(run, velocity, [&](ContactBlock& block, int lane) HWY_ATTR {
+            relax_lanes<kKind, false>(block, lane, velocity, pose, time, nullptr);
+        });
+    } else {
+        for_disturbed_blocks(run, velocity, [&](ContactBlock& block, int lane) HWY_ATTR {
+            relax_lanes<kKind, true>(block, lane, velocity, pose, time, run.resting);
+        });
     }
 }
 
 template <BlockKind kKind>
 void warm_start_all(const ContactBlocks& run, float* velocity, float step_ratio, float friction_ratio) {
-    for (std::size_t n = 0; n < run.blocks.size(); ++n) {
-        fetch_ahead(run, n, velocity);
-        for (int lane = 0; lane < kLanes; lane += kStep)
-            warm_start_lanes<kKind>(*run.blocks[n], lane, velocity, set(step_ratio), set(friction_ratio));
-    }
+    for_blocks(run, velocity, [&](ContactBlock& block, int lane) HWY_ATTR {
+        warm_start_lanes<kKind>(block, lane, velocity, set(step_ratio), set(friction_ratio));
+    });
 }
 
 void solve_blocks(const ContactBlocks& run, float* velocity, const ContactPassTime& time) {

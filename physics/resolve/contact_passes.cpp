@@ -30,12 +30,17 @@ void in_parts(std::span<const ContactRun> runs, TaskPool& tasks, const PartPass&
         });
 }
 
+std::uint8_t* resting_rows(Motions& motions, Scope scope) {
+    return scope == Scope::Disturbed && !motions.resting.empty() ? motions.resting.data() : nullptr;
+}
+
 void warm_start_all(const ContactBlocks& blocks, Motions& motions, float step_ratio, float friction_ratio) {
     warm_start_blocks(blocks, motions.velocity.data(), step_ratio, friction_ratio);
 }
 
-void solve_all(const ContactBlocks& blocks, Motions& motions, const ContactRules& rules, float h_s,
-               Pass pass) {
+void solve_all(ContactBlocks blocks, Motions& motions, const ContactRules& rules, float h_s, Pass pass,
+               Scope scope) {
+    blocks.resting = resting_rows(motions, scope);
     const Softness& softness =
         blocks.kind == BlockKind::TwoBodies ? rules.dynamic_softness : rules.static_softness;
     const ContactPassTime time{softness, 1 / h_s, rules.max_push_out_speed_m_s};
@@ -52,8 +57,9 @@ void warm_start(const ContactRun& run, Motions& motions, float step_ratio, float
     warm_start_all({run.blocks, run.kind}, motions, step_ratio, friction_ratio);
 }
 
-void solve(const ContactRun& run, Motions& motions, const ContactRules& rules, float h_s, Pass pass) {
-    solve_all({run.blocks, run.kind}, motions, rules, h_s, pass);
+void solve(const ContactRun& run, Motions& motions, const ContactRules& rules, float h_s, Pass pass,
+           Scope scope) {
+    solve_all({run.blocks, run.kind}, motions, rules, h_s, pass, scope);
 }
 
 void warm_start(std::span<const ContactRun> runs, Motions& motions, float step_ratio, float friction_ratio,
@@ -63,8 +69,9 @@ void warm_start(std::span<const ContactRun> runs, Motions& motions, float step_r
 }
 
 void solve(std::span<const ContactRun> runs, Motions& motions, const ContactRules& rules, float h_s,
-           Pass pass, TaskPool& tasks) {
-    in_parts(runs, tasks, [&](const ContactBlocks& part) { solve_all(part, motions, rules, h_s, pass); });
+           Pass pass, Scope scope, TaskPool& tasks) {
+    in_parts(runs, tasks,
+             [&](const ContactBlocks& part) { solve_all(part, motions, rules, h_s, pass, scope); });
 }
 
 }  // namespace cairn::physics

@@ -1,6 +1,7 @@
 // The solver's passes over runs of blocks of contacts.
 #pragma once
 
+#include <cstdint>
 #include <span>
 
 #include "base/motion.h"
@@ -17,15 +18,22 @@ struct ContactRun {
     int color = 0;
 };
 
+/// Which contacts act in a pass.
+enum class Scope : std::uint8_t {
+    All,
+    Disturbed,  ///< not those between bodies at rest (base/rest.h), where such are looked for
+};
+
 /// Makes the first guesses of a step and applies them.
 void warm_start(const ContactRun& run, Motions& motions, float step_ratio, float friction_ratio);
-void solve(const ContactRun& run, Motions& motions, const ContactRules& rules, float h_s, Pass pass);
+void solve(const ContactRun& run, Motions& motions, const ContactRules& rules, float h_s, Pass pass,
+           Scope scope);
 
 // The same for many runs, one colour after the other, since colours may share bodies; threads take parts of
 // each.
 void warm_start(std::span<const ContactRun> runs, Motions& motions, float step_ratio, float friction_ratio,
                 TaskPool& tasks);
 void solve(std::span<const ContactRun> runs, Motions& motions, const ContactRules& rules, float h_s,
-           Pass pass, TaskPool& tasks);
+           Pass pass, Scope scope, TaskPool& tasks);
 
 }  // namespace cairn::physics

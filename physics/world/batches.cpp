@@ -1,6 +1,7 @@
 // The substeps of batches.
 #include "world/batches.h"
 
+#include "base/rest.h"
 #include "integrator/integrate.h"
 #include "world/solve.h"
 
@@ -13,13 +14,18 @@ void solve_batch(ContactBatches& batches, int batch, Motions& motions, const Con
     const std::span<const RowRange> rows = batches.rows(batch);
     const std::span<const ContactRun> runs = batches.runs(batch);
     for (int substep = 0; substep < time.substeps; ++substep) {
+        const Scope scope = scope_of(substep);
         for (const RowRange& r : rows) integrate_velocities(motions, substep == 0, r.first, r.last);
         for (const ContactRun& run : runs) {
             if (substep == 0) warm_start(run, motions, time.step_ratio, time.impulse_ratio);
         }
-        for (const ContactRun& run : runs) solve(run, motions, rules, time.h_s, Pass::Biased);
+        for (const ContactRun& run : runs) solve(run, motions, rules, time.h_s, Pass::Biased, scope);
         for (const RowRange& r : rows) integrate_positions(motions, time.h_s, r.first, r.last);
-        for (const ContactRun& run : runs) solve(run, motions, rules, time.h_s, Pass::Relax);
+        for (const ContactRun& run : runs) solve(run, motions, rules, time.h_s, Pass::Relax, scope);
+        if (substep != 0 || motions.resting.empty()) continue;
+        int not_at_rest = 0;
+        for (const RowRange& r : rows) not_at_rest += note_rest(motions, time.h_s, r.first, r.last);
+        if (not_at_rest == 0) break;
     }
     batches.return_lanes(batch);
 }

@@ -193,8 +193,8 @@ class AllBlocks {
     std::array<int, kPairGeometries + 1> first_{};
 };
 
-// Finds how far fast bodies were free to go, by all pairs of which one may have passed through the other. What
-// threads find are shares of ways, of which the least counts, so their order does not matter.
+// Finds how far fast bodies were free to go, by all pairs of which one may have passed through the other.
+// What threads find are shares of ways, of which the least counts, so their order does not matter.
 class Guard {
   public:
     Guard(const Stores& stores, WayScratch& ways, TaskPool& tasks)

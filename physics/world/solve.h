@@ -2,8 +2,10 @@
 #pragma once
 
 #include <algorithm>
+#include <atomic>
 
 #include "base/ample.h"
+#include "base/rest.h"
 #include "integrator/integrate.h"
 #include "resolve/joints/joint_solver.h"
 #include "resolve/joints/laws.h"
@@ -54,13 +56,27 @@ inline void prepare_kicks(StepScratch& scratch, float h_s, TaskPool& tasks) {
     const auto size = static_cast<std::size_t>(motions.size());
     resize_amply(motions.kick, size);
     resize_amply(motions.kept, std::ranges::any_of(scratch.drives, is_damped) ? size : 0);
+    std::atomic<int> still = 0;
     tasks.parallel_for(motions.size(), kRowsPerChunk, [&](const Chunk& rows) {
         prepare_kicks(motions, scratch.drives, h_s, rows.begin, rows.end);
+        still.fetch_add(count_still(motions, rows.begin, rows.end), std::memory_order_relaxed);
     });
+    begin_rest(motions, still);
+    scratch.all_at_rest = false;
+    if (motions.resting.empty()) return;
+    for (const ContactConstraint& c : scratch.contacts) {
+        keep_from_rest(motions, c.a);
+        keep_from_rest(motions, c.b);
+    }
 }
 
-inline void integrate_velocities(StepScratch& scratch, Acting acting, bool first_substep, TaskPool& tasks) {
-    const bool afresh = first_substep || !acting.contacts;
+/// In the first substep all contacts act.
+inline Scope scope_of(int substep) {
+    return substep == 0 ? Scope::All : Scope::Disturbed;
+}
+
+inline void integrate_velocities(StepScratch& scratch, Acting acting, int substep, TaskPool& tasks) {
+    const bool afresh = substep == 0 || !acting.contacts;
     for_rest_rows(*scratch.batches, tasks,
                   [&](int first, int last) { integrate_velocities(scratch.motions, afresh, first, last); });
 }
@@ -68,6 +84,21 @@ inline void integrate_velocities(StepScratch& scratch, Acting acting, bool first
 inline void integrate_positions(StepScratch& scratch, float h_s, TaskPool& tasks) {
     for_rest_rows(*scratch.batches, tasks,
                   [&](int first, int last) { integrate_positions(scratch.motions, h_s, first, last); });
+}
+
+/// After the first substep: who is at rest, of what is in no batch.
+inline void note_rest(StepScratch& scratch, int substep, float h_s, TaskPool& tasks) {
+    if (substep != 0 || scratch.motions.resting.empty()) return;
+    std::atomic<int> not_at_rest = 0;
+    for_rest_rows(*scratch.batches, tasks, [&](int first, int last) {
+        not_at_rest.fetch_add(note_rest(scratch.motions, h_s, first, last), std::memory_order_relaxed);
+    });
+    scratch.all_at_rest = not_at_rest == 0;
+}
+
+/// Where all is at rest, the first substep was the last.
+inline bool is_made(const StepScratch& scratch, int substep, int substeps) {
+    return substep < substeps && !scratch.all_at_rest;
 }
 
 inline void fly_freely(StepScratch& scratch, Vec2 gravity_m_s2, float dt_s, std::uint64_t step,
@@ -121,20 +152,20 @@ inline void solve_joints(JointLanes& lanes, StepScratch& scratch, float h_s, Act
     for_rows(end_joints);
 }
 
-inline void solve_contacts(StepScratch& scratch, const ContactRules& rules, float h_s, Pass pass,
+inline void solve_contacts(StepScratch& scratch, const ContactRules& rules, float h_s, Pass pass, Scope scope,
                            TaskPool& tasks) {
     for (const int i : scratch.scalar_contacts) {
         solve_contact(scratch.contacts[i], scratch.motions, rules, h_s, pass);
     }
-    solve(scratch.batches->rest_runs(), scratch.motions, rules, h_s, pass, tasks);
+    solve(scratch.batches->rest_runs(), scratch.motions, rules, h_s, pass, scope, tasks);
 }
 
 // Joints before contacts: what comes last is satisfied best, and overlap is worse to see than a stretched
 // joint.
 inline void solve(Stores& stores, StepScratch& scratch, const ContactRules& rules, float h_s, Acting acting,
-                  Pass pass, TaskPool& tasks) {
+                  Pass pass, int substep, TaskPool& tasks) {
     solve_joints(stores.joints.lanes, scratch, h_s, acting, pass, tasks);
-    solve_contacts(scratch, rules, h_s, pass, tasks);
+    solve_contacts(scratch, rules, h_s, pass, scope_of(substep), tasks);
 }
 
 }  // namespace cairn::physics

@@ -71,16 +71,17 @@ void step_world(WorldState& world, float dt_s) {
     if (acting_substeps > 0) prepare_kicks(scratch, time.h_s, tasks);
     cut_into_batches(stores, acting_substeps, scratch);
     solve_batches(scratch, acting_substeps, rules, time, tasks);
-    for (int substep = 0; substep < acting_substeps; ++substep) {
+    for (int substep = 0; is_made(scratch, substep, acting_substeps); ++substep) {
         note_spring_speeds(stores.joints.lanes, scratch, tasks);
-        integrate_velocities(scratch, acting, substep == 0, tasks);
+        integrate_velocities(scratch, acting, substep, tasks);
         solve_direct(world.direct, scratch, rules, time.h_s, acting, tasks);
         if (substep == 0) warm_start_contacts(scratch, time, tasks);
         reach_contacts(scratch, substep, rules, time);
-        solve(stores, scratch, rules, time.h_s, acting, Pass::Biased, tasks);
+        solve(stores, scratch, rules, time.h_s, acting, Pass::Biased, substep, tasks);
         integrate_positions(scratch, time.h_s, tasks);
         move_direct(world.direct, scratch, rules, time.h_s, acting, tasks);
-        solve(stores, scratch, rules, time.h_s, acting, Pass::Relax, tasks);
+        solve(stores, scratch, rules, time.h_s, acting, Pass::Relax, substep, tasks);
+        note_rest(scratch, substep, time.h_s, tasks);
     }
     return_rest(scratch, acting_substeps);
     clock.enter(Stage::Store);

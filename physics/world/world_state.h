@@ -84,8 +84,8 @@ inline int insert_shape(Stores& stores, const ShapeRecord& record, const Aabb& f
     return shape;
 }
 
-/// The contacts of the body will be asked whether their boxes still overlap. Whether it is yet to be listed in
-/// boxes_moved.
+/// The contacts of the body will be asked whether their boxes still overlap. Whether it is yet to be listed
+/// in boxes_moved.
 inline bool mark_moved_boxes(Stores& stores, int body) {
     std::uint32_t& flags = stores.bodies.places[body].flags;
     if (flags & place_flag::kBoxesMoved) return false;
@@ -264,6 +264,7 @@ struct StepScratch {
     std::vector<DeepOverlap> deep;                 // those of them that overlap deeply
     std::unique_ptr<LaneOrderScratch> lane_order;  // none before the first sort
     std::unique_ptr<ContactBatches> batches;       // none before the first substep
+    bool all_at_rest = false;                      // of what is in no batch, since the first substep
     std::vector<int> pushed;                       // bodies that were moved out of others in the last step
     ImpactScratch impacts;
     std::unique_ptr<BounceScratch> bouncing;  // none before the first bounce
@@ -281,7 +282,7 @@ struct StepScratch {
     std::vector<Advance> advances;  // by row of the motions
     std::vector<int> fast;          // bodies that could pass through others in this step
     ChunkedList<int> fast_found;
-    ChunkedList<int> untold_boxes;              // of shapes: written, but not known to the broad phase yet
+    ChunkedList<int> untold_boxes;  // of shapes: written, but not known to the broad phase yet
     ShiftedBoxes shifted_boxes;
     std::unique_ptr<WayScratch> ways;           // none before the first fast body
     std::vector<BlockFindings> block_findings;  // of blocks in colours, by their number

@@ -19,7 +19,6 @@ namespace {
 // More threads than groups in small cases.
 TaskPool tasks(3);
 
-
 using test::Random;
 using Pair = std::pair<int, int>;
 using Pairs = std::set<Pair>;

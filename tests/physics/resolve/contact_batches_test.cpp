@@ -50,9 +50,11 @@ void take_step(Motions& motions, const Each& each) {
             for (const ContactRun& run : runs) {
                 if (substep == 0) warm_start(run, motions, kStepRatio, kFrictionRatio);
             }
-            for (const ContactRun& run : runs) solve(run, motions, kHeapRules, kHeapSubstep_s, Pass::Biased);
+            for (const ContactRun& run : runs)
+                solve(run, motions, kHeapRules, kHeapSubstep_s, Pass::Biased, Scope::All);
             for (const RowRange& r : rows) integrate_positions(motions, kHeapSubstep_s, r.first, r.last);
-            for (const ContactRun& run : runs) solve(run, motions, kHeapRules, kHeapSubstep_s, Pass::Relax);
+            for (const ContactRun& run : runs)
+                solve(run, motions, kHeapRules, kHeapSubstep_s, Pass::Relax, Scope::All);
         }
     });
 }

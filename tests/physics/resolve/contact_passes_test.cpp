@@ -9,6 +9,7 @@
 
 #include <cairn/physics/simd.h>
 
+#include "base/rest.h"
 #include "physics/support/contact_heap.h"
 
 namespace cairn::physics {
@@ -41,7 +42,7 @@ void run_lanes(Heap& heap) {
     const WholeHeap whole(heap);
     warm_start(whole.runs(), heap.motions, kStepRatio, kFrictionRatio, alone);
     run_passes(heap.motions, [&](Pass pass) {
-        solve(whole.runs(), heap.motions, kHeapRules, kHeapSubstep_s, pass, alone);
+        solve(whole.runs(), heap.motions, kHeapRules, kHeapSubstep_s, pass, Scope::All, alone);
     });
 }
 
@@ -117,6 +118,62 @@ TEST_CASE("the first guess of lanes is that of the scalar form, for steps of any
     for (int row = 0; row < by_scalars.size(); ++row) {
         CHECK(static_cast<double>(length(heap.motions.velocity[row].v - by_scalars.velocity[row].v)) < 1e-5);
         CHECK(heap.motions.spin(row) == approx(by_scalars.spin(row), 2e-5));
+    }
+}
+
+// Runs the passes with rows as they are marked, and checks that who was kicked is marked as not at rest.
+Heap run_disturbed(unsigned seed, std::uint8_t mark, int disturbed) {
+    Heap heap = make_heap(seed, kAllKinds, 200, 300);
+    heap.motions.resting.assign(static_cast<std::size_t>(heap.motions.size()), mark);
+    heap.motions.resting[kWorldRow] = kAtRest;
+    for (int i = 0; i < disturbed; ++i) heap.motions.resting[heap.first_free + 7 * i] = kNotAtRest;
+    const std::vector<VelocityRow> before = heap.motions.velocity;
+    TaskPool alone(1);
+    const WholeHeap whole(heap);
+    run_passes(heap.motions, [&](Pass pass) {
+        solve(whole.runs(), heap.motions, kHeapRules, kHeapSubstep_s, pass, Scope::Disturbed, alone);
+    });
+    for (int row = 0; row < heap.motions.size(); ++row) {
+        const bool changed = !same_bits(heap.motions.velocity[row], before[row]);
+        if (length(heap.motions.velocity[row].v - before[row].v) > 10 * kStillSpeed_m_s)
+            CHECK(heap.motions.resting[row] == kNotAtRest);
+        if (mark == kAtRest && disturbed == 0) CHECK_FALSE(changed);
+    }
+    return heap;
+}
+
+TEST_CASE("where no body is at rest, passes over what is disturbed are those over all, to the bit") {
+    const unsigned seed = GENERATE(8u, 9u);
+    const Heap disturbed = run_disturbed(seed, kNotAtRest, 0);
+    Heap all = make_heap(seed, kAllKinds, 200, 300);
+    TaskPool alone(1);
+    const WholeHeap whole(all);
+    run_passes(all.motions, [&](Pass pass) {
+        solve(whole.runs(), all.motions, kHeapRules, kHeapSubstep_s, pass, Scope::All, alone);
+    });
+    for (int row = 0; row < all.motions.size(); ++row)
+        CHECK(same_bits(disturbed.motions.velocity[row], all.motions.velocity[row]));
+    for (const Placed& p : all.placed)
+        CHECK(disturbed.lanes.memory(p.lane).impulse == all.lanes.memory(p.lane).impulse);
+}
+
+TEST_CASE("contacts of bodies at rest do nothing until one is kicked, at every SIMD level alike") {
+    const std::vector<SimdLevel> levels = available_simd_levels();
+    for (const int disturbed : {0, 1, 20}) {
+        std::vector<Heap> heaps;
+        for (const SimdLevel level : levels) {
+            INFO(name(level) << ", " << disturbed << " disturbed");
+            force_simd_level(level).value();
+            heaps.push_back(run_disturbed(10, kAtRest, disturbed));
+            force_simd_level(levels.back()).value();
+            const Heap& heap = heaps.back();
+            CHECK(heap.motions.resting == heaps.front().motions.resting);
+            for (int row = 0; row < heap.motions.size(); ++row)
+                CHECK(same_bits(heap.motions.velocity[row], heaps.front().motions.velocity[row]));
+            const auto kicked = std::ranges::count(heap.motions.resting, kNotAtRest);
+            CHECK(kicked >= disturbed);
+            if (disturbed == 20) CHECK(kicked > 60);
+        }
     }
 }
 

@@ -30,7 +30,7 @@ struct Impacts {
         TaskPool alone(1);
         warm_start(whole.runs(), heap.motions, 1, 1, alone);
         for (const Pass pass : {Pass::Biased, Pass::Relax})
-            solve(whole.runs(), heap.motions, kHeapRules, kHeapSubstep_s, pass, alone);
+            solve(whole.runs(), heap.motions, kHeapRules, kHeapSubstep_s, pass, Scope::All, alone);
         Random random(seed + 1);
         drives.resize(heap.motions.velocity.size());
         heap.motions.kick.resize(heap.motions.velocity.size());
