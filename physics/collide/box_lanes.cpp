@@ -53,7 +53,7 @@ HWY_INLINE M is_nearest(Vec corner, Vec direction) {
 }
 
 // One corner near another. All as the reference sees it, but the corner of the other as that does.
-struct Corners {
+struct BoxCorners {
     Vec of_reference;
     Vec of_other;
     Vec between;  // from the corner of the reference to the other's
@@ -163,10 +163,10 @@ HWY_INLINE unsigned collide_part(const PoseLanes& poses, const BoxLanes& boxes, 
     const auto meet = [&](Vec end, V at, Vec corner) HWY_ATTR {
         const Vec of_reference = add(scale(depth, normal), scale(hn::Mul(sign(at), width), tangent));
         const Vec way = sub(end, of_reference);
-        return Corners{of_reference, corner, way, dot(way, way)};
+        return BoxCorners{of_reference, corner, way, dot(way, way)};
     };
-    const Corners by_low = meet(low_end, low, low_corner);
-    const Corners by_high = meet(high_end, high, high_corner);
+    const BoxCorners by_low = meet(low_end, low, low_corner);
+    const BoxCorners by_high = meet(high_end, high, high_corner);
     const M low_is_nearer = hn::Lt(by_low.distance_squared, by_high.distance_squared);
     const Vec of_reference = select(low_is_nearer, by_low.of_reference, by_high.of_reference);
     const Vec of_other = select(low_is_nearer, by_low.of_other, by_high.of_other);
