@@ -5,6 +5,7 @@
 
 #include <cairn/physics/tuning.h>
 
+#include "base/ample.h"
 #include "world/contact_lists.h"
 #include "world/joint_lists.h"
 #include "world/joints.h"
@@ -55,51 +56,74 @@ bool is_moving(const Stores& stores, int body) {
     return rows.velocity[row] != Vec2{} || rows.spin[row] != 0;
 }
 
-void link_pair(Stores& stores, int a, int b, Islands& islands) {
-    BodyRows& awake = stores.bodies.rows(RowSet::Awake);
-    const bool a_joins = joins_islands(stores, a);
-    const bool b_joins = joins_islands(stores, b);
-    const int row_a = stores.bodies.slots[a].row;
-    const int row_b = stores.bodies.slots[b].row;
-    if (a_joins && b_joins) islands.link(row_a, row_b);
-    // What a moving platform carries stays awake, however slowly it goes.
-    if (a_joins && !b_joins && is_moving(stores, b)) awake.rest_time[row_a] = 0;
-    if (b_joins && !a_joins && is_moving(stores, a)) awake.rest_time[row_b] = 0;
-}
+// Joins bodies into islands. `matters(row_a, row_b)` tells of awake rows whether it is of interest that the
+// two are joined; `motions` are those of the step, in which blocks of contacts know the rows of their bodies.
+template <class Matters>
+class Linking {
+  public:
+    Linking(Stores& stores, const Motions& motions, Islands& islands, const Matters& matters)
+        : stores_(stores), islands_(islands), matters_(matters) {
+        const int awake = stores.bodies.rows(RowSet::Awake).size();
+        // What woke since then has rows behind them, and blocks that do not know these yet.
+        blocks_know_rows_ = motions.size() == awake + 1;
+        islands.reset(awake);
+    }
 
-// Of contacts in lanes: most by far. What stands on the world joins nothing. The others' rows are at hand
-// where both are moved.
-void link_lanes(Stores& stores, Islands& islands) {
-    const ContactLanes& lanes = stores.contacts.lanes;
-    for (int bucket = kFirstColored; bucket < kBuckets; ++bucket) {
-        if (kind_of(bucket) == BlockKind::OneBody) continue;
+    void link_all() {
+        for (int bucket = kFirstColored; bucket < kBuckets; ++bucket) link_bucket(bucket);
+        for (const int contact : stores_.contacts.loose) {
+            const ContactRecord& c = stores_.contacts.slots[contact];
+            link_any(c.body_a, c.body_b);
+        }
+        for (const int joint : stores_.joints.active) {
+            const JointRecord& j = stores_.joints.slots[joint];
+            link_any(j.body_a, j.body_b);
+        }
+    }
+
+  private:
+    // What stands on the world joins nothing.
+    void link_bucket(int bucket) {
+        const BlockKind kind = kind_of(bucket);
+        if (kind == BlockKind::OneBody) return;
+        const ContactLanes& lanes = stores_.contacts.lanes;
         for (int block = lanes.first_block(bucket); block != kNone; block = lanes.link(block).next) {
             const PairBlock& pairs = lanes.pairs(block);
-            for (int lane = 0; lane < lanes.link(block).used; ++lane) {
-                if (kind_of(bucket) == BlockKind::Carried) {
-                    link_pair(stores, pairs.body_a[lane], pairs.body_b[lane], islands);
-                    continue;
+            const int used = lanes.link(block).used;
+            for (int lane = 0; lane < used; ++lane) {
+                if (kind == BlockKind::Carried) {
+                    link_any(pairs.body_a[lane], pairs.body_b[lane]);
+                } else if (blocks_know_rows_) {
+                    link_rows(lanes.block(block).a[lane], lanes.block(block).b[lane]);
+                } else {
+                    link_rows(row_of(pairs.body_a[lane]), row_of(pairs.body_b[lane]));
                 }
-                const int row_a = stores.bodies.places[pairs.body_a[lane]].row;
-                const int row_b = stores.bodies.places[pairs.body_b[lane]].row;
-                if (row_a != kWorldRow && row_b != kWorldRow) islands.link(row_a - 1, row_b - 1);
             }
         }
     }
-}
 
-void link_islands(Stores& stores, Islands& islands) {
-    islands.reset(stores.bodies.rows(RowSet::Awake).size());
-    link_lanes(stores, islands);
-    for (const int contact : stores.contacts.loose) {
-        const ContactRecord& c = stores.contacts.slots[contact];
-        link_pair(stores, c.body_a, c.body_b, islands);
+    [[nodiscard]] int row_of(int body) const { return stores_.bodies.places[body].row; }
+
+    void link_rows(int row_a, int row_b) {
+        if (row_a != kWorldRow && row_b != kWorldRow && matters_(row_a - 1, row_b - 1))
+            islands_.link(row_a - 1, row_b - 1);
     }
-    for (const int joint : stores.joints.active) {
-        const JointRecord& j = stores.joints.slots[joint];
-        link_pair(stores, j.body_a, j.body_b, islands);
+
+    void link_any(int a, int b) {
+        const bool a_joins = joins_islands(stores_, a);
+        const bool b_joins = joins_islands(stores_, b);
+        if (a_joins && b_joins) return link_rows(row_of(a), row_of(b));
+        // What a moving platform carries stays awake, however slowly it goes.
+        BodyRows& awake = stores_.bodies.rows(RowSet::Awake);
+        if (a_joins && is_moving(stores_, b)) awake.rest_time[stores_.bodies.slots[a].row] = 0;
+        if (b_joins && is_moving(stores_, a)) awake.rest_time[stores_.bodies.slots[b].row] = 0;
     }
-}
+
+    Stores& stores_;
+    Islands& islands_;
+    const Matters& matters_;
+    bool blocks_know_rows_ = false;
+};
 
 }  // namespace
 
@@ -152,10 +176,15 @@ void put_to_sleep(Stores& stores, std::span<const int> bodies) {
 
 void sleep_islands(Stores& stores, StepScratch& scratch) {
     BodyRows& awake = stores.bodies.rows(RowSet::Awake);
-    const auto tired = [](float rest_time) { return rest_time >= tuning::kTimeToSleep_s; };
-    if (std::none_of(awake.rest_time.begin(), awake.rest_time.end(), tired)) return;
+    const auto is_tired = [](float rest_time) { return rest_time >= tuning::kTimeToSleep_s; };
+    if (std::none_of(awake.rest_time.begin(), awake.rest_time.end(), is_tired)) return;
 
-    link_islands(stores, scratch.islands);
+    // An island sleeps when all of it is tired, so what joins those that are not is of no interest.
+    std::vector<std::uint8_t>& tired = scratch.tired;
+    resize_amply(tired, awake.rest_time.size());
+    std::ranges::transform(awake.rest_time, tired.begin(), is_tired);
+    const auto matters = [&](int row_a, int row_b) { return (tired[row_a] | tired[row_b]) != 0; };
+    Linking(stores, scratch.motions, scratch.islands, matters).link_all();
     // Rows change places while islands leave, so the members are noted first: bodies, one island after
     // another, each island closed by kNone.
     scratch.resting.clear();
@@ -173,7 +202,8 @@ void sleep_islands(Stores& stores, StepScratch& scratch) {
 
 void put_island_to_sleep(Stores& stores, StepScratch& scratch, int body) {
     if (!stores.bodies.is_awake(body)) return;
-    link_islands(stores, scratch.islands);
+    const auto always = [](int, int) { return true; };
+    Linking(stores, Motions{}, scratch.islands, always).link_all();
     const BodyRows& awake = stores.bodies.rows(RowSet::Awake);
     const int own_row = stores.bodies.slots[body].row;
     scratch.resting.clear();

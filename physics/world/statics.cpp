@@ -9,6 +9,7 @@
 #include "world/statics.h"
 
 #include <algorithm>
+#include <bit>
 
 #include <cairn/physics/tuning.h>
 
@@ -116,7 +117,8 @@ class Estimate {
     void run(float weight) {
         link();
         for (int row = 1; row < motions_.size(); ++row) {
-            if (scratch_.stands[row].above == 0) scratch_.ready.push_back(row);
+            const StaticsScratch::Stand& stand = scratch_.stands[row];
+            if (stand.above == 0 && stand.first != kNone) scratch_.ready.push_back(row);
         }
         // The last one first: what stands together is visited together.
         while (!scratch_.ready.empty()) {
@@ -235,6 +237,10 @@ class Estimate {
 
     [[nodiscard]] bool touches_only_one(int row) const {
         const int body = stores_.bodies.rows(RowSet::Awake).body[static_cast<std::size_t>(row - 1)];
+        // Each contact in a lane has points, and a colour of its own.
+        const auto at = static_cast<std::size_t>(body);
+        const std::vector<std::uint32_t>& colors = stores_.contacts.colors;
+        if (at < colors.size() && std::popcount(colors[at]) > 1) return false;
         int touching = 0;
         for_each_edge(
             stores_.contacts.slots, stores_.bodies.slots[body].first_contact,

@@ -273,10 +273,11 @@ struct StepScratch {
     std::vector<TornJoint> torn;
     std::vector<int> unseated;  // joints that may get a lane, or break
     std::vector<double> spring_loads;
-    std::vector<int> met;      // contacts that were near and have points now
-    std::vector<int> parted;   // contacts that have none any more
-    std::vector<int> gone;     // contacts whose boxes no longer overlap
-    std::vector<int> resting;  // bodies of an island that goes to sleep
+    std::vector<int> met;             // contacts that were near and have points now
+    std::vector<int> parted;          // contacts that have none any more
+    std::vector<int> gone;            // contacts whose boxes no longer overlap
+    std::vector<int> resting;         // bodies of an island that goes to sleep
+    std::vector<std::uint8_t> tired;  // by awake row: at rest for as long as it takes to sleep
     Islands islands;
     StaticsScratch statics;
     std::vector<Advance> advances;  // by row of the motions
