@@ -45,6 +45,8 @@ int note_rest(Motions& motions, float h_s, int first, int last) {
         if (motions.mover[i] != Mover::Substeps) return false;
         const VelocityRow& now = motions.velocity[i];
         const PoseRow& pose = motions.pose[i];
+        // What moves as it likes does so however slowly.
+        if (now.inverse_mass == 0) return now.v == Vec2{} && now.w == 0;
         return is_still(now) && is_still(per_s * pose.d, per_s * pose.theta, now.inverse_mass) &&
                is_still(before_first_substep(motions, i));
     };

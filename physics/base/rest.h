@@ -31,8 +31,8 @@ inline void keep_from_rest(Motions& motions, int row) {
 
 /// After the first substep, of h_s: notes who is at rest, of the rows from first up to, and without, last,
 /// and puts it back to where it was. That is who was still before, is still after it and has not been moved
-/// either, as what is pushed out of an overlap is; and on whom nothing but contacts in lanes acts. The result
-/// is how many of those on whom anything acts are not at rest.
+/// either, as what is pushed out of an overlap is; and on whom nothing but contacts in lanes acts. Kinematic
+/// bodies only when they stand. The result is how many of those on whom anything acts are not at rest.
 int note_rest(Motions& motions, float h_s, int first, int last);
 
 }  // namespace cairn::physics

@@ -61,6 +61,22 @@ TEST_CASE("what is at rest is where it was, and all that moves is where the subs
     CHECK(m.pose[2].d == Vec2{0, kH_s});
 }
 
+TEST_CASE(
+    "what has infinite mass is at rest only when it stands: a platform goes on however slowly it goes") {
+    Rows rows(3);
+    Motions& m = rows.motions;
+    for (int i = 1; i <= 3; ++i) {
+        m.velocity[i].inverse_mass = 0;
+        m.kick[i] = m.without_contacts[i] = {};
+    }
+    m.velocity[1].v = m.without_contacts[1].v = {1e-9f, 0};
+    m.velocity[2].w = m.without_contacts[2].w = 1e-9f;
+    CHECK(rows.note() == 2);
+    CHECK_FALSE(rows.rests(1));
+    CHECK_FALSE(rows.rests(2));
+    CHECK(rows.rests(3));
+}
+
 TEST_CASE("a heavy or light body is still by its speed, and by that of its radius of gyration") {
     Motions m;
     for (const float mass : {1e-3f, 1e3f}) {

@@ -89,6 +89,23 @@ TEST_CASE("a pyramid that stands does not move by a bit, and stands where one do
     CHECK(farthest_apart(pyramid, in_full) < 1e-6);
 }
 
+TEST_CASE("a platform that hardly moves takes what stands on it along") {
+    World world(WorldDef{.enable_sleep = false});
+    const float speed_m_s = 1e-6f;
+    const BodyId platform = add(
+        world, {.type = BodyType::Kinematic, .position_m = {0, -0.5}, .linear_velocity_m_s = {0, speed_m_s}},
+        Box{5, 0.5f});
+    std::vector<BodyId> boxes;
+    for (int i = 0; i < 4; ++i) boxes.push_back(add(world, {.position_m = {0, 0.5 + i}}, Box{0.5f, 0.5f}));
+    const double time_s = 600;
+    run_for(world, time_s);
+    const double way = time_s * static_cast<double>(speed_m_s);
+    CHECK(world.body(platform)->position().y == Approx(-0.5 + way).margin(1e-6));
+    // It is pushed, and rests on what pushes it within the slop.
+    for (int i = 0; i < 4; ++i)
+        CHECK(world.body(boxes[i])->position().y == Approx(0.5 + i + way).margin(1e-4));
+}
+
 TEST_CASE("a blow goes through a pyramid at rest as through one that is solved in full") {
     for (const float speed_m_s : {0.1f, 1.0f, 10.0f}) {
         INFO("a ball of " << speed_m_s << " m/s");
