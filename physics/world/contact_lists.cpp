@@ -29,6 +29,14 @@ PairGeometry geometry_of(const Stores& stores, const ContactRecord& c) {
     return in_lanes ? PairGeometry::Hulls : PairGeometry::Chains;
 }
 
+// How far the shape reaches from its body's centre of mass: of a body's only shape it is known.
+float reach_of(const Stores& stores, int body, int shape) {
+    const BodyRecord& record = stores.bodies.slots[body];
+    const ShapeRecord& s = stores.shapes[shape];
+    const bool is_only = record.first_shape == shape && s.next_of_body == kNone;
+    return is_only ? record.extent_m : farthest_distance(s.convex, record.mass.center_m);
+}
+
 PairLane make_lane(const Stores& stores, int contact) {
     const ContactRecord& c = stores.contacts.slots[contact];
     const Convex& a = stores.shapes[c.shape_a].convex;
@@ -47,8 +55,7 @@ PairLane make_lane(const Stores& stores, int contact) {
         lane.offset_a += a.centroid;
         lane.offset_b += b.centroid;
     }
-    lane.reach_m = farthest_distance(a, stores.bodies.slots[c.body_a].mass.center_m) +
-                   farthest_distance(b, stores.bodies.slots[c.body_b].mass.center_m);
+    lane.reach_m = reach_of(stores, c.body_a, c.shape_a) + reach_of(stores, c.body_b, c.shape_b);
     lane.reports = c.reports_touch || special::has(c, special::kWatched);
     lane.faint = faint_restitution(c) > 0;
     lane.impacts = (c.restitution > 0 && !lane.faint) || c.reports_hit;
