@@ -39,9 +39,9 @@ enum class Mover : std::uint8_t {
 };
 
 /// Of a row.
-inline constexpr std::uint8_t kNotAtRest = 0;
-inline constexpr std::uint8_t kAtRest = 1;
-inline constexpr std::uint8_t kNeverAtRest = 2;
+inline constexpr std::uint8_t kMoves = 0;
+inline constexpr std::uint8_t kStands = 1;
+inline constexpr std::uint8_t kMovesAnyway = 2;
 
 /// Axes along which a body does not move, as bits.
 inline constexpr std::uint8_t kLockedX = 1;
@@ -99,10 +99,12 @@ struct Motions {
     std::vector<VelocityRow> kept;
     std::vector<Rotation> turned;  // angle of the pose, kept for turning bodies
     std::vector<float> inverse_inertia;
+    std::vector<float>
+        rim;  // k times the reach of the body's shapes: times w, the speed of its farthest point
     std::vector<Mover> mover;
-    // From the second substep on: which rows are at rest (base/rest.h), as the world's always is. Empty where
-    // too few are.
-    std::vector<std::uint8_t> resting;
+    // From the second substep on: which rows stand (base/standing.h), as the world's always does. Empty where
+    // too few are still.
+    std::vector<std::uint8_t> standing;
     std::vector<std::uint8_t> locked;  // axes of each row; empty while no body has any
 
     [[nodiscard]] int size() const { return static_cast<int>(velocity.size()); }
@@ -112,7 +114,7 @@ struct Motions {
     /// So many rows, of which those that are new are yet to be set.
     void resize(int size);
     /// In flight, and not locked.
-    void set_row(int i, Vec2 v, float w, float inverse_mass, float inverse_inertia);
+    void set_row(int i, Vec2 v, float w, float inverse_mass, float inverse_inertia, float reach_m = 0);
     void add(Vec2 v, float w, float inverse_mass, float inverse_inertia);
     void lock(int i, std::uint8_t axes);
     [[nodiscard]] std::uint8_t locked_axes(int i) const {
@@ -138,17 +140,20 @@ inline void Motions::resize(int size) {
     resize_amply(without_contacts, count);
     resize_amply(turned, count);
     resize_amply(inverse_inertia, count);
+    resize_amply(rim, count);
     resize_amply(mover, count);
     if (locked.size() > count) locked.resize(count);
 }
 
-inline void Motions::set_row(int i, Vec2 v, float w, float inverse_mass, float inverse_inertia_of_body) {
+inline void Motions::set_row(int i, Vec2 v, float w, float inverse_mass, float inverse_inertia_of_body,
+                             float reach_m) {
     float k = inverse_mass > 0 ? 0 : 1;
     if (inverse_inertia_of_body > 0) k = std::sqrt(inverse_inertia_of_body);
     velocity[i] = {v, k > 0 ? w / k : 0, inverse_mass};
     pose[i] = {{}, 0, k};
     turned[i] = {};
     inverse_inertia[i] = inverse_inertia_of_body;
+    rim[i] = k * reach_m;
     mover[i] = Mover::Flight;
 }
 

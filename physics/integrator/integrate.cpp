@@ -102,7 +102,7 @@ void prepare_kicks(Motions& motions, std::span<const Drive> drives, float h_s, i
 // without visiting them. All four columns, so that each row is one SIMD operation.
 void integrate_velocities(Motions& motions, bool afresh, int first, int last) {
     const bool damped = !motions.kept.empty();
-    const bool some_rest = !motions.resting.empty();
+    const bool some_stand = !motions.standing.empty();
     for (int i = first; i < last; ++i) {
         const VelocityRow row = motions.velocity[i];
         const VelocityRow without = motions.without_contacts[i];
@@ -110,8 +110,8 @@ void integrate_velocities(Motions& motions, bool afresh, int first, int last) {
         if (damped) next = product(motions.kept[i], next);
         motions.without_contacts[i] = next;
         motions.velocity[i] = afresh ? next : sum(next, difference(row, without));
-        // What rests is pulled and held alike.
-        if (some_rest && motions.resting[i] == kAtRest) motions.velocity[i] = row;
+        // What stands is pulled and held alike.
+        if (some_stand && motions.standing[i] == kStands) motions.velocity[i] = row;
     }
 }
 
@@ -132,10 +132,10 @@ void integrate_positions(Motions& motions, float h_s) {
 }
 
 void integrate_positions(Motions& motions, float h_s, int first, int last) {
-    const bool some_rest = !motions.resting.empty();
+    const bool some_stand = !motions.standing.empty();
     for (int i = first; i < last; ++i) {
         if (motions.mover[i] == Mover::Flight || motions.mover[i] == Mover::Direct) continue;
-        if (some_rest && motions.resting[i] == kAtRest) continue;
+        if (some_stand && motions.standing[i] == kStands) continue;
         motions.pose[i].d += h_s * motions.velocity[i].v;
         motions.pose[i].theta += h_s * motions.velocity[i].w;
         if (motions.mover[i] == Mover::Turning)

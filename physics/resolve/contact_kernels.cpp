@@ -18,8 +18,8 @@
 #include <cairn/physics/tuning.h>
 
 #include "base/prefetch.h"
-#include "base/rest.h"
 #include "base/simd_rows-inl.h"
+#include "base/standing.h"
 #include "resolve/contact_pair-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -34,15 +34,16 @@ constexpr std::size_t kBodiesAhead = 2;
 constexpr std::size_t kRowFloats = sizeof(VelocityRow) / sizeof(float);
 
 // The friction row: limited by the sum of the normal impulses.
-template <BlockKind kKind>
-HWY_INLINE V solve_friction(ContactBlock& block, int lane, Pair<kKind>& pair, V normal_sum) {
+template <BlockKind kKind, bool kWatched>
+HWY_INLINE V solve_friction(ContactBlock& block, int lane, Pair<kKind>& pair, V normal_sum,
+                            const Taking<kWatched>& taking) {
     const V arm_a = load(block.tangent_arm_a, lane);
     const V arm_b = load(block.tangent_arm_b, lane);
     const V limit = hn::Mul(load(block.friction, lane), normal_sum);
     const V old = load(block.friction_impulse, lane);
     const V wanted =
         hn::Sub(old, hn::Mul(load(block.tangent_mass, lane), pair.jv(pair.tangent_velocity, arm_a, arm_b)));
-    const V impulse = hn::Max(hn::Neg(limit), hn::Min(wanted, limit));
+    const V impulse = taking(hn::Max(hn::Neg(limit), hn::Min(wanted, limit)), old);
     store(impulse, block.friction_impulse, lane);
     const V change = hn::Sub(impulse, old);
     pair.turn(change, arm_a, arm_b);
@@ -62,21 +63,21 @@ HWY_INLINE M is_apart(V separation, V base_impulse) {
     return hn::Gt(separation, gap);
 }
 
-// Rows that get a kick are not at rest any more.
+// Rows that get a kick do not stand any more.
 template <BlockKind kKind>
 HWY_INLINE void disturb(const ContactBlock& block, int lane, V impulses, V inverse_mass,
-                        std::uint8_t* resting) {
+                        std::uint8_t* standing) {
     const V kick = hn::Mul(impulses, inverse_mass);
     for (unsigned kicked = bits_of(hn::Gt(kick, set(kStillSpeed_m_s))); kicked != 0; kicked &= kicked - 1) {
         const int i = lane + std::countr_zero(kicked);
-        resting[block.b[i]] = kNotAtRest;
-        if constexpr (moves_a(kKind)) resting[block.a[i]] = kNotAtRest;
+        standing[block.b[i]] = kMoves;
+        if constexpr (moves_a(kKind)) standing[block.a[i]] = kMoves;
     }
 }
 
 template <BlockKind kKind, bool kWatched>
 HWY_INLINE void solve_lanes(ContactBlock& block, int lane, float* velocity, const ContactPassTime& time,
-                            std::uint8_t* resting) {
+                            const Taking<kWatched>& taking, std::uint8_t* standing) {
     const V zero = hn::Zero(D());
     const V one = hn::Set(D(), 1);
     const V nx = load(block.normal_x, lane);
@@ -102,7 +103,7 @@ HWY_INLINE void solve_lanes(ContactBlock& block, int lane, float* velocity, cons
         const V jv = pair.jv(pair.normal_velocity, arm_a, arm_b);
         const V wanted = hn::Sub(hn::Sub(old, hn::Mul(mass, hn::Add(jv, bias))),
                                  hn::Mul(impulse_scale, hn::Sub(old, base)));
-        const V impulse = hn::Max(wanted, zero);
+        const V impulse = taking(hn::Max(wanted, zero), old);
         const V change = hn::Sub(impulse, old);
         store(impulse, point.impulse, lane);
         pair.turn(change, arm_a, arm_b);
@@ -111,15 +112,16 @@ HWY_INLINE void solve_lanes(ContactBlock& block, int lane, float* velocity, cons
         impulse_sum = hn::Add(impulse_sum, impulse);
         if constexpr (kWatched) kicks = hn::Add(kicks, hn::Abs(change));
     }
-    const V tangent_change = solve_friction(block, lane, pair, impulse_sum);
-    pair.finish(block, lane, velocity, nx, ny, change_sum, tangent_change);
+    const V tangent_change = solve_friction(block, lane, pair, impulse_sum, taking);
+    pair.finish(block, lane, velocity, nx, ny, change_sum, tangent_change, taking);
     if constexpr (kWatched)
-        disturb<kKind>(block, lane, hn::Add(kicks, hn::Abs(tangent_change)), pair.inverse_mass, resting);
+        disturb<kKind>(block, lane, hn::Add(kicks, hn::Abs(tangent_change)), pair.inverse_mass, standing);
 }
 
 template <BlockKind kKind, bool kWatched>
 HWY_INLINE void relax_lanes(ContactBlock& block, int lane, float* velocity, const float* pose,
-                            const ContactPassTime& time, std::uint8_t* resting) {
+                            const ContactPassTime& time, const Taking<kWatched>& taking,
+                            std::uint8_t* standing) {
     const V nx = load(block.normal_x, lane);
     const V ny = load(block.normal_y, lane);
     const Columns pose_b = load_rows(pose, block.b.data() + lane);
@@ -144,7 +146,7 @@ HWY_INLINE void relax_lanes(ContactBlock& block, int lane, float* velocity, cons
         p.mass = load(stored.mass, lane);
         V s = hn::Add(load(stored.start_separation, lane), hn::Add(moved, hn::Mul(p.arm_b, pose_b.z)));
         if constexpr (reads_a(kKind)) s = hn::Sub(s, hn::Mul(p.arm_a, pose_a.z));
-        store(s, stored.separation, lane);
+        store(taking(s, load(stored.separation, lane)), stored.separation, lane);
         p.bias = hn::IfThenElseZero(is_apart(s, base_of(load(stored.static_impulse, lane), p.old)),
                                     hn::Mul(s, hn::Set(D(), time.inverse_h_1_s)));
     }
@@ -169,11 +171,12 @@ HWY_INLINE void relax_lanes(ContactBlock& block, int lane, float* velocity, cons
                                             hn::Mul(k1t, hn::Sub(before.second, old1))));
     const V wanted = hn::Sub(old_tangent, hn::Mul(load(block.tangent_mass, lane), slip));
     const V limit = hn::Mul(load(block.friction, lane), hn::Add(before.first, before.second));
-    const V tangent = hn::Max(hn::Neg(limit), hn::Min(wanted, limit));
+    const V tangent = taking(hn::Max(hn::Neg(limit), hn::Min(wanted, limit)), old_tangent);
     const V tangent_change = hn::Sub(tangent, old_tangent);
     b0 = hn::Add(b0, hn::Mul(k0t, tangent_change));
     b1 = hn::Add(b1, hn::Mul(k1t, tangent_change));
-    const Impulses now = solve_normals(normals, b0, b1, before.second);
+    const Impulses found = solve_normals(normals, b0, b1, before.second);
+    const Impulses now{taking(found.first, old0), taking(found.second, old1)};
 
     store(tangent, block.friction_impulse, lane);
     store(now.first, block.points[0].impulse, lane);
@@ -187,10 +190,10 @@ HWY_INLINE void relax_lanes(ContactBlock& block, int lane, float* velocity, cons
     pair.turn(change0, points[0].arm_a, points[0].arm_b);
     pair.turn(change1, points[1].arm_a, points[1].arm_b);
     pair.turn(tangent_change, tangent_arm_a, tangent_arm_b);
-    pair.finish(block, lane, velocity, nx, ny, hn::Add(change0, change1), tangent_change);
+    pair.finish(block, lane, velocity, nx, ny, hn::Add(change0, change1), tangent_change, taking);
     if constexpr (kWatched) {
         const V kicks = hn::Add(hn::Abs(change0), hn::Add(hn::Abs(change1), hn::Abs(tangent_change)));
-        disturb<kKind>(block, lane, kicks, pair.inverse_mass, resting);
+        disturb<kKind>(block, lane, kicks, pair.inverse_mass, standing);
     }
 }
 
@@ -226,12 +229,14 @@ HWY_INLINE void fetch_bodies_ahead(std::span<ContactBlock* const> blocks, std::s
     }
 }
 
-// Whether nothing would change.
-HWY_INLINE bool is_at_rest(const ContactBlock& block, const std::uint8_t* resting) {
-    unsigned all = kAtRest;
-    for (std::size_t lane = 0; lane < kLanes; ++lane)
-        all &= static_cast<unsigned>(resting[block.a[lane]] & resting[block.b[lane]]);
-    return all != 0;
+// Bits: lanes of which not both bodies stand.
+HWY_INLINE unsigned disturbed_lanes(const ContactBlock& block, const std::uint8_t* standing) {
+    unsigned lanes = 0;
+    for (unsigned lane = 0; lane < kLanes; ++lane) {
+        const unsigned both = standing[block.a[lane]] & standing[block.b[lane]] & kStands;
+        lanes |= (both ^ kStands) << lane;
+    }
+    return lanes;
 }
 
 // Calls pass(block, lane) for all blocks.
@@ -245,53 +250,58 @@ HWY_INLINE void for_blocks(const ContactBlocks& run, const float* velocity, cons
     }
 }
 
-// The same for those of which not all bodies are at rest, a few at a time: blocks of a colour share no body,
-// so none of them disturbs another.
+// Calls pass(block, lane, lanes that take part) for blocks of which not all bodies stand, a few at a time:
+// blocks of a colour share no body, so none of them disturbs another.
 template <class LanesPass>
 HWY_INLINE void for_disturbed_blocks(const ContactBlocks& run, const float* velocity, const LanesPass& pass) {
     constexpr std::size_t kAtOnce = 2 * kBlocksAhead;
     std::array<ContactBlock*, kAtOnce> found;
+    std::array<unsigned, kAtOnce> lanes;
     for (std::size_t first = 0; first < run.blocks.size(); first += kAtOnce) {
         const std::size_t last = std::min(first + kAtOnce, run.blocks.size());
         std::size_t count = 0;
         for (std::size_t n = first; n < last; ++n) {
             if (n + kAtOnce < run.blocks.size()) prefetch(run.blocks[n + kAtOnce], kCacheLine_B);
             ContactBlock* const block = run.blocks[n];
-            if (is_at_rest(*block, run.resting)) continue;
+            lanes[count] = disturbed_lanes(*block, run.standing);
+            if (lanes[count] == 0) continue;
             prefetch(block, kFetchedBytes);
             found[count++] = block;
         }
         const std::span<ContactBlock* const> disturbed(found.data(), count);
         for (std::size_t n = 0; n < count; ++n) {
             if (run.are_shared) fetch_bodies_ahead(disturbed, n, velocity);
-            for (int lane = 0; lane < kLanes; lane += kStep) pass(*disturbed[n], lane);
+            for (int lane = 0; lane < kLanes; lane += kStep)
+                pass(*disturbed[n], lane, Taking<true>{wanted_lanes(lanes[n], lane)});
         }
     }
 }
 
 template <BlockKind kKind>
 void solve_all(const ContactBlocks& run, float* velocity, const ContactPassTime& time) {
-    if (run.resting == nullptr) {
+    if (run.standing == nullptr) {
         for_blocks(run, velocity, [&](ContactBlock& block, int lane) HWY_ATTR {
-            solve_lanes<kKind, false>(block, lane, velocity, time, nullptr);
+            solve_lanes<kKind>(block, lane, velocity, time, Taking<false>{}, nullptr);
         });
     } else {
-        for_disturbed_blocks(run, velocity, [&](ContactBlock& block, int lane) HWY_ATTR {
-            solve_lanes<kKind, true>(block, lane, velocity, time, run.resting);
-        });
+        const auto solve = [&](ContactBlock& block, int lane, const Taking<true>& taking) HWY_ATTR {
+            solve_lanes<kKind>(block, lane, velocity, time, taking, run.standing);
+        };
+        for_disturbed_blocks(run, velocity, solve);
     }
 }
 
 template <BlockKind kKind>
 void relax_all(const ContactBlocks& run, float* velocity, const float* pose, const ContactPassTime& time) {
-    if (run.resting == nullptr) {
+    if (run.standing == nullptr) {
         for_blocks(run, velocity, [&](ContactBlock& block, int lane) HWY_ATTR {
-            relax_lanes<kKind, false>(block, lane, velocity, pose, time, nullptr);
+            relax_lanes<kKind>(block, lane, velocity, pose, time, Taking<false>{}, nullptr);
         });
     } else {
-        for_disturbed_blocks(run, velocity, [&](ContactBlock& block, int lane) HWY_ATTR {
-            relax_lanes<kKind, true>(block, lane, velocity, pose, time, run.resting);
-        });
+        const auto relax = [&](ContactBlock& block, int lane, const Taking<true>& taking) HWY_ATTR {
+            relax_lanes<kKind>(block, lane, velocity, pose, time, taking, run.standing);
+        };
+        for_disturbed_blocks(run, velocity, relax);
     }
 }
 

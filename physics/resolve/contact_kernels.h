@@ -26,9 +26,9 @@ struct ContactBlocks {
     /// Other threads work on the same bodies: what they wrote last is asked for in time, as it takes long to
     /// come. Where a thread has its bodies to itself that would cost 1 to 3 % for nothing.
     bool are_shared = false;
-    /// By row, as Motions::resting: contacts of rows that are at rest are left out, and rows that get a kick
-    /// are not at rest any more. Null: all contacts act.
-    std::uint8_t* resting = nullptr;
+    /// By row, as Motions::standing: contacts of rows that stand are left out, and rows that get a kick do
+    /// not stand any more. Null: all contacts act.
+    std::uint8_t* standing = nullptr;
 };
 
 void solve_blocks(const ContactBlocks& run, VelocityRow* velocity, const ContactPassTime& time);

@@ -26,6 +26,17 @@ constexpr bool moves_a(BlockKind kind) {
     return kind == BlockKind::TwoBodies;
 }
 
+// Lanes that take part in a pass; the others are to be left as they are, to the bit.
+template <bool kWatched>
+struct Taking {
+    M lanes{};
+
+    HWY_INLINE V operator()(V now, V before) const {
+        if constexpr (kWatched) return hn::IfThenElse(lanes, now, before);
+        return now;
+    }
+};
+
 // The velocities of some lanes of a block, in the block's own coordinates.
 template <BlockKind kKind>
 struct Pair {
@@ -61,18 +72,30 @@ struct Pair {
         if constexpr (moves_a(kKind)) a.z = hn::Sub(a.z, hn::Mul(arm_a, impulse));
     }
 
+    template <bool kWatched = false>
     HWY_INLINE void finish(const ContactBlock& block, int lane, float* velocity, V nx, V ny, V normal_impulse,
-                           V tangent_impulse) {
+                           V tangent_impulse, const Taking<kWatched>& taking = {}) {
         const V px = hn::Add(hn::Mul(normal_impulse, nx), hn::Mul(tangent_impulse, ny));
         const V py = hn::Sub(hn::Mul(normal_impulse, ny), hn::Mul(tangent_impulse, nx));
         b.x = hn::Add(b.x, hn::Mul(b.u, px));
         b.y = hn::Add(b.y, hn::Mul(b.u, py));
-        store_rows(velocity, block.b.data() + lane, b);
+        put_back(velocity, block.b.data() + lane, b, taking);
         if constexpr (moves_a(kKind)) {
             a.x = hn::Sub(a.x, hn::Mul(a.u, px));
             a.y = hn::Sub(a.y, hn::Mul(a.u, py));
-            store_rows(velocity, block.a.data() + lane, a);
+            put_back(velocity, block.a.data() + lane, a, taking);
         }
+    }
+
+  private:
+    template <bool kWatched>
+    static HWY_INLINE void put_back(float* velocity, const std::int32_t* rows, Columns now,
+                                    const Taking<kWatched>& taking) {
+        if constexpr (kWatched) {
+            const Columns before = load_rows(velocity, rows);
+            now = {taking(now.x, before.x), taking(now.y, before.y), taking(now.z, before.z), now.u};
+        }
+        store_rows(velocity, rows, now);
     }
 };
 

@@ -30,8 +30,8 @@ void in_parts(std::span<const ContactRun> runs, TaskPool& tasks, const PartPass&
         });
 }
 
-std::uint8_t* resting_rows(Motions& motions, Scope scope) {
-    return scope == Scope::Disturbed && !motions.resting.empty() ? motions.resting.data() : nullptr;
+std::uint8_t* standing_rows(Motions& motions, Scope scope) {
+    return scope == Scope::Disturbed && !motions.standing.empty() ? motions.standing.data() : nullptr;
 }
 
 void warm_start_all(const ContactBlocks& blocks, Motions& motions, float step_ratio, float friction_ratio) {
@@ -40,7 +40,7 @@ void warm_start_all(const ContactBlocks& blocks, Motions& motions, float step_ra
 
 void solve_all(ContactBlocks blocks, Motions& motions, const ContactRules& rules, float h_s, Pass pass,
                Scope scope) {
-    blocks.resting = resting_rows(motions, scope);
+    blocks.standing = standing_rows(motions, scope);
     const Softness& softness =
         blocks.kind == BlockKind::TwoBodies ? rules.dynamic_softness : rules.static_softness;
     const ContactPassTime time{softness, 1 / h_s, rules.max_push_out_speed_m_s};

@@ -21,7 +21,7 @@ struct ContactRun {
 /// Which contacts act in a pass.
 enum class Scope : std::uint8_t {
     All,
-    Disturbed,  ///< not those between bodies at rest (base/rest.h), where such are looked for
+    Disturbed,  ///< not those between bodies that stand (base/standing.h), where such are looked for
 };
 
 /// Makes the first guesses of a step and applies them.

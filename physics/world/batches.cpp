@@ -1,7 +1,7 @@
 // The substeps of batches.
 #include "world/batches.h"
 
-#include "base/rest.h"
+#include "base/standing.h"
 #include "integrator/integrate.h"
 #include "world/solve.h"
 
@@ -22,10 +22,10 @@ void solve_batch(ContactBatches& batches, int batch, Motions& motions, const Con
         for (const ContactRun& run : runs) solve(run, motions, rules, time.h_s, Pass::Biased, scope);
         for (const RowRange& r : rows) integrate_positions(motions, time.h_s, r.first, r.last);
         for (const ContactRun& run : runs) solve(run, motions, rules, time.h_s, Pass::Relax, scope);
-        if (substep != 0 || motions.resting.empty()) continue;
-        int not_at_rest = 0;
-        for (const RowRange& r : rows) not_at_rest += note_rest(motions, time.h_s, r.first, r.last);
-        if (not_at_rest == 0) break;
+        if (substep != 0 || motions.standing.empty()) continue;
+        int moving = 0;
+        for (const RowRange& r : rows) moving += note_standing(motions, time.h_s, r.first, r.last);
+        if (moving == 0) break;
     }
     batches.return_lanes(batch);
 }

@@ -188,6 +188,7 @@ void teleport(Stores& stores, int body, Position origin_m, double angle_rad) {
     place.center = transform_point(xf, record.mass.center_m);
     rows.moved[record.row] = {};
     update_boxes(stores, body);
+    note_moved_boxes(stores, body);  // within the boxes that it had, too: its contacts are looked at
     stores.sensors.outdated = true;
     if (record.type != BodyType::Static) return;
     // A static body never wakes anything by touching it, so what sleeps at its new place is woken here:

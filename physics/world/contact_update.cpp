@@ -2,6 +2,7 @@
 #include "world/contact_update.h"
 
 #include <algorithm>
+#include <atomic>
 #include <bit>
 #include <span>
 
@@ -211,20 +212,30 @@ class Update {
         const int count = static_cast<int>(blocks.size());
         resize_amply(scratch_.block_findings, static_cast<std::size_t>(stores_.contacts.lanes.pool_size()));
         scratch_.notes.start(count, kBlocksPerChunk, world_.tasks);
+        find_unmoved();
+        std::atomic<int> known = 0;
         world_.tasks.parallel_for(count, kBlocksPerChunk, [&](const Chunk& chunk) {
             BlockPlaces places;
             ManifoldLanes manifold;
             ChunkedList<LaneNote>::Appender notes(scratch_.notes, chunk);
+            int known_here = 0;
             for (int i = chunk.begin; i < chunk.end; ++i) {
                 fetch_ahead(blocks, i);
                 BlockFindings& found = scratch_.block_findings[blocks[i]];
+                if (is_known(found, blocks[i])) {
+                    start_as_before(stores_.contacts.lanes.block(blocks[i]));
+                    ++known_here;
+                    continue;
+                }
                 const std::size_t noted = notes.items().size();
                 const unsigned gone = update_block(blocks[i], places, manifold, notes.items());
                 found.gone = static_cast<std::uint8_t>(gone);
                 found.notes = static_cast<std::uint8_t>(notes.items().size() - noted);
                 found.bounces = stores_.contacts.lanes.block(blocks[i]).bounces != 0;
             }
+            known.fetch_add(known_here, std::memory_order_relaxed);
         });
+        scratch_.all_blocks_known = known == count;
         int all_notes = 0;
         scratch_.some_bounce_in_lanes = false;
         for (const int block : stores_.contacts.lanes.blocks()) {
@@ -240,6 +251,27 @@ class Update {
             scratch_.notes_in_order[scratch_.block_findings[note.block].next_note++] = &note;
         });
         for (const LaneNote* note : scratch_.notes_in_order) settle(*note);
+    }
+
+    // Only where something stood in the last step, and nothing is afoot that could change what blocks found.
+    void find_unmoved() {
+        scratch_.unmoved.make_room(scratch_.motions.size());
+        if (scratch_.motions.standing.empty() || world_.direct.count > 0 || !stores_.boxes_moved.empty())
+            return scratch_.unmoved.forget();
+        scratch_.unmoved.compare(stores_.bodies.places, stores_.bodies.rows(RowSet::Awake).body,
+                                 scratch_.motions,
+                                 {stores_.contacts.lanes.version(), world_.def.gravity_m_s2}, world_.tasks);
+    }
+
+    // Whether looking at the block would find what it found in the last step: nothing to be noted.
+    [[nodiscard]] bool is_known(const BlockFindings& last, int block) const {
+        return scratch_.unmoved.some() && last.notes == 0 && last.gone == 0 && !last.bounces &&
+               scratch_.unmoved.all_of(stores_.contacts.lanes.block(block));
+    }
+
+    // What a step changes of a block, besides impulses, is as it was at its beginning.
+    static void start_as_before(ContactBlock& block) {
+        for (ContactBlockPoint& point : block.points) point.separation = point.start_separation;
     }
 
     void fetch_ahead(std::span<const int> blocks, int at) const {

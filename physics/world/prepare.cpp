@@ -52,7 +52,7 @@ void set_motions(BodyStore& bodies, Vec2 gravity_m_s2, float dt_s, int first, St
         for (int row = first + chunk.begin; row < first + chunk.end; ++row) {
             const BodyRecord& record = bodies.slots[awake.body[row]];
             motions.set_row(row + 1, awake.velocity[row], awake.spin[row], record.inverse_mass,
-                            record.inverse_inertia);
+                            record.inverse_inertia, record.extent_m);
             scratch.drives[row + 1] = drive_of(record, gravity_m_s2, awake.force[row], awake.torque[row]);
             if (locked_axes(record) != 0) locked.items().push_back(row);
             std::uint32_t& flags = bodies.places[awake.body[row]].flags;

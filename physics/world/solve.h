@@ -5,7 +5,7 @@
 #include <atomic>
 
 #include "base/ample.h"
-#include "base/rest.h"
+#include "base/standing.h"
 #include "integrator/integrate.h"
 #include "resolve/joints/joint_solver.h"
 #include "resolve/joints/laws.h"
@@ -56,17 +56,21 @@ inline void prepare_kicks(StepScratch& scratch, float h_s, TaskPool& tasks) {
     const auto size = static_cast<std::size_t>(motions.size());
     resize_amply(motions.kick, size);
     resize_amply(motions.kept, std::ranges::any_of(scratch.drives, is_damped) ? size : 0);
+    resize_amply(motions.standing, size);
     std::atomic<int> still = 0;
+    std::atomic<bool> creeps = false;
     tasks.parallel_for(motions.size(), kRowsPerChunk, [&](const Chunk& rows) {
         prepare_kicks(motions, scratch.drives, h_s, rows.begin, rows.end);
-        still.fetch_add(count_still(motions, rows.begin, rows.end), std::memory_order_relaxed);
+        const Stillness found = note_still(motions, rows.begin, rows.end);
+        still.fetch_add(found.still, std::memory_order_relaxed);
+        if (found.creeps) creeps.store(true, std::memory_order_relaxed);
     });
-    begin_rest(motions, still);
-    scratch.all_at_rest = false;
-    if (motions.resting.empty()) return;
+    begin_standing(motions, {still, creeps});
+    scratch.all_stand = false;
+    if (motions.standing.empty()) return;
     for (const ContactConstraint& c : scratch.contacts) {
-        keep_from_rest(motions, c.a);
-        keep_from_rest(motions, c.b);
+        keep_moving(motions, c.a);
+        keep_moving(motions, c.b);
     }
 }
 
@@ -86,19 +90,19 @@ inline void integrate_positions(StepScratch& scratch, float h_s, TaskPool& tasks
                   [&](int first, int last) { integrate_positions(scratch.motions, h_s, first, last); });
 }
 
-/// After the first substep: who is at rest, of what is in no batch.
-inline void note_rest(StepScratch& scratch, int substep, float h_s, TaskPool& tasks) {
-    if (substep != 0 || scratch.motions.resting.empty()) return;
-    std::atomic<int> not_at_rest = 0;
+/// After the first substep: who stands, of what is in no batch.
+inline void note_standing(StepScratch& scratch, int substep, float h_s, TaskPool& tasks) {
+    if (substep != 0 || scratch.motions.standing.empty()) return;
+    std::atomic<int> moving = 0;
     for_rest_rows(*scratch.batches, tasks, [&](int first, int last) {
-        not_at_rest.fetch_add(note_rest(scratch.motions, h_s, first, last), std::memory_order_relaxed);
+        moving.fetch_add(note_standing(scratch.motions, h_s, first, last), std::memory_order_relaxed);
     });
-    scratch.all_at_rest = not_at_rest == 0;
+    scratch.all_stand = moving == 0;
 }
 
-/// Where all is at rest, the first substep was the last.
+/// Where all stands, the first substep was the last.
 inline bool is_made(const StepScratch& scratch, int substep, int substeps) {
-    return substep < substeps && !scratch.all_at_rest;
+    return substep < substeps && !scratch.all_stand;
 }
 
 inline void fly_freely(StepScratch& scratch, Vec2 gravity_m_s2, float dt_s, std::uint64_t step,

@@ -290,12 +290,36 @@ class Estimate {
     std::size_t first_plain_;  // of the supports' blocks
 };
 
+// Contacts that are in no lane.
+bool has_others(const Stores& stores, const StepScratch& scratch) {
+    return !scratch.scalar_contacts.empty() || !stores.contacts.loose.empty();
+}
+
+// Whether the last estimate stands: the contacts are the same, and all that they bear weighs the same.
+bool is_known(const Stores& stores, Vec2 weight_ns_kg, const StepScratch& scratch) {
+    const auto same = [](const Drive& drive, float scale) { return drive.gravity_scale == scale; };
+    return scratch.all_blocks_known && !has_others(stores, scratch) &&
+           scratch.statics.weight_ns_kg == weight_ns_kg &&
+           std::ranges::equal(scratch.drives, scratch.statics.gravity_scales, same);
+}
+
+void note_weights(const Stores& stores, Vec2 weight_ns_kg, StepScratch& scratch) {
+    StaticsScratch& statics = scratch.statics;
+    statics.weight_ns_kg = weight_ns_kg;
+    statics.gravity_scales.clear();
+    reserve_amply(statics.gravity_scales, scratch.drives.size());
+    if (!scratch.unmoved.some() || has_others(stores, scratch)) return;
+    resize_amply(statics.gravity_scales, scratch.drives.size());
+    std::ranges::transform(scratch.drives, statics.gravity_scales.begin(), &Drive::gravity_scale);
+}
+
 }  // namespace
 
 void estimate_statics(Stores& stores, Vec2 gravity_m_s2, const StepTime& time, StepScratch& scratch,
                       TaskPool& tasks) {
     const float gravity = length(gravity_m_s2);
-    if (gravity == 0) return;
+    if (gravity == 0 || is_known(stores, time.h_s * gravity_m_s2, scratch)) return;
+    note_weights(stores, time.h_s * gravity_m_s2, scratch);
     Estimate estimate(stores, scratch, (-1 / gravity) * gravity_m_s2);
     estimate.find_supports(tasks);
     estimate.run(gravity * time.h_s);

@@ -81,7 +81,7 @@ void step_world(WorldState& world, float dt_s) {
         integrate_positions(scratch, time.h_s, tasks);
         move_direct(world.direct, scratch, rules, time.h_s, acting, tasks);
         solve(stores, scratch, rules, time.h_s, acting, Pass::Relax, substep, tasks);
-        note_rest(scratch, substep, time.h_s, tasks);
+        note_standing(scratch, substep, time.h_s, tasks);
     }
     return_rest(scratch, acting_substeps);
     clock.enter(Stage::Store);

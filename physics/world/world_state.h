@@ -37,6 +37,7 @@
 #include "world/material_mixing.h"
 #include "world/sensors.h"
 #include "world/shape_store.h"
+#include "world/unmoved.h"
 
 namespace cairn::physics {
 
@@ -146,6 +147,9 @@ struct StaticsScratch {
     std::vector<int> slopes;    // supports that are
     std::vector<float> x;       // of the supporting points of one body
     std::vector<float> shares;
+    // For what the estimate was made last, if that was noted.
+    Vec2 weight_ns_kg;
+    std::vector<float> gravity_scales;  // by row; empty where not
 };
 
 /// What comes of telling many boxes at once, on several threads.
@@ -264,7 +268,7 @@ struct StepScratch {
     std::vector<DeepOverlap> deep;                 // those of them that overlap deeply
     std::unique_ptr<LaneOrderScratch> lane_order;  // none before the first sort
     std::unique_ptr<ContactBatches> batches;       // none before the first substep
-    bool all_at_rest = false;                      // of what is in no batch, since the first substep
+    bool all_stand = false;                        // of what is in no batch, since the first substep
     std::vector<int> pushed;                       // bodies that were moved out of others in the last step
     ImpactScratch impacts;
     std::unique_ptr<BounceScratch> bouncing;  // none before the first bounce
@@ -287,6 +291,8 @@ struct StepScratch {
     ShiftedBoxes shifted_boxes;
     std::unique_ptr<WayScratch> ways;           // none before the first fast body
     std::vector<BlockFindings> block_findings;  // of blocks in colours, by their number
+    Unmoved unmoved;
+    bool all_blocks_known = false;  // none of them was looked at in this step, since all would be the same
     ChunkedList<LaneNote> notes;
     std::vector<const LaneNote*> notes_in_order;  // of the colours
     bool some_bounce_in_lanes = false;

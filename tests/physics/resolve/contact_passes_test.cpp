@@ -9,7 +9,7 @@
 
 #include <cairn/physics/simd.h>
 
-#include "base/rest.h"
+#include "base/standing.h"
 #include "physics/support/contact_heap.h"
 
 namespace cairn::physics {
@@ -121,12 +121,12 @@ TEST_CASE("the first guess of lanes is that of the scalar form, for steps of any
     }
 }
 
-// Runs the passes with rows as they are marked, and checks that who was kicked is marked as not at rest.
+// Runs the passes with rows as they are marked, and checks that who was kicked is marked.
 Heap run_disturbed(unsigned seed, std::uint8_t mark, int disturbed) {
     Heap heap = make_heap(seed, kAllKinds, 200, 300);
-    heap.motions.resting.assign(static_cast<std::size_t>(heap.motions.size()), mark);
-    heap.motions.resting[kWorldRow] = kAtRest;
-    for (int i = 0; i < disturbed; ++i) heap.motions.resting[heap.first_free + 7 * i] = kNotAtRest;
+    heap.motions.standing.assign(static_cast<std::size_t>(heap.motions.size()), mark);
+    heap.motions.standing[kWorldRow] = kStands;
+    for (int i = 0; i < disturbed; ++i) heap.motions.standing[heap.first_free + 7 * i] = kMoves;
     const std::vector<VelocityRow> before = heap.motions.velocity;
     TaskPool alone(1);
     const WholeHeap whole(heap);
@@ -136,15 +136,15 @@ Heap run_disturbed(unsigned seed, std::uint8_t mark, int disturbed) {
     for (int row = 0; row < heap.motions.size(); ++row) {
         const bool changed = !same_bits(heap.motions.velocity[row], before[row]);
         if (length(heap.motions.velocity[row].v - before[row].v) > 10 * kStillSpeed_m_s)
-            CHECK(heap.motions.resting[row] == kNotAtRest);
-        if (mark == kAtRest && disturbed == 0) CHECK_FALSE(changed);
+            CHECK(heap.motions.standing[row] == kMoves);
+        if (mark == kStands && disturbed == 0) CHECK_FALSE(changed);
     }
     return heap;
 }
 
-TEST_CASE("where no body is at rest, passes over what is disturbed are those over all, to the bit") {
+TEST_CASE("where no body stands, passes over what is disturbed are those over all, to the bit") {
     const unsigned seed = GENERATE(8u, 9u);
-    const Heap disturbed = run_disturbed(seed, kNotAtRest, 0);
+    const Heap disturbed = run_disturbed(seed, kMoves, 0);
     Heap all = make_heap(seed, kAllKinds, 200, 300);
     TaskPool alone(1);
     const WholeHeap whole(all);
@@ -157,20 +157,20 @@ TEST_CASE("where no body is at rest, passes over what is disturbed are those ove
         CHECK(disturbed.lanes.memory(p.lane).impulse == all.lanes.memory(p.lane).impulse);
 }
 
-TEST_CASE("contacts of bodies at rest do nothing until one is kicked, at every SIMD level alike") {
+TEST_CASE("contacts of bodies that stand do nothing until one is kicked, at every SIMD level alike") {
     const std::vector<SimdLevel> levels = available_simd_levels();
     for (const int disturbed : {0, 1, 20}) {
         std::vector<Heap> heaps;
         for (const SimdLevel level : levels) {
             INFO(name(level) << ", " << disturbed << " disturbed");
             force_simd_level(level).value();
-            heaps.push_back(run_disturbed(10, kAtRest, disturbed));
+            heaps.push_back(run_disturbed(10, kStands, disturbed));
             force_simd_level(levels.back()).value();
             const Heap& heap = heaps.back();
-            CHECK(heap.motions.resting == heaps.front().motions.resting);
+            CHECK(heap.motions.standing == heaps.front().motions.standing);
             for (int row = 0; row < heap.motions.size(); ++row)
                 CHECK(same_bits(heap.motions.velocity[row], heaps.front().motions.velocity[row]));
-            const auto kicked = std::ranges::count(heap.motions.resting, kNotAtRest);
+            const auto kicked = std::ranges::count(heap.motions.standing, kMoves);
             CHECK(kicked >= disturbed);
             if (disturbed == 20) CHECK(kicked > 60);
         }
