@@ -78,7 +78,7 @@ void take_over(WorldState& world, RestoreSpace& from) {
     world.previous_h_s = from.previous_h_s;
     forget_groups(world.direct);
     if (world.scratch.batches) world.scratch.batches->forget();
-    world.scratch.unmoved.forget();
+    if (world.scratch.standing) world.scratch.standing->unmoved.forget();
 }
 
 }  // namespace

@@ -235,7 +235,7 @@ class Update {
             }
             known.fetch_add(known_here, std::memory_order_relaxed);
         });
-        scratch_.all_blocks_known = known == count;
+        scratch_.standing->all_blocks_known = known == count;
         int all_notes = 0;
         scratch_.some_bounce_in_lanes = false;
         for (const int block : stores_.contacts.lanes.blocks()) {
@@ -255,18 +255,20 @@ class Update {
 
     // Only where something stood in the last step, and nothing is afoot that could change what blocks found.
     void find_unmoved() {
-        scratch_.unmoved.make_room(scratch_.motions.size());
+        if (!scratch_.standing) scratch_.standing = std::make_unique<StandingScratch>();
+        Unmoved& unmoved = scratch_.standing->unmoved;
+        unmoved.make_room(scratch_.motions.size());
         if (scratch_.motions.standing.empty() || world_.direct.count > 0 || !stores_.boxes_moved.empty())
-            return scratch_.unmoved.forget();
-        scratch_.unmoved.compare(stores_.bodies.places, stores_.bodies.rows(RowSet::Awake).body,
-                                 scratch_.motions,
-                                 {stores_.contacts.lanes.version(), world_.def.gravity_m_s2}, world_.tasks);
+            return unmoved.forget();
+        unmoved.compare(stores_.bodies.places, stores_.bodies.rows(RowSet::Awake).body, scratch_.motions,
+                        {stores_.contacts.lanes.version(), world_.def.gravity_m_s2}, world_.tasks);
     }
 
     // Whether looking at the block would find what it found in the last step: nothing to be noted.
     [[nodiscard]] bool is_known(const BlockFindings& last, int block) const {
-        return scratch_.unmoved.some() && last.notes == 0 && last.gone == 0 && !last.bounces &&
-               scratch_.unmoved.all_of(stores_.contacts.lanes.block(block));
+        const Unmoved& unmoved = scratch_.standing->unmoved;
+        return unmoved.some() && last.notes == 0 && last.gone == 0 && !last.bounces &&
+               unmoved.all_of(stores_.contacts.lanes.block(block));
     }
 
     // What a step changes of a block, besides impulses, is as it was at its beginning.

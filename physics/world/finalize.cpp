@@ -137,7 +137,8 @@ void tell_fat_boxes(Stores& stores, StepScratch& scratch, TaskPool& tasks) {
     }
     // Shapes of a body stand in one part.
     constexpr int kPartsPerChunk = 1;
-    ShiftedBoxes& shifted = scratch.shifted_boxes;
+    if (!scratch.shifted_boxes) scratch.shifted_boxes = std::make_unique<ShiftedBoxes>();
+    ShiftedBoxes& shifted = *scratch.shifted_boxes;
     shifted.first_moves.start(shapes.parts(), kPartsPerChunk, tasks);
     shifted.without_way.start(shapes.parts(), kPartsPerChunk, tasks);
     shifted.bodies.start(shapes.parts(), kPartsPerChunk, tasks);

@@ -5,7 +5,6 @@
 
 #include <cairn/physics/tuning.h>
 
-#include "base/ample.h"
 #include "world/contact_lists.h"
 #include "world/joint_lists.h"
 #include "world/joints.h"
@@ -180,10 +179,9 @@ void sleep_islands(Stores& stores, StepScratch& scratch) {
     if (std::none_of(awake.rest_time.begin(), awake.rest_time.end(), is_tired)) return;
 
     // An island sleeps when all of it is tired, so what joins those that are not is of no interest.
-    std::vector<std::uint8_t>& tired = scratch.tired;
-    resize_amply(tired, awake.rest_time.size());
-    std::ranges::transform(awake.rest_time, tired.begin(), is_tired);
-    const auto matters = [&](int row_a, int row_b) { return (tired[row_a] | tired[row_b]) != 0; };
+    const auto matters = [&](int row_a, int row_b) {
+        return is_tired(awake.rest_time[row_a]) || is_tired(awake.rest_time[row_b]);
+    };
     Linking(stores, scratch.motions, scratch.islands, matters).link_all();
     // Rows change places while islands leave, so the members are noted first: bodies, one island after
     // another, each island closed by kNone.

@@ -83,7 +83,7 @@ class Estimate {
           stores_(stores),
           step_(scratch),
           motions_(scratch.motions),
-          scratch_(scratch.statics),
+          scratch_(*scratch.statics),
           up_(up),
           first_plain_(static_cast<std::size_t>(lanes_.pool_size())) {
         assign_amply(scratch_.stands, static_cast<std::size_t>(motions_.size()), {});
@@ -297,20 +297,21 @@ bool has_others(const Stores& stores, const StepScratch& scratch) {
 
 // Whether the last estimate stands: the contacts are the same, and all that they bear weighs the same.
 bool is_known(const Stores& stores, Vec2 weight_ns_kg, const StepScratch& scratch) {
+    const StandingScratch& standing = *scratch.standing;
     const auto same = [](const Drive& drive, float scale) { return drive.gravity_scale == scale; };
-    return scratch.all_blocks_known && !has_others(stores, scratch) &&
-           scratch.statics.weight_ns_kg == weight_ns_kg &&
-           std::ranges::equal(scratch.drives, scratch.statics.gravity_scales, same);
+    return standing.all_blocks_known && !has_others(stores, scratch) &&
+           standing.weight_ns_kg == weight_ns_kg &&
+           std::ranges::equal(scratch.drives, standing.gravity_scales, same);
 }
 
 void note_weights(const Stores& stores, Vec2 weight_ns_kg, StepScratch& scratch) {
-    StaticsScratch& statics = scratch.statics;
-    statics.weight_ns_kg = weight_ns_kg;
-    statics.gravity_scales.clear();
-    reserve_amply(statics.gravity_scales, scratch.drives.size());
-    if (!scratch.unmoved.some() || has_others(stores, scratch)) return;
-    resize_amply(statics.gravity_scales, scratch.drives.size());
-    std::ranges::transform(scratch.drives, statics.gravity_scales.begin(), &Drive::gravity_scale);
+    StandingScratch& standing = *scratch.standing;
+    standing.weight_ns_kg = weight_ns_kg;
+    standing.gravity_scales.clear();
+    reserve_amply(standing.gravity_scales, scratch.drives.size());
+    if (!standing.unmoved.some() || has_others(stores, scratch)) return;
+    resize_amply(standing.gravity_scales, scratch.drives.size());
+    std::ranges::transform(scratch.drives, standing.gravity_scales.begin(), &Drive::gravity_scale);
 }
 
 }  // namespace
@@ -320,6 +321,7 @@ void estimate_statics(Stores& stores, Vec2 gravity_m_s2, const StepTime& time, S
     const float gravity = length(gravity_m_s2);
     if (gravity == 0 || is_known(stores, time.h_s * gravity_m_s2, scratch)) return;
     note_weights(stores, time.h_s * gravity_m_s2, scratch);
+    if (!scratch.statics) scratch.statics = std::make_unique<StaticsScratch>();
     Estimate estimate(stores, scratch, (-1 / gravity) * gravity_m_s2);
     estimate.find_supports(tasks);
     estimate.run(gravity * time.h_s);

@@ -147,7 +147,13 @@ struct StaticsScratch {
     std::vector<int> slopes;    // supports that are
     std::vector<float> x;       // of the supporting points of one body
     std::vector<float> shares;
-    // For what the estimate was made last, if that was noted.
+};
+
+/// What is known of things that stand (docs/adr/021-rest.md).
+struct StandingScratch {
+    Unmoved unmoved;
+    bool all_blocks_known = false;  // none of them was looked at in this step, since all would be the same
+    // For what the statics estimate was made last, if that was noted.
     Vec2 weight_ns_kg;
     std::vector<float> gravity_scales;  // by row; empty where not
 };
@@ -277,22 +283,20 @@ struct StepScratch {
     std::vector<TornJoint> torn;
     std::vector<int> unseated;  // joints that may get a lane, or break
     std::vector<double> spring_loads;
-    std::vector<int> met;             // contacts that were near and have points now
-    std::vector<int> parted;          // contacts that have none any more
-    std::vector<int> gone;            // contacts whose boxes no longer overlap
-    std::vector<int> resting;         // bodies of an island that goes to sleep
-    std::vector<std::uint8_t> tired;  // by awake row: at rest for as long as it takes to sleep
+    std::vector<int> met;      // contacts that were near and have points now
+    std::vector<int> parted;   // contacts that have none any more
+    std::vector<int> gone;     // contacts whose boxes no longer overlap
+    std::vector<int> resting;  // bodies of an island that goes to sleep
     Islands islands;
-    StaticsScratch statics;
-    std::vector<Advance> advances;  // by row of the motions
-    std::vector<int> fast;          // bodies that could pass through others in this step
+    std::unique_ptr<StaticsScratch> statics;  // none before the first estimate
+    std::vector<Advance> advances;            // by row of the motions
+    std::vector<int> fast;                    // bodies that could pass through others in this step
     ChunkedList<int> fast_found;
-    ChunkedList<int> untold_boxes;  // of shapes: written, but not known to the broad phase yet
-    ShiftedBoxes shifted_boxes;
-    std::unique_ptr<WayScratch> ways;           // none before the first fast body
-    std::vector<BlockFindings> block_findings;  // of blocks in colours, by their number
-    Unmoved unmoved;
-    bool all_blocks_known = false;  // none of them was looked at in this step, since all would be the same
+    ChunkedList<int> untold_boxes;                // of shapes: written, but not known to the broad phase yet
+    std::unique_ptr<ShiftedBoxes> shifted_boxes;  // none before many are told at once
+    std::unique_ptr<WayScratch> ways;             // none before the first fast body
+    std::vector<BlockFindings> block_findings;    // of blocks in colours, by their number
+    std::unique_ptr<StandingScratch> standing;    // none before the first step
     ChunkedList<LaneNote> notes;
     std::vector<const LaneNote*> notes_in_order;  // of the colours
     bool some_bounce_in_lanes = false;
