@@ -104,14 +104,14 @@ void integrate_velocities(Motions& motions, bool afresh, int first, int last) {
     const bool damped = !motions.kept.empty();
     const bool some_stand = !motions.standing.empty();
     for (int i = first; i < last; ++i) {
+        // What stands is pulled and held alike, as in the first substep.
+        if (some_stand && motions.standing[i] == kStands) continue;
         const VelocityRow row = motions.velocity[i];
         const VelocityRow without = motions.without_contacts[i];
         VelocityRow next = sum(row, motions.kick[i]);
         if (damped) next = product(motions.kept[i], next);
         motions.without_contacts[i] = next;
         motions.velocity[i] = afresh ? next : sum(next, difference(row, without));
-        // What stands is pulled and held alike.
-        if (some_stand && motions.standing[i] == kStands) motions.velocity[i] = row;
     }
 }
 
@@ -134,8 +134,8 @@ void integrate_positions(Motions& motions, float h_s) {
 void integrate_positions(Motions& motions, float h_s, int first, int last) {
     const bool some_stand = !motions.standing.empty();
     for (int i = first; i < last; ++i) {
-        if (motions.mover[i] == Mover::Flight || motions.mover[i] == Mover::Direct) continue;
         if (some_stand && motions.standing[i] == kStands) continue;
+        if (motions.mover[i] == Mover::Flight || motions.mover[i] == Mover::Direct) continue;
         motions.pose[i].d += h_s * motions.velocity[i].v;
         motions.pose[i].theta += h_s * motions.velocity[i].w;
         if (motions.mover[i] == Mover::Turning)

@@ -258,7 +258,10 @@ class Update {
         if (!scratch_.standing) scratch_.standing = std::make_unique<StandingScratch>();
         Unmoved& unmoved = scratch_.standing->unmoved;
         unmoved.make_room(scratch_.motions.size());
-        if (scratch_.motions.standing.empty() || world_.direct.count > 0 || !stores_.boxes_moved.empty())
+        // Places of awake bodies are compared; others that went elsewhere have new boxes.
+        const auto is_asleep = [&](int body) { return !stores_.bodies.is_awake(body); };
+        if (scratch_.motions.standing.empty() || world_.direct.count > 0 ||
+            std::ranges::any_of(stores_.boxes_moved, is_asleep))
             return unmoved.forget();
         unmoved.compare(stores_.bodies.places, stores_.bodies.rows(RowSet::Awake).body, scratch_.motions,
                         {stores_.contacts.lanes.version(), world_.def.gravity_m_s2}, world_.tasks);

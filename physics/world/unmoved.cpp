@@ -40,8 +40,9 @@ void Unmoved::compare(std::span<const Place> places, std::span<const int> bodies
             const Place& place = places[bodies[i]];
             const int row = i + 1;
             Seen& seen = places_[row];
-            const bool stands = same && seen.center == place.center && seen.rotation == place.rotation &&
-                                is_still(motions, row);
+            const bool keeps_boxes = (place.flags & place_flag::kBoxesMoved) == 0;
+            const bool stands = same && keeps_boxes && seen.center == place.center &&
+                                seen.rotation == place.rotation && is_still(motions, row);
             seen = {place.center, place.rotation};
             rows_[row] = stands ? 1 : 0;
             found = found || stands;
