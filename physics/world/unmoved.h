@@ -38,8 +38,7 @@ class Unmoved {
 
     /// Whether some body is unmoved.
     [[nodiscard]] bool some() const { return some_; }
-    /// Of rows of this step; the world itself is.
-    [[nodiscard]] bool is(int row) const { return rows_[row] != 0; }
+    /// Of the bodies of a block, by their rows of this step; the world itself is unmoved.
     [[nodiscard]] bool all_of(const ContactBlock& block) const {
         unsigned all = 1;
         for (std::size_t lane = 0; lane < kLanes; ++lane)
