@@ -38,7 +38,7 @@ enum class Mover : std::uint8_t {
     Direct,    // the structure of joints that it is part of
 };
 
-/// Of a row.
+/// What Motions::standing says of a row (base/standing.h).
 inline constexpr std::uint8_t kMoves = 0;
 inline constexpr std::uint8_t kStands = 1;
 inline constexpr std::uint8_t kMovesAnyway = 2;
