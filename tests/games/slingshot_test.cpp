@@ -19,14 +19,16 @@
 #include "engine/support/temporary_folder.h"
 #include "games/support/program.h"
 #include "support/golden.h"
+#include "support/source_path.h"
 
 using cairn::test::MatchesGolden;
 using cairn::test::ProgramRun;
 using cairn::test::run_cairn;
+using cairn::test::source_path;
 
 namespace {
 
-constexpr char kReplay[] = "'" CAIRN_SOURCE_DIR "/games/slingshot/replays/level-01.replay'";
+const std::string kReplay = "'" + source_path("games/slingshot/replays/level-01.replay") + "'";
 
 struct Pixel {
     int r, g, b;
@@ -115,7 +117,7 @@ void require_level_in(const std::filesystem::path& file) {
 }  // namespace
 
 TEST_CASE("The recorded run of level 1 wins, twice with the approved hash", "[golden]") {
-    const std::string arguments = std::string("play slingshot --headless --hash --replay ") + kReplay;
+    const std::string arguments = "play slingshot --headless --hash --replay " + kReplay;
     const ProgramRun first = run_cairn(arguments);
     INFO(first.output);
     REQUIRE(first.exit_status == 0);

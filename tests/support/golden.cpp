@@ -5,6 +5,8 @@
 #include <fstream>
 #include <utility>
 
+#include "support/source_path.h"
+
 namespace cairn::test {
 namespace {
 
@@ -19,7 +21,7 @@ void report_to_approve(const std::string& name, const std::string& actual) {
 }  // namespace
 
 std::string golden_hash(const std::string& name) {
-    std::ifstream file(std::string(CAIRN_SOURCE_DIR "/tests/golden/") + name + ".txt");
+    std::ifstream file(source_path("tests/golden/" + name + ".txt"));
     std::string line;
     if (!std::getline(file, line) || line.rfind(kHashField, 0) != 0) return {};
     return line.substr(sizeof kHashField - 1);

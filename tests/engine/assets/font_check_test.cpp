@@ -8,6 +8,8 @@
 #include <span>
 #include <string>
 
+#include "support/source_path.h"
+
 using cairn::engine::font_fault;
 
 namespace {
@@ -19,7 +21,7 @@ std::string fault(const std::string& file) {
 }  // namespace
 
 TEST_CASE("a font that ends before its tables do is cut off, wherever that is") {
-    std::ifstream in(CAIRN_SOURCE_DIR "/assets/fonts/default.ttf", std::ios::binary);
+    std::ifstream in(cairn::test::source_path("assets/fonts/default.ttf"), std::ios::binary);
     const std::string font{std::istreambuf_iterator<char>(in), {}};
     REQUIRE(font.size() > 10'000);
     CHECK(fault(font).empty());

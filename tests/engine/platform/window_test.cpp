@@ -9,6 +9,7 @@
 #include <cairn/engine/renderer.h>
 
 #include "engine/support/drawing.h"
+#include "support/source_path.h"
 
 using namespace cairn::engine;
 
@@ -25,7 +26,7 @@ struct WindowGame {
     explicit WindowGame(WindowScaling scaling = WindowScaling::Fit,
                         std::optional<Size> window_size = std::nullopt) {
         files = std::move(*Files::create({}));
-        REQUIRE(files->mount(CAIRN_SOURCE_DIR "/assets"));
+        REQUIRE(files->mount(cairn::test::source_path("assets")));
         PlatformDef def;
         def.window.title = "window test";
         def.window.size = {320, 200};

@@ -8,6 +8,7 @@
 
 #include "engine/support/drawing.h"
 #include "render/text_layout.h"
+#include "support/source_path.h"
 
 using namespace cairn::engine;
 
@@ -47,7 +48,7 @@ std::string text_of(const std::string& path) {
 }  // namespace
 
 TEST_CASE_METHOD(Drawing, "a font whose folder is forgotten is read anew, and the old one still writes") {
-    folder.put("mine/own.ttf", text_of(CAIRN_SOURCE_DIR "/assets/fonts/default.ttf"));
+    folder.put("mine/own.ttf", text_of(cairn::test::source_path("assets/fonts/default.ttf")));
     const FontId font = *renderer->load_font("mine/own.ttf", 16);
     const FontId other = *renderer->load_font("fonts/default.ttf", 16);
     folder.put("mine/own.ttf", "torn");

@@ -10,6 +10,7 @@
 #include <cairn/engine/renderer.h>
 
 #include "engine/support/temporary_folder.h"
+#include "support/source_path.h"
 
 struct Drawing {
     /// With pixels: into memory; without: the null renderer.
@@ -19,7 +20,7 @@ struct Drawing {
         REQUIRE(made_files);
         files = std::move(*made_files);
         REQUIRE(files->mount(folder.path().string()));
-        REQUIRE(files->mount(CAIRN_SOURCE_DIR "/assets"));
+        REQUIRE(files->mount(cairn::test::source_path("assets")));
         PlatformDef def;
         def.headless = true;
         def.headless_drawing = with_pixels;

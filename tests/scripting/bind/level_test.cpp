@@ -7,6 +7,7 @@
 #include "level/reader.h"
 #include "scripting/support/drawing.h"
 #include "scripting/support/lua_bench.h"
+#include "support/source_path.h"
 
 namespace cairn::scripting::test {
 namespace {
@@ -389,7 +390,7 @@ TEST_CASE("reloading a level that is not built reads its file and tells that not
 }
 
 TEST_CASE("the level of the documentation is a good one") {
-    std::ifstream file(CAIRN_SOURCE_DIR "/docs/examples/levels/yard.lua");
+    std::ifstream file(cairn::test::source_path("docs/examples/levels/yard.lua"));
     std::ostringstream text;
     text << file.rdbuf();
     LuaBench bench(GameFiles{{"yard.lua", text.str()}});

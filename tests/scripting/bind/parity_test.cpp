@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "bind/module.h"
+#include "support/source_path.h"
 
 namespace cairn::scripting::test {
 namespace {
@@ -96,7 +97,7 @@ bool is_word(char c) {
 
 /// The names that are declared as functions of a class, outside of bodies and comments.
 std::set<std::string> public_methods(const std::string& header, const std::string& class_name) {
-    std::ifstream file(std::string(CAIRN_SOURCE_DIR "/physics/include/cairn/physics/") + header);
+    std::ifstream file(cairn::test::source_path("physics/include/cairn/physics/" + header));
     std::set<std::string> methods;
     bool is_inside = false;
     for (std::string line; std::getline(file, line);) {

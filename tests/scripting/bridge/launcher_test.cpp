@@ -5,6 +5,7 @@
 #include <cairn/scripting/play.h>
 
 #include "scripting/support/lua_bench.h"
+#include "support/source_path.h"
 
 namespace cairn::scripting::test {
 namespace {
@@ -22,9 +23,9 @@ PlayResult launch(const std::string& events) {
                           << events;
     PlayResult result;
     REQUIRE(play({.source = {.program_path = "scripting-tests",
-                             .path = CAIRN_SOURCE_DIR "/tools/player/launcher",
+                             .path = cairn::test::source_path("tools/player/launcher"),
                              .name = "launcher",
-                             .assets = {CAIRN_SOURCE_DIR "/assets", games.path()},
+                             .assets = {cairn::test::source_path("assets"), games.path()},
                              .save_root = games.path()},
                   .headless = true,
                   .replay = replay,

@@ -8,6 +8,7 @@
 
 #include "bridge/replay.h"
 #include "scripting/support/lua_bench.h"
+#include "support/source_path.h"
 
 namespace cairn::scripting::test {
 namespace {
@@ -16,9 +17,9 @@ namespace {
 struct Replayed {
     GameFolder folder{{}};
     PlayOptions options{.source = {.program_path = "scripting-tests",
-                                   .path = CAIRN_SOURCE_DIR "/tests/scripting/games/replayed",
+                                   .path = cairn::test::source_path("tests/scripting/games/replayed"),
                                    .name = "replayed",
-                                   .assets = {CAIRN_SOURCE_DIR "/assets"},
+                                   .assets = {cairn::test::source_path("assets")},
                                    .save_root = folder.path()},
                         .headless = true};
 

@@ -5,12 +5,13 @@
 #include <cairn/scripting/reference.h>
 
 #include "bridge/other_words.h"
+#include "support/source_path.h"
 
 namespace cairn::scripting {
 namespace {
 
 std::string file_text(const std::string& path) {
-    std::ifstream file(CAIRN_SOURCE_DIR + ("/" + path));
+    std::ifstream file(cairn::test::source_path(path));
     std::ostringstream text;
     text << file.rdbuf();
     return text.str();

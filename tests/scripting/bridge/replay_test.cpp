@@ -4,6 +4,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "support/source_path.h"
+
 namespace cairn::scripting {
 namespace {
 
@@ -75,7 +77,7 @@ TEST_CASE("every fault is named with its line") {
 
 TEST_CASE("the reference names every kind of event") {
     std::ostringstream reference;
-    reference << std::ifstream(CAIRN_SOURCE_DIR "/docs/reference/replays.md").rdbuf();
+    reference << std::ifstream(cairn::test::source_path("docs/reference/replays.md")).rdbuf();
     REQUIRE(reference.str() != "");
     for (int kind = 0; kind < engine::kInputKindCount; ++kind) {
         const std::string name(engine::input_kind_name(static_cast<engine::InputKind>(kind)));

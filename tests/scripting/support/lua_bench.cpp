@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include "lua/sandbox.h"
+#include "support/source_path.h"
 
 namespace cairn::scripting::test {
 
@@ -35,7 +36,7 @@ GameSource GameFolder::source() const {
     return {.program_path = "scripting-tests",
             .path = path_,
             .name = "bench",
-            .assets = {CAIRN_SOURCE_DIR "/assets"},
+            .assets = {cairn::test::source_path("assets")},
             .save_root = path_ + "/saves"};
 }
 
