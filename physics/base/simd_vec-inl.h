@@ -77,6 +77,21 @@ HWY_INLINE Vec left(Vec a) {
 HWY_INLINE Vec select(M m, Vec yes, Vec no) {
     return {hn::IfThenElse(m, yes.x, no.x), hn::IfThenElse(m, yes.y, no.y)};
 }
+
+// As std::min and std::max, of zeros too.
+HWY_INLINE V least(V a, V b) {
+    return hn::IfThenElse(hn::Lt(b, a), b, a);
+}
+HWY_INLINE V greatest(V a, V b) {
+    return hn::IfThenElse(hn::Lt(a, b), b, a);
+}
+HWY_INLINE Vec least(Vec a, Vec b) {
+    return {least(a.x, b.x), least(a.y, b.y)};
+}
+HWY_INLINE Vec greatest(Vec a, Vec b) {
+    return {greatest(a.x, b.x), greatest(a.y, b.y)};
+}
+
 HWY_INLINE Vec rotate(Vec q, Vec a) {
     return {hn::Sub(hn::Mul(q.x, a.x), hn::Mul(q.y, a.y)), hn::Add(hn::Mul(q.y, a.x), hn::Mul(q.x, a.y))};
 }

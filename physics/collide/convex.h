@@ -19,12 +19,12 @@
 namespace cairn::physics {
 
 struct Convex {
-    Outline outline;
-    std::array<Vec2, kMaxPolygonVertices> normals{};
-    Vec2 centroid;
     bool owns_end = false;  // of a chain segment: no other one answers for its end point
     bool is_box = false;    // sharp-cornered, with its sides along the axes of the body's frame
-    Vec2 half_size;         // of a box; its centre is the centroid
+    Vec2 centroid;
+    Vec2 half_size;  // of a box; its centre is the centroid
+    Outline outline;
+    std::array<Vec2, kMaxPolygonVertices> normals{};
 
     [[nodiscard]] int count() const { return outline.count; }
     [[nodiscard]] int next(int i) const { return i + 1 < outline.count ? i + 1 : 0; }

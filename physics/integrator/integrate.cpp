@@ -103,15 +103,21 @@ void prepare_kicks(Motions& motions, std::span<const Drive> drives, float h_s, i
 void integrate_velocities(Motions& motions, bool afresh, int first, int last) {
     const bool damped = !motions.kept.empty();
     const bool some_stand = !motions.standing.empty();
+    // Written rows could be the vectors themselves, as far as compilers know.
+    VelocityRow* const velocity = motions.velocity.data();
+    VelocityRow* const without_contacts = motions.without_contacts.data();
+    const VelocityRow* const kick = motions.kick.data();
+    const VelocityRow* const kept = motions.kept.data();
+    const std::uint8_t* const standing = motions.standing.data();
     for (int i = first; i < last; ++i) {
         // What stands is pulled and held alike, as in the first substep.
-        if (some_stand && motions.standing[i] == kStands) continue;
-        const VelocityRow row = motions.velocity[i];
-        const VelocityRow without = motions.without_contacts[i];
-        VelocityRow next = sum(row, motions.kick[i]);
-        if (damped) next = product(motions.kept[i], next);
-        motions.without_contacts[i] = next;
-        motions.velocity[i] = afresh ? next : sum(next, difference(row, without));
+        if (some_stand && standing[i] == kStands) continue;
+        const VelocityRow row = velocity[i];
+        const VelocityRow without = without_contacts[i];
+        VelocityRow next = sum(row, kick[i]);
+        if (damped) next = product(kept[i], next);
+        without_contacts[i] = next;
+        velocity[i] = afresh ? next : sum(next, difference(row, without));
     }
 }
 
@@ -133,13 +139,20 @@ void integrate_positions(Motions& motions, float h_s) {
 
 void integrate_positions(Motions& motions, float h_s, int first, int last) {
     const bool some_stand = !motions.standing.empty();
+    const VelocityRow* const velocity = motions.velocity.data();
+    PoseRow* const pose = motions.pose.data();
+    const Mover* const mover = motions.mover.data();
+    const std::uint8_t* const standing = motions.standing.data();
     for (int i = first; i < last; ++i) {
-        if (some_stand && motions.standing[i] == kStands) continue;
-        if (motions.mover[i] == Mover::Flight || motions.mover[i] == Mover::Direct) continue;
-        motions.pose[i].d += h_s * motions.velocity[i].v;
-        motions.pose[i].theta += h_s * motions.velocity[i].w;
-        if (motions.mover[i] == Mover::Turning)
-            motions.turned[i] = Rotation::from_small_angle(motions.angle(i));
+        if (some_stand && standing[i] == kStands) continue;
+        if (mover[i] == Mover::Flight || mover[i] == Mover::Direct) continue;
+        const VelocityRow row = velocity[i];
+        PoseRow& at = pose[i];
+        // All four columns, as above.
+        at = {{at.d.x + h_s * row.v.x, at.d.y + h_s * row.v.y},
+              at.theta + h_s * row.w,
+              at.k + 0 * row.inverse_mass};
+        if (mover[i] == Mover::Turning) motions.turned[i] = Rotation::from_small_angle(motions.angle(i));
     }
 }
 

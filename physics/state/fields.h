@@ -69,7 +69,10 @@ template <Is<Outline> R, class Visit>
 
 template <Is<Convex> R, class Visit>
 [[gnu::always_inline]] constexpr void fields(R& r, Visit&& visit) {
-    auto& [outline, normals, centroid, owns_end, is_box, half_size] = r;
+    auto& [owns_end, is_box, centroid, half_size, outline, normals] = r;
+    // Names are bound by place: what is moved in the struct would be written elsewhere.
+    static_assert(std::is_same_v<std::remove_const_t<decltype(is_box)>, bool> &&
+                  std::is_same_v<std::remove_const_t<decltype(half_size)>, Vec2>);
     visit(outline, normals, centroid, owns_end, is_box, half_size);
 }
 
@@ -97,7 +100,7 @@ template <Is<ShapeDef> R, class Visit>
 /// its chain and its place among the sensors from those.
 template <Is<ShapeRecord> R, class Visit>
 [[gnu::always_inline]] constexpr void fields(R& r, Visit&& visit) {
-    auto& [body, previous_of_body, next_of_body, chain, sensor, convex, def, margin_m] = r;
+    auto& [body, previous_of_body, next_of_body, chain, sensor, margin_m, convex, def] = r;
     visit(convex, def, margin_m);
 }
 

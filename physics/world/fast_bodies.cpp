@@ -2,11 +2,12 @@
 #include "world/fast_bodies.h"
 
 #include <algorithm>
-#include <limits>
 
 #include <cairn/physics/tuning.h>
 
 #include "base/ample.h"
+#include "world/body_lanes.h"
+#include "world/box_cover.h"
 #include "world/finalize.h"
 #include "world/tiny_contacts.h"
 
@@ -15,10 +16,6 @@ namespace {
 
 // m. Sweeps end with this gap: near enough to be a contact, wide enough for the distance to have a direction.
 constexpr float kImpactGap_m = 0.25f * tuning::kLinearSlop_m;
-
-// Of what is added up, the share that float may lose; and what stands for that of a way beyond all measure.
-constexpr float kRounding = 1e-6f;
-constexpr float kMostRounding_m = 1e3f;
 
 // m. Ways up to this end where the solver sees the other shape before they begin, and wakes it.
 constexpr float kSeenAhead_m = tuning::kSpeculativeDistance_m;
@@ -47,46 +44,25 @@ Advance advance_of(const BodyStore& bodies, int body, Vec2 gravity, float dt_s) 
             kFastShare * record.inner_radius_m};
 }
 
-// How far a step takes any point of a body at most.
-float farthest_way(const Advance& advance, float dt_s) {
-    return dt_s * (length(advance.velocity_m_s) + advance.turning_m_s);
-}
+struct Marks {
+    bool covered = false;   // boxes are to cover the way
+    bool has_way = false;   // and to go along it
+    bool outgrown = false;  // boxes covered a longer way in the step before, and would be too large for long
+};
 
-// The boxes of the body enclose where it is and where it is expected, which is `turn` further round, and all
-// that lies between. What room they leave is that about the expected place. On a long way they are made
-// anew, and go with the body, so that what moves along with it is no neighbour for that alone.
-void cover_way(Stores& stores, int body, Vec2 way, float turn, std::vector<int>& untold) {
-    const BodyRecord& record = stores.bodies.slots[body];
-    const Transform now = stores.bodies.transform(body);
-    const Vec2 center = record.mass.center_m;
-    const Rotation q = turn == 0 ? now.q : Rotation::from_small_angle(turn) * now.q;
-    const bool has_way = (stores.bodies.places[body].flags & place_flag::kHasWay) != 0;
-    const Vec2 swing = rotate(now.q, center) - rotate(q, center);
-    // A point that turns is at most this far from the straight way between its ends.
-    const float aside = turn == 0 ? 0 : std::min(0.125f * turn * turn, 2.0f) * record.turn_arm_m;
-    const float rounding = std::min(kMostRounding_m, kRounding * (length(way) + record.extent_m));
-    float slack = std::numeric_limits<float>::infinity();
-    for (int s = record.first_shape; s != kNone; s = stores.shapes[s].next_of_body) {
-        const ShapeRecord& shape = stores.shapes[s];
-        const Extents start = extents(shape.convex, now.q);
-        const Extents end = turn == 0 ? start : extents(shape.convex, q);
-        // A box that goes along holds the shape in each of its turns on all of the way.
-        Vec2 lower = smallest(start.lower, end.lower + (way + swing));
-        Vec2 upper = largest(start.upper, end.upper + (way + swing));
-        if (has_way) {
-            lower = smallest(start.lower, end.lower + swing) + smallest({}, way);
-            upper = largest(start.upper, end.upper + swing) + largest({}, way);
-        }
-        const Aabb all = grown(make_aabb(now.p, lower, upper), aside + rounding);
-        const Aabb reach = grown(all, tuning::kAabbReach_m);
-        if (has_way || !contains(stores.fat_boxes[s], reach)) {
-            stores.fat_boxes[s] = grown(all, shape.margin_m);
-            untold.push_back(s);
-        }
-        slack = std::min(slack, clearance(stores.fat_boxes[s], reach));
-    }
-    // Long ways are rounded when they are added up.
-    stores.bodies.rows_of(body).box_slack[record.row] = slack - rounding;
+// Sets the flags of a body for the step.
+Marks mark_ahead(std::uint32_t& flags, const AheadLanes& ahead, int lane, bool some_sleep) {
+    const std::uint32_t outdated = flags & kOutdated;
+    const bool is_fast = (ahead.fast >> lane & 1) != 0;
+    const bool rouses = some_sleep && !is_fast && (ahead.seen_late >> lane & 1) != 0;
+    const std::uint32_t before = outdated & kCovered;
+    const std::uint32_t now = is_fast ? place_flag::kFast : rouses ? place_flag::kRouses : 0;
+    // Boxes over ways that are longer than the body overlap those of many that go along; boxes over shorter
+    // ones hold for several steps.
+    const bool has_way = is_fast && (ahead.far_ways >> lane & 1) != 0;
+    const bool had_way = (outdated & place_flag::kHasWay) != 0;
+    flags = (flags & ~kOutdated) | now | (has_way ? place_flag::kHasWay : 0);
+    return {now != 0, has_way, (before != 0 && before != now && !is_fast) || (had_way && !has_way)};
 }
 
 Sweep make_sweep(const Stores& stores, int shape, Position origin, Vec2 gravity, float dt_s) {
@@ -117,36 +93,28 @@ void cover_fast_ways(Stores& stores, Vec2 gravity_m_s2, float dt_s, StepScratch&
     const bool some_sleep = stores.bodies.rows(RowSet::Asleep).size() > 0;
     scratch.fast_found.start(awake.size(), kRowsPerChunk, tasks);
     scratch.untold_boxes.start(awake.size(), kRowsPerChunk, tasks);
-    const auto cover = [&](int row, std::vector<int>& fast, std::vector<int>& untold) {
-        const int body = awake.body[row];
-        Advance& advance = scratch.advances[row + 1];
-        advance = advance_of(stores.bodies, body, gravity_m_s2, dt_s);
-        std::uint32_t& flags = stores.bodies.places[body].flags;
-        const std::uint32_t outdated = flags & kOutdated;
-        const std::uint32_t before = outdated & kCovered;
-        flags &= ~kOutdated;
-        // A body is fast when a step takes it further than half of what is solid about its thinnest shape.
-        const float way = farthest_way(advance, dt_s);
-        const bool is_fast = way > advance.thin_m;
-        const bool rouses = some_sleep && !is_fast && way > kSeenAhead_m;
-        const std::uint32_t now = is_fast ? place_flag::kFast : rouses ? place_flag::kRouses : 0;
-        flags |= now;
-        if (is_fast) fast.push_back(body);
-        // Boxes over ways that are longer than the body overlap those of many that go along; boxes over
-        // shorter ones hold for several steps.
-        const bool has_way =
-            is_fast && dt_s * length(advance.velocity_m_s) > stores.bodies.slots[body].extent_m;
-        if (has_way) flags |= place_flag::kHasWay;
-        // What covered a longer way would be too large for long.
-        const bool had_way = (outdated & place_flag::kHasWay) != 0;
-        if ((before != 0 && before != now && !is_fast) || (had_way && !has_way))
-            renew_boxes(stores, body, untold);
-        if (now != 0) cover_way(stores, body, dt_s * advance.velocity_m_s, dt_s * awake.spin[row], untold);
-    };
     tasks.parallel_for(awake.size(), kRowsPerChunk, [&](const Chunk& chunk) {
         ChunkedList<int>::Appender fast(scratch.fast_found, chunk);
         ChunkedList<int>::Appender untold(scratch.untold_boxes, chunk);
-        for (int row = chunk.begin; row < chunk.end; ++row) cover(row, fast.items(), untold.items());
+        BoxCover boxes(stores, untold.items());
+        AheadLanes ahead;
+        for (int row = chunk.begin; row < chunk.end; row += kLanes) {
+            const BodyLanes lanes = body_lanes(stores.bodies, row, chunk.end);
+            look_ahead(stores.bodies, lanes, gravity_m_s2, dt_s, kSeenAhead_m, ahead);
+            std::copy_n(ahead.advances.begin(), lanes.count, scratch.advances.begin() + row + 1);
+            for (int lane = 0; lane < lanes.count; ++lane) {
+                const int body = awake.body[row + lane];
+                const auto [covered, has_way, outgrown] =
+                    mark_ahead(lanes.places[lane]->flags, ahead, lane, some_sleep);
+                if ((ahead.fast >> lane & 1) != 0) fast.items().push_back(body);
+                if (outgrown) {
+                    boxes.finish();  // so that what is untold is in the order of the bodies
+                    renew_boxes(stores, body, untold.items());
+                }
+                if (covered) boxes.add(body, ahead, lane, has_way);
+            }
+        }
+        boxes.finish();
     });
     tell_fat_boxes(stores, scratch, tasks);
     scratch.fast_found.copy_to(scratch.fast);

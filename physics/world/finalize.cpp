@@ -2,10 +2,13 @@
 #include "world/finalize.h"
 
 #include <algorithm>
+#include <bit>
 #include <limits>
 
 #include <cairn/physics/tuning.h>
 
+#include "world/body_lanes.h"
+#include "world/box_cover.h"
 #include "world/fast_bodies.h"
 #include "world/tiny_contacts.h"
 
@@ -15,21 +18,21 @@ namespace {
 // What a thread takes at once.
 constexpr int kRowsPerChunk = 512;
 
-// What is pushed out of an overlap moves, though that speed is taken from it again at once: it would sleep
-// where it is, and keep the overlap.
-float next_rest_time(const BodyRecord& record, Vec2 v, float w, Vec2 moved, float turned, float rest_time,
-                     float dt_s) {
+// Of a body that is kinematic or tiny.
+float rest_time_by_rule(const BodyStore& bodies, const Motions& motions, int row, float dt_s) {
+    const BodyRows& awake = bodies.rows(RowSet::Awake);
+    const BodyRecord& record = bodies.slots[awake.body[row]];
+    const float longer = awake.rest_time[row] + dt_s;
     if (!record.allow_sleep) return 0;
-    if (record.type == BodyType::Kinematic) return v == Vec2{} && w == 0 ? rest_time + dt_s : 0;
-    const float fastest_point = std::max(length(v), std::fabs(w) * record.extent_m);
-    const float farthest_point = std::max(length(moved), std::fabs(turned) * record.extent_m);
-    bool rests = fastest_point < record.sleep_speed_m_s && farthest_point < dt_s * record.sleep_speed_m_s;
+    if (record.type == BodyType::Kinematic)
+        return awake.velocity[row] == Vec2{} && awake.spin[row] == 0 ? longer : 0;
     // What is tiny has not come to rest while it moves at a speed that is slow for others.
-    if (rests && record.extent_m < kTinyExtent_m) {
-        const float least_m_s = length_unit(record.extent_m) * record.sleep_speed_m_s;
-        rests = fastest_point < least_m_s && farthest_point < dt_s * least_m_s;
-    }
-    return rests ? rest_time + dt_s : 0;
+    const float least_m_s = length_unit(record.extent_m) * record.sleep_speed_m_s;
+    const float fastest_m_s =
+        std::max(length(awake.velocity[row]), std::fabs(awake.spin[row]) * record.extent_m);
+    const float farthest_m =
+        std::max(length(awake.moved[row]), std::fabs(motions.angle(row + 1)) * record.extent_m);
+    return fastest_m_s < least_m_s && farthest_m < dt_s * least_m_s ? longer : 0;
 }
 
 bool is_finite(const Motions& motions, int row) {
@@ -81,37 +84,6 @@ void follow(Stores& stores, int body, Outdated&& outdated, Set&& set) {
 
 bool has_left(const Aabb& fat, const Aabb& reach) {
     return !contains(fat, reach);
-}
-
-// Whether the body went so far, unexpectedly, that it could have passed through others.
-bool take_place(BodyStore& bodies, const StepScratch& scratch, int row, float dt_s, bool sleep_enabled) {
-    BodyRows& awake = bodies.rows(RowSet::Awake);
-    const int body = awake.body[row];
-    const BodyRecord& record = bodies.slots[body];
-    Place& place = bodies.places[body];
-    const Vec2 moved = scratch.motions.pose[row + 1].d;
-    const float turned = scratch.motions.angle(row + 1);
-    const Vec2 velocity = scratch.motions.velocity[row + 1].v;
-    const float spin = scratch.motions.spin(row + 1);
-
-    // The box of a fast body has room about where it was expected.
-    const bool fast = (place.flags & place_flag::kFast) != 0;
-    const Vec2 aside = fast ? moved - dt_s * scratch.advances[row + 1].velocity_m_s : moved;
-    const float turned_aside = fast ? turned - dt_s * awake.spin[row] : turned;
-    const float went = length(aside) + std::fabs(turned_aside) * record.turn_arm_m;
-    awake.box_slack[row] -= went;
-
-    awake.rotation_before[row] = place.rotation;
-    place.center = place.center + moved;
-    place.rotation = normalized(Rotation::from_small_angle(turned) * place.rotation);
-    awake.moved[row] = moved;
-    awake.velocity[row] = velocity;
-    awake.spin[row] = spin;
-    awake.force[row] = {};
-    awake.torque[row] = 0;
-    awake.rest_time[row] =
-        sleep_enabled ? next_rest_time(record, velocity, spin, moved, turned, awake.rest_time[row], dt_s) : 0;
-    return !fast && went > kFastShare * record.inner_radius_m;
 }
 
 }  // namespace
@@ -168,13 +140,6 @@ void update_boxes(Stores& stores, int body) {
     follow(stores, body, has_left, [&](int shape, const Aabb& box) { set_fat_box(stores, shape, box); });
 }
 
-void update_boxes(Stores& stores, int body, std::vector<int>& untold) {
-    follow(stores, body, has_left, [&](int shape, const Aabb& box) {
-        stores.fat_boxes[shape] = box;
-        untold.push_back(shape);
-    });
-}
-
 void renew_boxes(Stores& stores, int body, std::vector<int>& untold) {
     const auto always = [](const Aabb&, const Aabb&) { return true; };
     follow(stores, body, always, [&](int shape, const Aabb& box) {
@@ -206,19 +171,28 @@ void finalize_bodies(Stores& stores, StepScratch& scratch, float dt_s, bool slee
     tasks.parallel_for(awake.size(), kRowsPerChunk, [&](const Chunk& chunk) {
         ChunkedList<int>::Appender untold(scratch.untold_boxes, chunk);
         ChunkedList<int>::Appender fast(scratch.fast_found, chunk);
-        for (int row = chunk.begin; row < chunk.end; ++row) {
-            const bool was_hurled = take_place(stores.bodies, scratch, row, dt_s, sleep_enabled);
-            if (!was_hurled && awake.box_slack[row] > 0) continue;
-            const int body = awake.body[row];
-            std::uint32_t& flags = stores.bodies.places[body].flags;
-            if (was_hurled) {
-                flags |= place_flag::kFast;
-                fast.items().push_back(body);
+        BoxCover boxes(stores, untold.items());
+        for (int row = chunk.begin; row < chunk.end; row += kLanes) {
+            const BodyLanes lanes = body_lanes(stores.bodies, row, chunk.end);
+            const PlaceOutcome outcome =
+                take_places(stores.bodies, lanes, scratch.motions, scratch.advances, dt_s, sleep_enabled);
+            for (unsigned left = outcome.rest_by_rule; left != 0; left &= left - 1) {
+                const int at = row + std::countr_zero(left);
+                awake.rest_time[at] = rest_time_by_rule(stores.bodies, scratch.motions, at, dt_s);
             }
-            if (awake.box_slack[row] > 0) continue;
-            if ((flags & place_flag::kHasWay) != 0) flags |= place_flag::kStrayed;
-            update_boxes(stores, body, untold.items());
+            for (unsigned left = outcome.hurled; left != 0; left &= left - 1) {
+                const int lane = std::countr_zero(left);
+                lanes.places[lane]->flags |= place_flag::kFast;
+                fast.items().push_back(awake.body[row + lane]);
+            }
+            for (unsigned left = outcome.box_left; left != 0; left &= left - 1) {
+                const int lane = std::countr_zero(left);
+                std::uint32_t& flags = lanes.places[lane]->flags;
+                if ((flags & place_flag::kHasWay) != 0) flags |= place_flag::kStrayed;
+                boxes.add(awake.body[row + lane]);
+            }
         }
+        boxes.finish();
     });
     tell_fat_boxes(stores, scratch, tasks);
     scratch.fast_found.for_each([&](int body) { scratch.fast.push_back(body); });

@@ -27,10 +27,8 @@ float clearance(const Aabb& outer, const Aabb& inner);
 
 /// Brings the boxes of a body's shapes up to its place; boxes that the shape has left are made anew.
 void update_boxes(Stores& stores, int body);
-/// The same on several threads, each with bodies of its own: shapes whose boxes are yet to be told are
-/// appended.
-void update_boxes(Stores& stores, int body, std::vector<int>& untold);
-/// Makes all of them anew, for boxes that have become too large.
+/// Makes all of them anew, for boxes that have become too large. On several threads, each with bodies of its
+/// own: shapes whose boxes are yet to be told are appended.
 void renew_boxes(Stores& stores, int body, std::vector<int>& untold);
 
 }  // namespace cairn::physics

@@ -13,15 +13,16 @@
 
 namespace cairn::physics {
 
+/// What boxes of the broad phase are made of stands within the first two cache lines.
 struct ShapeRecord {
     int body = kNone;
     int previous_of_body = kNone;
     int next_of_body = kNone;
     int chain = kNone;   // whose segment it is
     int sensor = kNone;  // place among the sensors; they have no box
+    float margin_m = 0;  // of the fat box
     Convex convex;
     ShapeDef def;
-    float margin_m = 0;
 };
 
 using ShapeStore = SlotMap<ShapeRecord, ShapeId>;
