@@ -76,14 +76,23 @@ class GroupSearch {
 
   private:
     void enter(const SearchedLayer& searched, const Aabb& reach, int level, int node) {
-        const std::span<const BoxGroup> groups = searched.tree->level(level);
-        if (level == 0) {
-            const LaneMask lanes = ~looks_by_itself(searched, node) & kAllLanes;
-            if (lanes != 0) compare(searched, node, overlapping_lanes(groups[node], reach) & lanes);
-            return;
+        if (level == 0) return look_at(searched, reach, node);
+        LaneMask lanes = overlapping_lanes(searched.tree->level(level)[node], reach);
+        for (; lanes != 0; lanes &= lanes - 1) {
+            const int child = kGroupSize * node + std::countr_zero(lanes);
+            // Most nodes are groups at the bottom, and a call would cost as much as a look at one.
+            if (level == 1) {
+                look_at(searched, reach, child);
+            } else {
+                enter(searched, reach, level - 1, child);
+            }
         }
-        for (LaneMask lanes = overlapping_lanes(groups[node], reach); lanes != 0; lanes &= lanes - 1)
-            enter(searched, reach, level - 1, kGroupSize * node + std::countr_zero(lanes));
+    }
+
+    HWY_INLINE void look_at(const SearchedLayer& searched, const Aabb& reach, int group) {
+        const LaneMask lanes = ~looks_by_itself(searched, group) & kAllLanes;
+        if (lanes == 0) return;
+        compare(searched, group, overlapping_lanes(searched.tree->level(0)[group], reach) & lanes);
     }
 
     // The lanes of an earlier group that moved: they look for those of this one.
@@ -120,15 +129,17 @@ class GroupSearch {
         const int moved = searched.moved_index.empty() ? kNone : searched.moved_index[group];
         const MovedGroup* other = moved == kNone ? nullptr : &moved_[moved];
         const Aabb now = searched.tree->level(0)[group].box(lane);
-        const Aabb before = other == nullptr ? now : other->before.box(lane);
         const int item = searched.tree->items()[kGroupSize * group + lane];
         const LaneMask apart =
             found & lanes_apart(now_, ways_of(own_.ways), now, way_of(other, &MovedGroup::ways, lane));
         tell(apart, item, found_.beside);
+        const LaneMask meeting = found & ~apart;
+        if (meeting == 0) return;
+        const Aabb before = other == nullptr ? now : other->before.box(lane);
         const LaneMask known = overlapping_lanes(own_.before, before) &
                                ~lanes_apart(own_.before, ways_of(own_.ways_before), before,
                                             way_of(other, &MovedGroup::ways_before, lane));
-        tell(found & ~apart & ~known, item, found_.fresh);
+        tell(meeting & ~known, item, found_.fresh);
     }
     [[nodiscard]] bool has_ways(int moved) const {
         return moved != kNone && (moved_[moved].ways != kNone || moved_[moved].ways_before != kNone);
