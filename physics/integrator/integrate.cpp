@@ -148,7 +148,7 @@ void integrate_positions(Motions& motions, float h_s, int first, int last) {
         if (mover[i] == Mover::Flight || mover[i] == Mover::Direct) continue;
         const VelocityRow row = velocity[i];
         PoseRow& at = pose[i];
-        // All four columns, as above.
+        // All four columns, so that each row is one SIMD operation: k + 0 is k.
         at = {{at.d.x + h_s * row.v.x, at.d.y + h_s * row.v.y},
               at.theta + h_s * row.w,
               at.k + 0 * row.inverse_mass};
