@@ -1,6 +1,7 @@
 // Asks for memory that will be read soon. It changes no result.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 
 namespace cairn::physics {
@@ -17,6 +18,17 @@ inline void prefetch(const void* from, std::size_t size) {
 /// One line, which is also taken from the cache of another core, for it will be written.
 inline void prefetch_to_write(const void* at) {
     __builtin_prefetch(at, 1);
+}
+
+/// Calls visit(item) for all, and ask(item) some items ahead of it, to ask for what the visit will read.
+template <class Items, class Ask, class Visit>
+void visit_asking_ahead(const Items& items, std::size_t ahead, const Ask& ask, const Visit& visit) {
+    const std::size_t count = items.size();
+    for (std::size_t i = 0; i < std::min(ahead, count); ++i) ask(items[i]);
+    for (std::size_t i = 0; i < count; ++i) {
+        if (i + ahead < count) ask(items[i + ahead]);
+        visit(items[i]);
+    }
 }
 
 /// How many blocks ahead: far enough for memory to answer, near enough for the cache to hold all of them.

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/assert.h"
+#include "base/prefetch.h"
 
 namespace cairn::physics {
 
@@ -37,6 +38,8 @@ class SlotMap {
         const int index = free_head_;
         Slot& slot = slots_[index];
         free_head_ = slot.next_free;
+        // Where many are made at once, each would wait for the slot that was freed longest ago.
+        if (free_head_ != kNone) ask_for(free_head_);
         --free_;
         slot.value = std::move(value);
         slot.alive = true;
@@ -70,6 +73,8 @@ class SlotMap {
 
     T& operator[](int index) { return slots_[index].value; }
     const T& operator[](int index) const { return slots_[index].value; }
+    /// Asks for the memory of a slot that will be looked at soon.
+    void ask_for(int index) const { prefetch(&slots_[index], sizeof(Slot)); }
     [[nodiscard]] bool alive(int index) const { return slots_[index].alive; }
     /// One past the last slot in use; walk the slots with `alive`.
     [[nodiscard]] int end_index() const { return static_cast<int>(slots_.size()); }

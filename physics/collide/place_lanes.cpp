@@ -6,6 +6,7 @@
 
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
+#include <limits>
 
 #include <cairn/physics/tuning.h>
 
@@ -166,19 +167,42 @@ HWY_INLINE DisplacementColumns load_displacements(const Displacement* displaceme
     return {load_rows(from, 0), load_rows(from, 4)};
 }
 
-// `apart`: distance of the bodies' centres before the step; `relative`: how far one moved as seen from the
-// other without turning.
-// A way counts when it is long enough, on its own and as seen from the other.
-HWY_INLINE M may_have_met(const DisplacementColumns& one, const DisplacementColumns& other, V apart,
-                          V relative) {
+// How a pair of bodies moved in the step, as one is seen from the other without turning.
+struct RelativeWays {
+    V before;   // distance of the centres
+    V after;    // the same
+    V nearest;  // the least on the way, less what rounding may make of it
+    V length;
+};
+
+HWY_INLINE RelativeWays relative_ways(Vec after, Vec way) {
+    const Vec before = sub(after, way);
+    const V whole = dot(way, way);
+    const V share = hn::Div(hn::Neg(dot(before, way)), hn::Max(whole, set(std::numeric_limits<float>::min())));
+    const Vec nearest = add(before, scale(hn::Max(hn::Zero(D()), hn::Min(share, set(1))), way));
+    RelativeWays ways;
+    ways.before = hn::Sqrt(dot(before, before));
+    ways.after = hn::Sqrt(dot(after, after));
+    ways.length = hn::Sqrt(whole);
+    const V rounding = hn::Mul(set(kRounding), hn::Add(ways.before, ways.length));
+    ways.nearest = hn::Sub(hn::Sqrt(dot(nearest, nearest)), rounding);
+    return ways;
+}
+
+// A way counts when it is long enough, on its own and as seen from the other; and when it comes near enough:
+// where the other turns, what it sees as straight is bent by no more than its chord at the end of the way.
+HWY_INLINE M may_have_met(const DisplacementColumns& one, const DisplacementColumns& other,
+                          const RelativeWays& ways) {
     const V arm = one.tail.x;
     const V turned = hn::Mul(one.head.z, arm);
     const V own_way = hn::Add(hn::Sqrt(dot({one.head.x, one.head.y}, {one.head.x, one.head.y})), turned);
-    const V by_own_turn = hn::Add(relative, turned);
-    const V by_other = hn::Mul(other.head.z, hn::Add(apart, arm));
+    const V by_own_turn = hn::Add(ways.length, turned);
+    const V by_other = hn::Mul(other.head.z, hn::Add(ways.before, arm));
     const V way = hn::Add(by_own_turn, by_other);
     const M far = hn::Gt(hn::Min(own_way, way), one.tail.y);
-    return hn::And(far, hn::Le(hn::Sub(apart, arm), hn::Add(other.head.u, way)));
+    const V bent = hn::Mul(other.head.z, hn::Add(ways.after, arm));
+    const M beside = hn::Gt(hn::Sub(ways.nearest, arm), hn::Add(other.head.u, bent));
+    return hn::AndNot(beside, far);
 }
 
 void find_passed(const Place* places, const Lanes<std::int32_t>& body_a, const Lanes<std::int32_t>& body_b,
@@ -198,11 +222,8 @@ void find_passed(const Place* places, const Lanes<std::int32_t>& body_a, const L
         const DisplacementColumns of_a = load_displacements(displacements, turn_a.z);
         const DisplacementColumns of_b = load_displacements(displacements, turn_b.z);
         const Vec relative = sub({of_b.head.x, of_b.head.y}, {of_a.head.x, of_a.head.y});
-        const Vec before = sub(between(places, a, b), relative);
-        const V relative_m = hn::Sqrt(dot(relative, relative));
-        const V apart = hn::Sqrt(dot(before, before));
-        const M met =
-            hn::Or(may_have_met(of_a, of_b, apart, relative_m), may_have_met(of_b, of_a, apart, relative_m));
+        const RelativeWays ways = relative_ways(between(places, a, b), relative);
+        const M met = hn::Or(may_have_met(of_a, of_b, ways), may_have_met(of_b, of_a, ways));
         passed |= (bits_of(met) & fast) << lane;
     }
     passed &= lanes;

@@ -4,11 +4,14 @@
 // one of its bodies is awake; it is in the edge lists of both bodies.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include <cairn/physics/ids.h>
 
+#include "base/prefetch.h"
 #include "base/slot_map.h"
 #include "resolve/contact_lanes.h"
 #include "world/active_list.h"
@@ -64,5 +67,14 @@ struct ContactStore {
     ActiveList<&ContactRecord::uneven_index> uneven;  // of those that are listed: world/direct_groups.h
     std::vector<std::uint32_t> colors;  // by body slot: bits of those in which the body is moved
 };
+
+/// How many records ahead.
+inline constexpr std::size_t kRecordsAhead = 8;
+
+/// Calls visit(contact) for each of some, which stand all over memory.
+template <class Visit>
+void visit_contacts(const ContactStore& contacts, std::span<const int> some, const Visit& visit) {
+    visit_asking_ahead(some, kRecordsAhead, [&](int contact) { contacts.slots.ask_for(contact); }, visit);
+}
 
 }  // namespace cairn::physics

@@ -67,15 +67,18 @@ class Update {
         scratch_.awaited.clear();
         mark_what_was_put_in();
         update_uncolored();
-        for (const int contact : scratch_.met) unlist_contact(stores_, contact);
+        visit_contacts(stores_.contacts, scratch_.met,
+                       [&](int contact) { unlist_contact(stores_, contact); });
         loose_done_ = stores_.contacts.loose.size();
-        for (const int contact : scratch_.met) color_contact(stores_, contact);
+        visit_contacts(stores_.contacts, scratch_.met,
+                       [&](int contact) { color_contact(stores_, contact); });
         scratch_.met.clear();
         update_uncolored();  // those that found no colour
         remove_gone(stores_, world_.events, scratch_);
         stores_.contacts.lanes.arrange();
         update_blocks();
-        for (const int contact : scratch_.parted) forget_points(stores_, contact);
+        visit_contacts(stores_.contacts, scratch_.parted,
+                       [&](int contact) { forget_points(stores_, contact); });
         scratch_.parted.clear();
         remember_what_was_put_in();
         remove_gone(stores_, world_.events, scratch_);
@@ -250,7 +253,9 @@ class Update {
         scratch_.notes.for_each([&](const LaneNote& note) {
             scratch_.notes_in_order[scratch_.block_findings[note.block].next_note++] = &note;
         });
-        for (const LaneNote* note : scratch_.notes_in_order) settle(*note);
+        const auto ask = [&](const LaneNote* note) { stores_.contacts.slots.ask_for(note->contact); };
+        visit_asking_ahead(scratch_.notes_in_order, kRecordsAhead, ask,
+                           [&](const LaneNote* note) { settle(*note); });
     }
 
     // Only where something stood in the last step, and nothing is afoot that could change what blocks found.
@@ -329,13 +334,15 @@ class Update {
         block.reports = (told | bounces) != 0;
         for (unsigned rest = apart; rest != 0; rest &= rest - 1) {
             const int lane = std::countr_zero(rest);
-            LaneNote& note = notes.emplace_back(LaneNote{block_index, lane, false, {}});
+            LaneNote& note = notes.emplace_back(LaneNote{block_index, lane, pairs.contact[lane], false, {}});
             ContactInput ahead;
             if (meets_again(places, manifold, lane, pairs.contact[lane], ahead)) note.form = ahead;
         }
         for (unsigned rest = (told | loose | deep) & ~gone; rest != 0; rest &= rest - 1) {
             const int lane = std::countr_zero(rest);
-            LaneNote& note = notes.emplace_back(LaneNote{block_index, lane, (loose >> lane & 1) != 0, {}});
+            const bool is_loose = (loose >> lane & 1) != 0;
+            LaneNote& note =
+                notes.emplace_back(LaneNote{block_index, lane, pairs.contact[lane], is_loose, {}});
             note.form = plain_form(make_input(stores_, pairs, places, manifold, lane), block, lane);
         }
         return gone;
@@ -366,8 +373,7 @@ class Update {
     void settle(const LaneNote& note) {
         const auto* plain = std::get_if<ContactConstraint>(&note.form);
         if (plain == nullptr) {
-            part(stores_.contacts.lanes.pairs(note.block).contact[note.lane],
-                 std::get_if<ContactInput>(&note.form));
+            part(note.contact, std::get_if<ContactInput>(&note.form));
             return;
         }
         scratch_.contacts.push_back(*plain);

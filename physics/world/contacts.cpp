@@ -82,17 +82,21 @@ void find_new_pairs(Stores& stores, StepScratch& scratch, TaskPool& tasks) {
     });
     scratch.found_pairs.copy_to(scratch.pairs);
     stores.broad.end_search(scratch.pairs);
-    for (const ItemPair& pair : scratch.pairs) {
-        if (pair.may_be_known && has_contact(stores, pair.a, pair.b)) continue;
+    const auto ask = [&](const ItemPair& pair) {
+        stores.shapes.ask_for(pair.a);
+        stores.shapes.ask_for(pair.b);
+    };
+    visit_asking_ahead(scratch.pairs, kRecordsAhead, ask, [&](const ItemPair& pair) {
+        if (pair.may_be_known && has_contact(stores, pair.a, pair.b)) return;
         if (may_collide(stores, pair.a, pair.b)) create_contact(stores, pair.a, pair.b);
-    }
+    });
 }
 
 void remove_gone(Stores& stores, Events& events, StepScratch& scratch) {
-    for (const int contact : scratch.gone) {
+    visit_contacts(stores.contacts, scratch.gone, [&](int contact) {
         report_parting(stores, stores.contacts.slots[contact], events.ends);
         remove_contact(stores, contact);
-    }
+    });
     scratch.gone.clear();
 }
 

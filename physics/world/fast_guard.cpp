@@ -113,21 +113,6 @@ bool has_left_its_boxes(const Stores& stores, int body) {
     return (stores.bodies.places[body].flags & place_flag::kBoxesMoved) != 0;
 }
 
-float free_share_by_trees(const Stores& stores, int body) {
-    float share = 1;
-    for (int s = stores.bodies.slots[body].first_shape; s != kNone; s = stores.shapes[s].next_of_body) {
-        const Way way(stores, s);
-        if (!way.is_looked_at()) continue;
-        const auto visit = [&](int other) {
-            const float met = way.free_share(other);
-            if (met < share && may_collide(stores, s, other) && !lets_pass(stores, s, other)) share = met;
-        };
-        for (const Layer layer : kLayers)
-            stores.broad.tree(layer).query_segment(way.from(), way.way(), visit);
-    }
-    return share;
-}
-
 bool is_guarded(const Stores& stores, int body) {
     return (stores.bodies.places[body].flags & place_flag::kFast) != 0 && stores.bodies.is_awake(body) &&
            stores.bodies.slots[body].type == BodyType::Dynamic;
@@ -207,7 +192,7 @@ class Guard {
             for (int i = chunk.begin; i < chunk.end; ++i) {
                 const int body = fast[i];
                 if (!is_guarded(stores_, body) || !has_left_its_boxes(stores_, body)) continue;
-                ways_.free_shares[stores_.bodies.places[body].row] = free_share_by_trees(stores_, body);
+                ways_.free_shares[places_[body].row] = free_share_by_trees(body);
             }
         });
     }
@@ -244,14 +229,14 @@ class Guard {
         if (beside.size() == 0 || !note_strayed(fast)) return;
         look(beside.parts(), 1, [&](int part, std::vector<FreeShare>& found) {
             Pack pack;
+            const auto follow = [&](const ItemPair& pair, std::size_t lane) {
+                if (can_meet(pair)) follow_both({pack.body_a[lane], pair.a}, {pack.body_b[lane], pair.b}, found);
+            };
             beside.for_parts(part, part + 1, [&](const ItemPair& pair) {
                 if (ways_.strayed[pair.a] == 0 && ways_.strayed[pair.b] == 0) return;
-                pack.pairs[pack.size] = pair;
-                pack.body_a[pack.size] = stores_.shapes[pair.a].body;
-                pack.body_b[pack.size] = stores_.shapes[pair.b].body;
-                if (++pack.size == kLanes) look_at(pack, found);
+                if (add(pair, pack)) for_passed(pack, follow);
             });
-            look_at(pack, found);
+            for_passed(pack, follow);
         });
     }
 
@@ -261,13 +246,57 @@ class Guard {
         int shape;
     };
 
-    // Pairs beside each other, eight at once.
+    // Pairs of shapes, eight at once.
     struct Pack {
         std::array<ItemPair, kLanes> pairs;
         alignas(32) Lanes<std::int32_t> body_a{};
         alignas(32) Lanes<std::int32_t> body_b{};
         int size = 0;
     };
+
+    // Whether the pack is full now.
+    [[nodiscard]] bool add(const ItemPair& pair, Pack& pack) const {
+        pack.pairs[pack.size] = pair;
+        pack.body_a[pack.size] = stores_.shapes[pair.a].body;
+        pack.body_b[pack.size] = stores_.shapes[pair.b].body;
+        return ++pack.size == kLanes;
+    }
+
+    // Calls visit(pair, its lane) for those that may have met, and empties the pack.
+    template <class Visit>
+    void for_passed(Pack& pack, const Visit& visit) const {
+        if (pack.size == 0) return;
+        unsigned passed = passed_lanes(pack.body_a, pack.body_b, pack.size);
+        for (; passed != 0; passed &= passed - 1) {
+            const auto lane = static_cast<std::size_t>(std::countr_zero(passed));
+            visit(pack.pairs[lane], lane);
+        }
+        pack.size = 0;
+    }
+
+    [[nodiscard]] bool can_meet(const ItemPair& pair) const {
+        return may_collide(stores_, pair.a, pair.b) && !lets_pass(stores_, pair.a, pair.b);
+    }
+
+    [[nodiscard]] float free_share_by_trees(int body) const {
+        float share = 1;
+        for (int s = stores_.bodies.slots[body].first_shape; s != kNone; s = stores_.shapes[s].next_of_body) {
+            const Way way(stores_, s);
+            if (!way.is_looked_at()) continue;
+            Pack pack;
+            const auto follow = [&](const ItemPair& pair, std::size_t) {
+                const float met = way.free_share(pair.b);
+                if (met < share && can_meet(pair)) share = met;
+            };
+            const auto visit = [&](int other) {
+                if (add({s, other}, pack)) for_passed(pack, follow);
+            };
+            for (const Layer layer : kLayers)
+                stores_.broad.tree(layer).query_segment(way.from(), way.way(), visit);
+            for_passed(pack, follow);
+        }
+        return share;
+    }
 
     // Calls visit(i, found) for 0 up to, and without, count, and takes the least shares found.
     template <class Visit>
@@ -297,19 +326,6 @@ class Guard {
         if (!is_guarded(stores_, side.body) || has_left_its_boxes(stores_, side.body)) return;
         const float share = Way(stores_, side.shape).free_share(other);
         if (share < 1) found.push_back({places_[side.body].row, share});
-    }
-
-    // Empties the pack.
-    void look_at(Pack& pack, std::vector<FreeShare>& found) const {
-        if (pack.size == 0) return;
-        unsigned passed = passed_lanes(pack.body_a, pack.body_b, pack.size);
-        for (; passed != 0; passed &= passed - 1) {
-            const auto lane = static_cast<std::size_t>(std::countr_zero(passed));
-            const ItemPair& pair = pack.pairs[lane];
-            if (may_collide(stores_, pair.a, pair.b) && !lets_pass(stores_, pair.a, pair.b))
-                follow_both({pack.body_a[lane], pair.a}, {pack.body_b[lane], pair.b}, found);
-        }
-        pack.size = 0;
     }
 
     // By shape; whether there are any.

@@ -183,6 +183,7 @@ struct WayScratch {
 struct LaneNote {
     int block;
     int lane;
+    int contact;
     bool is_loose;  ///< solved in plain form instead of the lane's; else beside it
     /// The plain form. What has no points any more has none, or the contact that it will make again within
     /// the step.
