@@ -31,6 +31,21 @@ void visit_asking_ahead(const Items& items, std::size_t ahead, const Ask& ask, c
     }
 }
 
+/// The same in two stages: half as far ahead, ask_next(item) asks for what the first told of.
+template <class Items, class Ask, class AskNext, class Visit>
+void visit_asking_ahead(const Items& items, std::size_t ahead, const Ask& ask, const AskNext& ask_next,
+                        const Visit& visit) {
+    const std::size_t next = ahead / 2;
+    const std::size_t count = items.size();
+    for (std::size_t i = 0; i < std::min(ahead, count); ++i) ask(items[i]);
+    for (std::size_t i = 0; i < std::min(next, count); ++i) ask_next(items[i]);
+    for (std::size_t i = 0; i < count; ++i) {
+        if (i + ahead < count) ask(items[i + ahead]);
+        if (i + next < count) ask_next(items[i + next]);
+        visit(items[i]);
+    }
+}
+
 /// How many blocks ahead: far enough for memory to answer, near enough for the cache to hold all of them.
 inline constexpr std::size_t kBlocksAhead = 6;
 

@@ -3,6 +3,7 @@
 // used again, so a stale handle can never name a newer object.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -73,8 +74,10 @@ class SlotMap {
 
     T& operator[](int index) { return slots_[index].value; }
     const T& operator[](int index) const { return slots_[index].value; }
-    /// Asks for the memory of a slot that will be looked at soon.
-    void ask_for(int index) const { prefetch(&slots_[index], sizeof(Slot)); }
+    /// Asks for the memory of an object that will be looked at soon; `size` bytes of it, if not all.
+    void ask_for(int index, std::size_t size = sizeof(T)) const {
+        prefetch(&slots_[index], sizeof(Slot) - sizeof(T) + size);
+    }
     [[nodiscard]] bool alive(int index) const { return slots_[index].alive; }
     /// One past the last slot in use; walk the slots with `alive`.
     [[nodiscard]] int end_index() const { return static_cast<int>(slots_.size()); }

@@ -231,11 +231,8 @@ BodyLanes body_lanes(BodyStore& bodies, int first, int last) {
     const std::vector<int>& body_of = bodies.rows(RowSet::Awake).body;
     BodyLanes lanes{.first = first, .count = std::min(last - first, kLanes)};
     // Rows of what woke body by body are in no order that hardware would foresee.
-    for (int row = first + 2 * kLanes; row < std::min(first + 3 * kLanes, last); ++row) {
-        const int body = body_of[static_cast<std::size_t>(row)];
-        prefetch(&bodies.slots[body], 2 * kCacheLine_B);
-        prefetch(&bodies.places[static_cast<std::size_t>(body)], 1);
-    }
+    for (int row = first + 2 * kLanes; row < std::min(first + 3 * kLanes, last); ++row)
+        bodies.ask_for(body_of[static_cast<std::size_t>(row)]);
     for (int lane = 0; lane < kLanes; ++lane) {
         const int body = body_of[static_cast<std::size_t>(first + std::min(lane, lanes.count - 1))];
         lanes.records[lane] = &bodies.slots[body];

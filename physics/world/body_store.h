@@ -94,6 +94,12 @@ class BodyStore {
     /// Takes the body's row to another set.
     void move_row(int body, RowSet set);
 
+    /// Asks for what moving the body will read, besides its row.
+    void ask_for(int body) const {
+        slots.ask_for(body);
+        prefetch(&places[static_cast<std::size_t>(body)], sizeof(Place));
+    }
+
     /// Of the body's origin.
     [[nodiscard]] Position origin(int body) const {
         const Place& place = places[static_cast<std::size_t>(body)];

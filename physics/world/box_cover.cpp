@@ -15,6 +15,19 @@ void BoxCover::add(int body, const AheadLanes& ahead, int lane, bool goes_along)
 }
 
 void BoxCover::add(int body, const Way& way) {
+    const int shape = stores_.bodies.slots[body].first_shape;
+    if (shape != kNone) ask_for_geometry(stores_.shapes, shape);
+    if (waiting_count_ == kLanes) take_waiting();
+    waiting_[waiting_count_] = body;
+    ways_[waiting_count_++] = way;
+}
+
+void BoxCover::take_waiting() {
+    for (int i = 0; i < waiting_count_; ++i) take(waiting_[i], ways_[i]);
+    waiting_count_ = 0;
+}
+
+void BoxCover::take(int body, const Way& way) {
     const BodyRecord& record = stores_.bodies.slots[body];
     stores_.bodies.rows(RowSet::Awake).box_slack[record.row] = std::numeric_limits<float>::infinity();
     for (int s = record.first_shape; s != kNone; s = stores_.shapes[s].next_of_body) {

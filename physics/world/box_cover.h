@@ -24,6 +24,7 @@ class BoxCover {
     /// hold each shape in each of its turns at any place of the way (broad/box_way.h).
     void add(int body, const AheadLanes& ahead, int lane, bool goes_along);
     void finish() {
+        take_waiting();
         if (count_ > 0) flush();
     }
 
@@ -37,10 +38,16 @@ class BoxCover {
     };
 
     void add(int body, const Way& way);
+    void take_waiting();
+    void take(int body, const Way& way);
     void flush();
 
     Stores& stores_;
     std::vector<int>& untold_;
+    // Bodies whose shapes have been asked for.
+    Lanes<int> waiting_{};
+    Lanes<Way> ways_{};
+    int waiting_count_ = 0;
     CoverLanes lanes_;
     Lanes<int> shapes_{};
     Lanes<int> rows_{};

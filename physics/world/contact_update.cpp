@@ -28,6 +28,12 @@ namespace {
 // What a thread takes at once.
 constexpr int kBlocksPerChunk = 8;
 
+// Blocks ahead of which bodies and shapes are asked for.
+constexpr std::size_t kPairsAhead = 2;
+
+// Blocks of near pairs ahead of which contacts are asked for, and the blocks themselves twice as far ahead.
+constexpr std::size_t kFindingsAhead = 4;
+
 // m/s. Bodies that are faster are not ones that were put somewhere.
 constexpr float kCalm_m_s = 1;
 
@@ -117,19 +123,35 @@ class Update {
                   world_.tasks);
         ahead_ = scratch_.near_ahead;
         const int first_block = first / kLanes;
-        for (std::size_t i = 0; i < scratch_.near_findings.size(); ++i) {
+        const std::vector<NearFindings>& findings = scratch_.near_findings;
+        for (std::size_t i = 0; i < findings.size(); ++i) {
+            ask_for_near(geometry, first_block, i);
+            if (findings[i].any() == 0) continue;
             const int block = first_block + static_cast<int>(i);
-            settle_near(geometry, block, near_lanes(first, count, block), scratch_.near_findings[i]);
+            settle_near(geometry, block, near_lanes(first, count, block), findings[i]);
         }
         return count;
+    }
+
+    // For what settling the findings after the i-th will read: blocks first, and then their contacts.
+    void ask_for_near(PairGeometry geometry, int first_block, std::size_t i) const {
+        const std::vector<NearFindings>& findings = scratch_.near_findings;
+        const PairBlock* pairs = &stores_.contacts.lanes.near_pairs(geometry)[first_block];
+        const std::size_t far = i + 2 * kFindingsAhead;
+        if (far < findings.size() && findings[far].any() != 0) {
+            prefetch(&pairs[far].contact, sizeof pairs->contact);
+            prefetch(&pairs[far].remembers, sizeof pairs->remembers);
+        }
+        const std::size_t soon = i + kFindingsAhead;
+        if (soon >= findings.size()) return;
+        for (unsigned rest = findings[soon].any(); rest != 0; rest &= rest - 1)
+            stores_.contacts.slots.ask_for(pairs[soon].contact[std::countr_zero(rest)]);
     }
 
     void settle_near(PairGeometry geometry, int block, unsigned lanes, const NearFindings& found) {
         // Waking may move the blocks.
         const auto pairs = [&]() -> PairBlock& { return stores_.contacts.lanes.near_pairs(geometry)[block]; };
-        unsigned rest =
-            (found.will_meet | pairs().remembers | found.gone | found.meets | found.rouses) & lanes;
-        for (; rest != 0; rest &= rest - 1) {
+        for (unsigned rest = found.any() & lanes; rest != 0; rest &= rest - 1) {
             const int lane = std::countr_zero(rest);
             const int contact = pairs().contact[lane];
             if ((found.gone >> lane & 1) != 0) {
@@ -285,10 +307,17 @@ class Update {
     }
 
     void fetch_ahead(std::span<const int> blocks, int at) const {
+        const ContactLanes& lanes = stores_.contacts.lanes;
+        const std::size_t soon = static_cast<std::size_t>(at) + kPairsAhead;
+        if (soon < blocks.size()) {
+            const int block = blocks[soon];
+            ask_for_pairs(stores_, lanes.pairs(block), geometry_of(lanes.link(block).bucket),
+                          lanes_of(block));
+        }
         const std::size_t ahead = static_cast<std::size_t>(at) + kBlocksAhead;
         if (ahead >= blocks.size()) return;
-        prefetch(&stores_.contacts.lanes.pairs(blocks[ahead]), sizeof(PairBlock));
-        prefetch(&stores_.contacts.lanes.block(blocks[ahead]), sizeof(ContactBlock));
+        prefetch(&lanes.pairs(blocks[ahead]), sizeof(PairBlock));
+        prefetch(&lanes.block(blocks[ahead]), sizeof(ContactBlock));
     }
 
     [[nodiscard]] unsigned lanes_of(int block) const {
@@ -332,13 +361,16 @@ class Update {
         const unsigned bounces = faint & ~(told | loose | deep);
         block.bounces = static_cast<LaneBits>(bounces);
         block.reports = (told | bounces) != 0;
+        const unsigned plain = (told | loose | deep) & ~gone;
+        for (unsigned rest = apart | plain; rest != 0; rest &= rest - 1)
+            stores_.contacts.slots.ask_for(pairs.contact[std::countr_zero(rest)]);
         for (unsigned rest = apart; rest != 0; rest &= rest - 1) {
             const int lane = std::countr_zero(rest);
             LaneNote& note = notes.emplace_back(LaneNote{block_index, lane, pairs.contact[lane], false, {}});
             ContactInput ahead;
             if (meets_again(places, manifold, lane, pairs.contact[lane], ahead)) note.form = ahead;
         }
-        for (unsigned rest = (told | loose | deep) & ~gone; rest != 0; rest &= rest - 1) {
+        for (unsigned rest = plain; rest != 0; rest &= rest - 1) {
             const int lane = std::countr_zero(rest);
             const bool is_loose = (loose >> lane & 1) != 0;
             LaneNote& note =

@@ -83,17 +83,30 @@ void find_new_pairs(Stores& stores, StepScratch& scratch, TaskPool& tasks) {
     scratch.found_pairs.copy_to(scratch.pairs);
     stores.broad.end_search(scratch.pairs);
     const auto ask = [&](const ItemPair& pair) {
-        stores.shapes.ask_for(pair.a);
-        stores.shapes.ask_for(pair.b);
+        for (const int shape : {pair.a, pair.b}) {
+            stores.shapes.ask_for(shape, kCacheLine_B);
+            prefetch(&stores.shapes[shape].def, sizeof(ShapeDef));
+        }
     };
-    visit_asking_ahead(scratch.pairs, kRecordsAhead, ask, [&](const ItemPair& pair) {
+    const auto ask_for_bodies = [&](const ItemPair& pair) {
+        for (const int shape : {pair.a, pair.b}) stores.bodies.slots.ask_for(stores.shapes[shape].body);
+    };
+    visit_asking_ahead(scratch.pairs, kRecordsAhead, ask, ask_for_bodies, [&](const ItemPair& pair) {
         if (pair.may_be_known && has_contact(stores, pair.a, pair.b)) return;
         if (may_collide(stores, pair.a, pair.b)) create_contact(stores, pair.a, pair.b);
     });
 }
 
 void remove_gone(Stores& stores, Events& events, StepScratch& scratch) {
-    visit_contacts(stores.contacts, scratch.gone, [&](int contact) {
+    const auto& slots = stores.contacts.slots;
+    const auto ask = [&](int contact) { slots.ask_for(contact); };
+    const auto ask_for_neighbours = [&](int contact) {
+        for (const Edge& edge : slots[contact].edges) {
+            if (edge.previous != kNone) slots.ask_for(edge_record(edge.previous));
+            if (edge.next != kNone) slots.ask_for(edge_record(edge.next));
+        }
+    };
+    visit_asking_ahead(scratch.gone, kRecordsAhead, ask, ask_for_neighbours, [&](int contact) {
         report_parting(stores, stores.contacts.slots[contact], events.ends);
         remove_contact(stores, contact);
     });

@@ -24,6 +24,9 @@ constexpr int kRowsPerChunk = 512;
 constexpr int kBlocksPerChunk = 32;
 constexpr int kContactsPerChunk = 64;
 
+// Rows ahead of which bodies are asked for.
+constexpr int kRowsAhead = 12;
+
 // Of a way, how far float may put what lies along it aside.
 constexpr float kRounding = 1e-6f;
 
@@ -135,12 +138,14 @@ Displacement displacement_of(const Stores& stores, int row) {
 }
 
 void note_displacements(const Stores& stores, std::vector<Displacement>& displacements, TaskPool& tasks) {
-    const int awake = stores.bodies.rows(RowSet::Awake).size();
-    resize_amply(displacements, static_cast<std::size_t>(awake) + 1);
+    const std::vector<int>& bodies = stores.bodies.rows(RowSet::Awake).body;
+    resize_amply(displacements, bodies.size() + 1);
     displacements[kWorldRow] = {};
-    tasks.parallel_for(awake, kRowsPerChunk, [&](const Chunk& chunk) {
-        for (int row = chunk.begin; row < chunk.end; ++row)
+    tasks.parallel_for(static_cast<int>(bodies.size()), kRowsPerChunk, [&](const Chunk& chunk) {
+        for (int row = chunk.begin; row < chunk.end; ++row) {
+            if (row + kRowsAhead < chunk.end) stores.bodies.ask_for(bodies[row + kRowsAhead]);
             displacements[static_cast<std::size_t>(row) + 1] = displacement_of(stores, row);
+        }
     });
 }
 

@@ -8,6 +8,7 @@
 
 #include <cairn/physics/tuning.h>
 
+#include "base/prefetch.h"
 #include "broad/parted_pairs.h"
 #include "collide/hull_lanes.h"
 #include "world/tiny_contacts.h"
@@ -73,6 +74,17 @@ unsigned gone_lanes(const Stores& stores, const PairBlock& pairs, unsigned lanes
     return parted_lanes(stores.fat_boxes, stores.broad.ways(), pairs.shape_a, pairs.shape_b, lanes);
 }
 
+void ask_for_pairs(const Stores& stores, const PairBlock& pairs, PairGeometry geometry, unsigned lanes) {
+    for (; lanes != 0; lanes &= lanes - 1) {
+        const int lane = std::countr_zero(lanes);
+        prefetch(&stores.bodies.places[pairs.body_a[lane]], sizeof(Place));
+        prefetch(&stores.bodies.places[pairs.body_b[lane]], sizeof(Place));
+        if (geometry == PairGeometry::Boxes) continue;  // the block knows them
+        ask_for_geometry(stores.shapes, pairs.shape_a[lane]);
+        ask_for_geometry(stores.shapes, pairs.shape_b[lane]);
+    }
+}
+
 void collide_block(const Stores& stores, const PairBlock& pairs, PairGeometry geometry, unsigned lanes,
                    const PoseLanes& poses, ManifoldLanes& out, float unit) {
     unsigned general = ~0u;
@@ -112,8 +124,8 @@ ContactInput make_input(const Stores& stores, const PairBlock& pairs, const Bloc
     }
     input.friction = record.friction;
     input.restitution = record.restitution;
-    input.radius_a = stores.shapes[record.shape_a].convex.radius();
-    input.radius_b = stores.shapes[record.shape_b].convex.radius();
+    input.radius_a = stores.shapes[pairs.shape_a[lane]].convex.radius();
+    input.radius_b = stores.shapes[pairs.shape_b[lane]].convex.radius();
     return input;
 }
 

@@ -11,6 +11,9 @@ namespace cairn::physics {
 /// Of some lanes those whose boxes have parted, or keep apart on their ways.
 unsigned gone_lanes(const Stores& stores, const PairBlock& pairs, unsigned lanes);
 
+/// Asks for what colliding some lanes will read besides the block.
+void ask_for_pairs(const Stores& stores, const PairBlock& pairs, PairGeometry geometry, unsigned lanes);
+
 /// `lanes` has a bit for each lane that is wanted. Another unit than 1 is for what goes one by one
 /// (world/tiny_contacts.h).
 void collide_block(const Stores& stores, const PairBlock& pairs, PairGeometry geometry, unsigned lanes,

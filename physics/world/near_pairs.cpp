@@ -4,6 +4,7 @@
 #include <bit>
 
 #include "base/ample.h"
+#include "base/prefetch.h"
 #include "world/narrow_phase.h"
 
 namespace cairn::physics {
@@ -11,6 +12,20 @@ namespace {
 
 // What a thread takes at once: enough that few packs are not full.
 constexpr int kBlocksPerChunk = 32;
+
+// Blocks ahead of which memory is asked for.
+constexpr int kLooksAhead = 4;
+
+AxisGap seen_gap(const ManifoldLanes& manifold, int lane) {
+    return {{manifold.normal_x[lane], manifold.normal_y[lane]}, manifold.gap[lane]};
+}
+
+// By what was seen along the normal.
+bool may_meet_ahead(const std::vector<Advance>& advances, const BlockPlaces& places,
+                    const ManifoldLanes& manifold, int lane, float dt_s) {
+    return (places.fast >> lane & 1) != 0 && could_meet(advances[places.row_a[lane]], advances[places.row_b[lane]],
+                                                        seen_gap(manifold, lane), dt_s);
+}
 
 // Looks at some blocks of near pairs, one after the other.
 class NearLook {
@@ -27,6 +42,13 @@ class NearLook {
           scratch_(scratch),
           ahead_(ahead) {}
 
+    /// Asks for what looking at a block will read first.
+    void ask_for(int block) const {
+        const PairBlock& pairs = lanes_.near_pairs(geometry_)[block];
+        prefetch(&pairs.body_a, sizeof pairs.body_a + sizeof pairs.body_b);
+        prefetch(&pairs.seen, sizeof pairs.seen);
+    }
+
     void look_at(int block, unsigned lanes) {
         const PairBlock& pairs = lanes_.near_pairs(geometry_)[block];
         const NearLanes near = look_near(stores_.bodies.places.data(), pairs.body_a, pairs.body_b,
@@ -34,6 +56,7 @@ class NearLook {
                                          pairs.seen, scratch_.advances.data(), dt_s_, lanes);
         NearFindings& found = scratch_.near_findings[block - first_block_];
         found = {};
+        found.remembers = pairs.remembers;
         found.gone = static_cast<std::uint8_t>(gone_lanes(stores_, pairs, near.boxes_moved));
         unsigned close = near.close & ~found.gone;
         if (close == kAll && packed_ == 0) {
@@ -43,6 +66,8 @@ class NearLook {
         for (; close != 0; close &= close - 1) {
             const int lane = std::countr_zero(close);
             copy_geometry(pack_, packed_, pairs, lane);
+            ask_for_geometry(stores_.shapes, pairs.shape_a[lane]);
+            ask_for_geometry(stores_.shapes, pairs.shape_b[lane]);
             from_[packed_++] = block * kLanes + lane;
             if (packed_ == kLanes) finish();
         }
@@ -60,6 +85,7 @@ class NearLook {
     void look_closer(const PairBlock& pairs, unsigned lanes) {
         load_places(stores_.bodies.places.data(), pairs.body_a, pairs.body_b, lanes, places_);
         collide_block(stores_, pairs, geometry_, lanes, places_.poses, manifold_);
+        unsigned ahead = 0;
         for (; lanes != 0; lanes &= lanes - 1) {
             const int lane = std::countr_zero(lanes);
             NearFindings& found = scratch_.near_findings[from_[lane] / kLanes - first_block_];
@@ -71,11 +97,19 @@ class NearLook {
             sights_[from_[lane]] = make_sight(places_.poses, lane, manifold_.gap[lane]);
             lanes_.near_pairs(geometry_)[from_[lane] / kLanes].seen |= bit;
             if (may_reach(scratch_.advances, places_, manifold_, lane, dt_s_)) found.rouses |= bit;
+            if (!may_meet_ahead(scratch_.advances, places_, manifold_, lane, dt_s_)) continue;
+            ahead |= 1u << lane;
+            stores_.contacts.slots.ask_for(pairs.contact[lane]);
+            stores_.bodies.slots.ask_for(pairs.body_a[lane]);
+            stores_.bodies.slots.ask_for(pairs.body_b[lane]);
+        }
+        for (; ahead != 0; ahead &= ahead - 1) {
+            const int lane = std::countr_zero(ahead);
             ContactInput input;
-            if (!meets_ahead(stores_, scratch_.advances, places_, manifold_, lane, pairs.contact[lane],
-                             gravity_m_s2_, dt_s_, input))
-                continue;
-            found.will_meet |= bit;
+            const ContactRecord& c = stores_.contacts.slots[pairs.contact[lane]];
+            if (!predict_contact(stores_, c, seen_gap(manifold_, lane), gravity_m_s2_, dt_s_, input)) continue;
+            scratch_.near_findings[from_[lane] / kLanes - first_block_].will_meet |=
+                static_cast<std::uint8_t>(1 << from_[lane] % kLanes);
             ahead_.push_back({from_[lane], input});
         }
     }
@@ -101,10 +135,9 @@ class NearLook {
 bool meets_ahead(const Stores& stores, const std::vector<Advance>& advances, const BlockPlaces& places,
                  const ManifoldLanes& manifold, int lane, int contact, Vec2 gravity_m_s2, float dt_s,
                  ContactInput& input) {
-    if ((places.fast >> lane & 1) == 0) return false;
-    const AxisGap seen{{manifold.normal_x[lane], manifold.normal_y[lane]}, manifold.gap[lane]};
-    return could_meet(advances[places.row_a[lane]], advances[places.row_b[lane]], seen, dt_s) &&
-           predict_contact(stores, stores.contacts.slots[contact], seen, gravity_m_s2, dt_s, input);
+    return may_meet_ahead(advances, places, manifold, lane, dt_s) &&
+           predict_contact(stores, stores.contacts.slots[contact], seen_gap(manifold, lane), gravity_m_s2, dt_s,
+                           input);
 }
 
 bool may_reach(const std::vector<Advance>& advances, const BlockPlaces& places, const ManifoldLanes& manifold,
@@ -128,7 +161,9 @@ void find_near(Stores& stores, PairGeometry geometry, int first, int count, Vec2
     tasks.parallel_for(blocks, kBlocksPerChunk, [&](const Chunk& chunk) {
         ChunkedList<NearAhead>::Appender ahead(scratch.ahead_found, chunk);
         NearLook look(stores, geometry, first_block, gravity_m_s2, dt_s, scratch, ahead.items());
-        for (int block = first_block + chunk.begin; block < first_block + chunk.end; ++block) {
+        const int last_block = first_block + chunk.end;
+        for (int block = first_block + chunk.begin; block < last_block; ++block) {
+            if (block + kLooksAhead < last_block) look.ask_for(block + kLooksAhead);
             look.look_at(block, near_lanes(first, count, block));
         }
         look.finish();

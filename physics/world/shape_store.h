@@ -4,6 +4,8 @@
 // creation, and its sensors another.
 #pragma once
 
+#include <cstddef>
+
 #include <cairn/physics/ids.h>
 #include <cairn/physics/shape.h>
 
@@ -26,5 +28,10 @@ struct ShapeRecord {
 };
 
 using ShapeStore = SlotMap<ShapeRecord, ShapeId>;
+
+/// Asks for what is needed to collide a shape.
+inline void ask_for_geometry(const ShapeStore& shapes, int shape) {
+    shapes.ask_for(shape, offsetof(ShapeRecord, def));
+}
 
 }  // namespace cairn::physics

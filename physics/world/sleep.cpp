@@ -5,6 +5,7 @@
 
 #include <cairn/physics/tuning.h>
 
+#include "base/prefetch.h"
 #include "world/contact_lists.h"
 #include "world/joint_lists.h"
 #include "world/joints.h"
@@ -69,7 +70,11 @@ class Linking {
     }
 
     void link_all() {
-        for (int bucket = kFirstColored; bucket < kBuckets; ++bucket) link_bucket(bucket);
+        // Who is joined to whom does not depend on the order in which it is found.
+        stores_.contacts.lanes.arrange();
+        const std::span<const int> blocks = stores_.contacts.lanes.blocks_in_memory();
+        visit_asking_ahead(
+            blocks, kBlocksAhead, [&](int block) { ask_for(block); }, [&](int block) { link_block(block); });
         for (const int contact : stores_.contacts.loose) {
             const ContactRecord& c = stores_.contacts.slots[contact];
             link_any(c.body_a, c.body_b);
@@ -81,22 +86,25 @@ class Linking {
     }
 
   private:
+    void ask_for(int block) const {
+        const ContactBlock& rows = stores_.contacts.lanes.block(block);
+        prefetch(&rows.a, sizeof rows.a + sizeof rows.b);
+    }
+
     // What stands on the world joins nothing.
-    void link_bucket(int bucket) {
-        const BlockKind kind = kind_of(bucket);
-        if (kind == BlockKind::OneBody) return;
+    void link_block(int block) {
         const ContactLanes& lanes = stores_.contacts.lanes;
-        for (int block = lanes.first_block(bucket); block != kNone; block = lanes.link(block).next) {
-            const PairBlock& pairs = lanes.pairs(block);
-            const int used = lanes.link(block).used;
-            for (int lane = 0; lane < used; ++lane) {
-                if (kind == BlockKind::Carried) {
-                    link_any(pairs.body_a[lane], pairs.body_b[lane]);
-                } else if (blocks_know_rows_) {
-                    link_rows(lanes.block(block).a[lane], lanes.block(block).b[lane]);
-                } else {
-                    link_rows(row_of(pairs.body_a[lane]), row_of(pairs.body_b[lane]));
-                }
+        const BlockKind kind = kind_of(lanes.link(block).bucket);
+        if (kind == BlockKind::OneBody) return;
+        const PairBlock& pairs = lanes.pairs(block);
+        const int used = lanes.link(block).used;
+        for (int lane = 0; lane < used; ++lane) {
+            if (kind == BlockKind::Carried) {
+                link_any(pairs.body_a[lane], pairs.body_b[lane]);
+            } else if (blocks_know_rows_) {
+                link_rows(lanes.block(block).a[lane], lanes.block(block).b[lane]);
+            } else {
+                link_rows(row_of(pairs.body_a[lane]), row_of(pairs.body_b[lane]));
             }
         }
     }

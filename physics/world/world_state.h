@@ -212,6 +212,11 @@ struct NearFindings {
     std::uint8_t meets = 0;      // points
     std::uint8_t will_meet = 0;  // within the step
     std::uint8_t rouses = 0;     // reaches what sleeps within the step, and is solved from the next one on
+    std::uint8_t remembers = 0;  // as the block has it
+
+    [[nodiscard]] unsigned any() const {
+        return static_cast<unsigned>(gone | meets | will_meet | rouses | remembers);
+    }
 };
 
 /// A near pair that will meet within the step.
