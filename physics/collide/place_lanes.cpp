@@ -178,7 +178,8 @@ struct RelativeWays {
 HWY_INLINE RelativeWays relative_ways(Vec after, Vec way) {
     const Vec before = sub(after, way);
     const V whole = dot(way, way);
-    const V share = hn::Div(hn::Neg(dot(before, way)), hn::Max(whole, set(std::numeric_limits<float>::min())));
+    const V share =
+        hn::Div(hn::Neg(dot(before, way)), hn::Max(whole, set(std::numeric_limits<float>::min())));
     const Vec nearest = add(before, scale(hn::Max(hn::Zero(D()), hn::Min(share, set(1))), way));
     RelativeWays ways;
     ways.before = hn::Sqrt(dot(before, before));

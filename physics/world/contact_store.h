@@ -74,7 +74,8 @@ inline constexpr std::size_t kRecordsAhead = 8;
 /// Calls visit(contact) for each of some, which stand all over memory.
 template <class Visit>
 void visit_contacts(const ContactStore& contacts, std::span<const int> some, const Visit& visit) {
-    visit_asking_ahead(some, kRecordsAhead, [&](int contact) { contacts.slots.ask_for(contact); }, visit);
+    visit_asking_ahead(
+        some, kRecordsAhead, [&](int contact) { contacts.slots.ask_for(contact); }, visit);
 }
 
 }  // namespace cairn::physics

@@ -76,8 +76,7 @@ class Update {
         visit_contacts(stores_.contacts, scratch_.met,
                        [&](int contact) { unlist_contact(stores_, contact); });
         loose_done_ = stores_.contacts.loose.size();
-        visit_contacts(stores_.contacts, scratch_.met,
-                       [&](int contact) { color_contact(stores_, contact); });
+        visit_contacts(stores_.contacts, scratch_.met, [&](int contact) { color_contact(stores_, contact); });
         scratch_.met.clear();
         update_uncolored();  // those that found no colour
         remove_gone(stores_, world_.events, scratch_);

@@ -235,7 +235,8 @@ class Guard {
         look(beside.parts(), 1, [&](int part, std::vector<FreeShare>& found) {
             Pack pack;
             const auto follow = [&](const ItemPair& pair, std::size_t lane) {
-                if (can_meet(pair)) follow_both({pack.body_a[lane], pair.a}, {pack.body_b[lane], pair.b}, found);
+                if (can_meet(pair))
+                    follow_both({pack.body_a[lane], pair.a}, {pack.body_b[lane], pair.b}, found);
             };
             beside.for_parts(part, part + 1, [&](const ItemPair& pair) {
                 if (ways_.strayed[pair.a] == 0 && ways_.strayed[pair.b] == 0) return;

@@ -23,8 +23,9 @@ AxisGap seen_gap(const ManifoldLanes& manifold, int lane) {
 // By what was seen along the normal.
 bool may_meet_ahead(const std::vector<Advance>& advances, const BlockPlaces& places,
                     const ManifoldLanes& manifold, int lane, float dt_s) {
-    return (places.fast >> lane & 1) != 0 && could_meet(advances[places.row_a[lane]], advances[places.row_b[lane]],
-                                                        seen_gap(manifold, lane), dt_s);
+    return (places.fast >> lane & 1) != 0 &&
+           could_meet(advances[places.row_a[lane]], advances[places.row_b[lane]], seen_gap(manifold, lane),
+                      dt_s);
 }
 
 // Looks at some blocks of near pairs, one after the other.
@@ -107,7 +108,8 @@ class NearLook {
             const int lane = std::countr_zero(ahead);
             ContactInput input;
             const ContactRecord& c = stores_.contacts.slots[pairs.contact[lane]];
-            if (!predict_contact(stores_, c, seen_gap(manifold_, lane), gravity_m_s2_, dt_s_, input)) continue;
+            if (!predict_contact(stores_, c, seen_gap(manifold_, lane), gravity_m_s2_, dt_s_, input))
+                continue;
             scratch_.near_findings[from_[lane] / kLanes - first_block_].will_meet |=
                 static_cast<std::uint8_t>(1 << from_[lane] % kLanes);
             ahead_.push_back({from_[lane], input});
@@ -136,8 +138,8 @@ bool meets_ahead(const Stores& stores, const std::vector<Advance>& advances, con
                  const ManifoldLanes& manifold, int lane, int contact, Vec2 gravity_m_s2, float dt_s,
                  ContactInput& input) {
     return may_meet_ahead(advances, places, manifold, lane, dt_s) &&
-           predict_contact(stores, stores.contacts.slots[contact], seen_gap(manifold, lane), gravity_m_s2, dt_s,
-                           input);
+           predict_contact(stores, stores.contacts.slots[contact], seen_gap(manifold, lane), gravity_m_s2,
+                           dt_s, input);
 }
 
 bool may_reach(const std::vector<Advance>& advances, const BlockPlaces& places, const ManifoldLanes& manifold,
