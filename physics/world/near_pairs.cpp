@@ -57,7 +57,7 @@ class NearLook {
                                          pairs.seen, scratch_.advances.data(), dt_s_, lanes);
         NearFindings& found = scratch_.near_findings[block - first_block_];
         found = {};
-        found.remembers = pairs.remembers;
+        found.remembers = static_cast<std::uint8_t>(pairs.remembers & lanes);
         found.gone = static_cast<std::uint8_t>(gone_lanes(stores_, pairs, near.boxes_moved));
         unsigned close = near.close & ~found.gone;
         if (close == kAll && packed_ == 0) {
