@@ -30,7 +30,7 @@ struct alignas(16) PoseRow {
 inline constexpr int kWorldRow = 0;
 
 /// Who moves a body in this step.
-enum class Mover : std::uint8_t {
+enum class MovedBy : std::uint8_t {
     Flight,    // nothing acts on it but forces: one exact stride
     Substeps,  // contacts in lanes act on it
     Jointed,   // joints in lanes as well
@@ -101,7 +101,7 @@ struct Motions {
     std::vector<float> inverse_inertia;
     std::vector<float>
         rim;  // k times the reach of the body's shapes: times w, the speed of its farthest point
-    std::vector<Mover> mover;
+    std::vector<MovedBy> mover;
     // From the second substep on: which rows stand (base/standing.h), as the world's always does. Empty where
     // too few are still.
     std::vector<std::uint8_t> standing;
@@ -154,7 +154,7 @@ inline void Motions::set_row(int i, Vec2 v, float w, float inverse_mass, float i
     turned[i] = {};
     inverse_inertia[i] = inverse_inertia_of_body;
     rim[i] = k * reach_m;
-    mover[i] = Mover::Flight;
+    mover[i] = MovedBy::Flight;
 }
 
 inline void Motions::add(Vec2 v, float w, float inverse_mass, float inverse_inertia_of_body) {

@@ -27,13 +27,13 @@ int note_standing(Motions& motions, float h_s, int first, int last) {
     const float per_s = 1 / h_s;
     const auto stands = [&](int i) {
         if (motions.standing[i] != kMoves) return motions.standing[i] == kStands;
-        if (motions.mover[i] != Mover::Substeps || !is_still(motions, i)) return false;
+        if (motions.mover[i] != MovedBy::Substeps || !is_still(motions, i)) return false;
         const PoseRow& pose = motions.pose[i];
         return is_still(per_s * pose.d, per_s * motions.rim[i] * pose.theta);
     };
     int moving = 0;
     for (int i = first; i < last; ++i) {
-        if (motions.mover[i] == Mover::Flight) continue;
+        if (motions.mover[i] == MovedBy::Flight) continue;
         if (!stands(i)) {
             ++moving;
             continue;

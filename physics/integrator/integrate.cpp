@@ -84,10 +84,10 @@ void prepare_kicks(Motions& motions, std::span<const Drive> drives, float h_s, i
         VelocityRow& kick = motions.kick[i];
         kick = {};
         if (!motions.kept.empty()) motions.kept[i] = {{1, 1}, 1, 1};
-        if (motions.mover[i] == Mover::Flight) continue;
+        if (motions.mover[i] == MovedBy::Flight) continue;
         const Drive& drive = drives[i];
         // Structures of joints take the other half when they have moved.
-        const float kick_s = motions.mover[i] == Mover::Direct ? 0.5f * h_s : h_s;
+        const float kick_s = motions.mover[i] == MovedBy::Direct ? 0.5f * h_s : h_s;
         const float k = motions.pose[i].k;
         kick.v = kick_s * drive.acceleration;
         kick.w = k > 0 ? kick_s * drive.angular_acceleration / k : 0;
@@ -141,18 +141,18 @@ void integrate_positions(Motions& motions, float h_s, int first, int last) {
     const bool some_stand = !motions.standing.empty();
     const VelocityRow* const velocity = motions.velocity.data();
     PoseRow* const pose = motions.pose.data();
-    const Mover* const mover = motions.mover.data();
+    const MovedBy* const mover = motions.mover.data();
     const std::uint8_t* const standing = motions.standing.data();
     for (int i = first; i < last; ++i) {
         if (some_stand && standing[i] == kStands) continue;
-        if (mover[i] == Mover::Flight || mover[i] == Mover::Direct) continue;
+        if (mover[i] == MovedBy::Flight || mover[i] == MovedBy::Direct) continue;
         const VelocityRow row = velocity[i];
         PoseRow& at = pose[i];
         // All four columns, so that each row is one SIMD operation: k + 0 is k.
         at = {{at.d.x + h_s * row.v.x, at.d.y + h_s * row.v.y},
               at.theta + h_s * row.w,
               at.k + 0 * row.inverse_mass};
-        if (mover[i] == Mover::Turning) motions.turned[i] = Rotation::from_small_angle(motions.angle(i));
+        if (mover[i] == MovedBy::Turning) motions.turned[i] = Rotation::from_small_angle(motions.angle(i));
     }
 }
 
@@ -165,7 +165,7 @@ void fly_freely(Motions& motions, std::span<const Drive> drives, Vec2 gravity_m_
                 std::uint64_t step, int first, int last) {
     const double threshold = rounding_threshold(step);
     for (int i = first; i < last; ++i) {
-        if (motions.mover[i] != Mover::Flight) continue;
+        if (motions.mover[i] != MovedBy::Flight) continue;
         const VelocityRow before = motions.velocity[i];
         const Drive& drive = drives[i];
         const double kept = decay(drive.linear_damping, dt_s);

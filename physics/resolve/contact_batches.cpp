@@ -50,7 +50,7 @@ bool ContactBatches::same_rows(const Motions& motions, std::span<const int> bodi
     if (!std::ranges::equal(seen_.bodies, bodies)) return false;
     bool same = true;
     for (std::size_t row = 0; row < seen_.held.size(); ++row)
-        same &= seen_.held[row] == (motions.mover[row] > Mover::Substeps ? 1 : 0);
+        same &= seen_.held[row] == (motions.mover[row] > MovedBy::Substeps ? 1 : 0);
     return same;
 }
 
@@ -59,7 +59,7 @@ void ContactBatches::note_rows(const Motions& motions, std::span<const int> bodi
     std::ranges::copy(bodies, seen_.bodies.begin());
     resize_amply(seen_.held, static_cast<std::size_t>(motions.size()));
     for (std::size_t row = 0; row < seen_.held.size(); ++row)
-        seen_.held[row] = motions.mover[row] > Mover::Substeps ? 1 : 0;
+        seen_.held[row] = motions.mover[row] > MovedBy::Substeps ? 1 : 0;
 }
 
 // As the rows were grouped before, if that is still right.

@@ -103,7 +103,7 @@ std::optional<Impulses> solve_both(const ContactConstraint& c, const Motion& a, 
 // meantime (mend its joints, take energy back) is not in the impulses of contacts: what these gave in the
 // last step, or in this substep, may be far more than what is there to be stopped, and to be let go.
 bool touches_structure(const ContactConstraint& c, const Motions& motions) {
-    return motions.mover[c.a] == Mover::Direct || motions.mover[c.b] == Mover::Direct;
+    return motions.mover[c.a] == MovedBy::Direct || motions.mover[c.b] == MovedBy::Direct;
 }
 
 // Gaps may close within the substep, but no more; what touches comes to rest.

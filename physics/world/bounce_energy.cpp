@@ -193,7 +193,7 @@ class Bouncing {
         for (std::size_t next = 0; next < work_.group.size() && closed; ++next) {
             const int row = work_.group[next];
             const BodyRecord& body = stores_.bodies.slots[stores_.bodies.rows(RowSet::Awake).body[row - 1]];
-            if (body.first_joint != kNone || motions_.mover[row] == Mover::Direct) return false;
+            if (body.first_joint != kNone || motions_.mover[row] == MovedBy::Direct) return false;
             for_each_edge(stores_.contacts.slots, body.first_contact, [&](int contact, int) {
                 const ContactRecord& c = stores_.contacts.slots[contact];
                 if (!closed || !c.has_points || push(contact) == Push::None) return;

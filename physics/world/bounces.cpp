@@ -38,7 +38,7 @@ class Placing {
     }
 
   private:
-    [[nodiscard]] bool is_direct(int row) const { return motions_.mover[row] == Mover::Direct; }
+    [[nodiscard]] bool is_direct(int row) const { return motions_.mover[row] == MovedBy::Direct; }
 
     [[nodiscard]] bool moves(int row) const { return motions_.velocity[row].inverse_mass > 0; }
 

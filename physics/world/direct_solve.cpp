@@ -116,7 +116,7 @@ void start_direct_solve(Stores& stores, const ContactRules& rules, const StepTim
         with_solver(groups, g, [&](const auto& solver) {
             for (int body = 0; body < solver.bodies(); ++body) {
                 const int row = solver.row(body);
-                scratch.motions.mover[row] = Mover::Direct;
+                scratch.motions.mover[row] = MovedBy::Direct;
                 groups.inertia[static_cast<std::size_t>(row)] =
                     stores.bodies.slots[awake.body[row - 1]].joint_inertia;
             }

@@ -176,7 +176,7 @@ class Groups {
         for (std::size_t next = 0; next < work_.rows.size(); ++next) {
             const int row = work_.rows[next];
             const BodyRecord& body = stores_.bodies.slots[stores_.bodies.rows(RowSet::Awake).body[row - 1]];
-            if (body.first_joint != kNone || scratch_.motions.mover[row] == Mover::Direct ||
+            if (body.first_joint != kNone || scratch_.motions.mover[row] == MovedBy::Direct ||
                 scratch_.motions.locked_axes(row) != 0)
                 return false;
             bool closed = true;

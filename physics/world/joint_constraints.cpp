@@ -160,7 +160,7 @@ void forget_idle_impulses(JointConstraint& c) {
 }
 
 void mark_turning(Motions& motions, int row) {
-    motions.mover[row] = Mover::Turning;
+    motions.mover[row] = MovedBy::Turning;
 }
 
 // What was a plain pin in a structure with loops may have become another.

@@ -68,7 +68,7 @@ void set_motions(BodyStore& bodies, Vec2 gravity_m_s2, float dt_s, int first, St
         [&](int row) { motions.lock(row + 1, locked_axes(bodies.slots[awake.body[row]])); });
 }
 
-void mark_mover(Motions& motions, int row, Mover mover) {
+void mark_mover(Motions& motions, int row, MovedBy mover) {
     if (motions.mover[row] < mover) motions.mover[row] = mover;
 }
 
@@ -111,25 +111,25 @@ void choose_movers(const Stores& stores, StepScratch& scratch) {
     for (int row = 0; row < awake.size(); ++row) {
         const auto body = static_cast<std::size_t>(awake.body[row]);
         if (acts_on(stores.joints.colors, body)) {
-            scratch.motions.mover[row + 1] = Mover::Jointed;
+            scratch.motions.mover[row + 1] = MovedBy::Jointed;
         } else if (acts_on(stores.contacts.colors, body)) {
-            scratch.motions.mover[row + 1] = Mover::Substeps;
+            scratch.motions.mover[row + 1] = MovedBy::Substeps;
         }
     }
     for (const int i : scratch.scalar_contacts) {
-        mark_mover(scratch.motions, scratch.contacts[i].a, Mover::Turning);
-        mark_mover(scratch.motions, scratch.contacts[i].b, Mover::Turning);
+        mark_mover(scratch.motions, scratch.contacts[i].a, MovedBy::Turning);
+        mark_mover(scratch.motions, scratch.contacts[i].b, MovedBy::Turning);
     }
     for (const AwaitedContact& awaited : scratch.awaited) {
-        mark_mover(scratch.motions, awaited.input.a, Mover::Turning);
-        mark_mover(scratch.motions, awaited.input.b, Mover::Turning);
+        mark_mover(scratch.motions, awaited.input.a, MovedBy::Turning);
+        mark_mover(scratch.motions, awaited.input.b, MovedBy::Turning);
     }
     // What carries others moves with them.
     const ContactLanes& lanes = stores.contacts.lanes;
     for (const int bucket : lanes.buckets()) {
         if (kind_of(bucket) != BlockKind::Carried) continue;
         for (const int block : lanes.blocks(bucket)) {
-            for (const int row : lanes.block(block).a) mark_mover(scratch.motions, row, Mover::Substeps);
+            for (const int row : lanes.block(block).a) mark_mover(scratch.motions, row, MovedBy::Substeps);
         }
     }
 }

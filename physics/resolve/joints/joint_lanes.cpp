@@ -274,8 +274,8 @@ bool JointLanes::place(const std::vector<Place>& places, Motions& motions, float
             if (joint_block_kind(bucket) != JointBlockKind::Anchored) continue;
             for (const int block : pool.blocks(bucket)) {
                 for (const int row : pin_of(pool.block(block)).a) {
-                    Mover& mover = motions.mover[static_cast<std::size_t>(row)];
-                    mover = std::max(mover, Mover::Jointed);
+                    MovedBy& mover = motions.mover[static_cast<std::size_t>(row)];
+                    mover = std::max(mover, MovedBy::Jointed);
                 }
             }
         }

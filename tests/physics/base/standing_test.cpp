@@ -18,7 +18,7 @@ struct Rows {
         for (int i = 0; i <= count; ++i) {
             motions.add({}, 0, i == kWorldRow ? 0.0f : 1.0f, 1);
             motions.set_row(i, {}, 0, i == kWorldRow ? 0.0f : 1.0f, 1, 1);
-            motions.mover[i] = i == kWorldRow ? Mover::Flight : Mover::Substeps;
+            motions.mover[i] = i == kWorldRow ? MovedBy::Flight : MovedBy::Substeps;
         }
     }
 
@@ -44,10 +44,10 @@ TEST_CASE("what is still before and after the first substep, and has not been mo
     m.velocity[3].w = kFast_m_s;
     m.pose[4].d = {0, kFast_m_s * kH_s};  // pushed out of an overlap
     m.pose[5].theta = kFast_m_s * kH_s;
-    m.mover[7] = Mover::Jointed;
+    m.mover[7] = MovedBy::Jointed;
     m.velocity[8].v = {0, kSlow_m_s};
     keep_moving(m, 9);
-    m.mover[10] = Mover::Flight;
+    m.mover[10] = MovedBy::Flight;
     m.velocity[11].w = m.velocity[11].v.x = 0.8f * kStillSpeed_m_s;  // together too fast
     m.velocity[12].w = kSlow_m_s;
     CHECK(rows.note() == 8);  // 2 to 7, 9 and 11: what flies is not asked

@@ -24,7 +24,7 @@ TEST_CASE("free flight leaves constrained bodies alone, and substeps leave free 
     Motions motions;
     motions.add({1, 2}, 0, 1, 1);
     motions.add({1, 2}, 0, 1, 1);
-    motions.mover[1] = Mover::Substeps;
+    motions.mover[1] = MovedBy::Substeps;
     const Drive falls{.acceleration = {0, -10}, .gravity_scale = 1};
     const std::array drives{falls, falls};
 
@@ -76,7 +76,7 @@ TEST_CASE("damping takes the same share of the velocity in one stride as in many
     Motions motions;
     motions.add({8, 0}, 4, 1, 1);
     motions.add({8, 0}, 4, 1, 1);
-    motions.mover[1] = Mover::Substeps;
+    motions.mover[1] = MovedBy::Substeps;
     const Drive drive{.linear_damping = 2, .angular_damping = 3};
     const std::array drives{drive, drive};
     fly_freely(motions, drives, {}, 0.5f, 0);
@@ -91,7 +91,7 @@ TEST_CASE("damping takes the same share of the velocity in one stride as in many
 TEST_CASE("what contacts added in one substep is given again in the next, and what joints added is not") {
     Motions motions;
     motions.add({0, 0}, 0, 1, 1);
-    motions.mover[0] = Mover::Turning;
+    motions.mover[0] = MovedBy::Turning;
     const std::array drives{Drive{.acceleration = {0, -16}}};
     push(motions, drives, 0.25f, true);
     CHECK(motions.velocity[0].v == Vec2{0, -4});

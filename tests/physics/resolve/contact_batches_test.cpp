@@ -30,7 +30,7 @@ const std::vector<BlockKind> kSmallIslands = [] {
 void give_movers(Motions& motions, Random& random, double held) {
     motions.kick.resize(motions.velocity.size());
     for (int row = 1; row < motions.size(); ++row) {
-        motions.mover[row] = random.chance(held) ? Mover::Turning : Mover::Substeps;
+        motions.mover[row] = random.chance(held) ? MovedBy::Turning : MovedBy::Substeps;
         motions.kick[row].v = {0, -0.04f};
     }
 }
@@ -214,7 +214,7 @@ TEST_CASE("no contact joins two batches, and what else is acted on is in the res
     batches.cut(heap.lanes, heap.motions, numbered(heap.motions.size()));
     const std::vector<int> batch = batch_of_rows(batches, heap.motions.size());
     for (int row = 1; row < heap.motions.size(); ++row) {
-        if (heap.motions.mover[row] == Mover::Turning) REQUIRE(batch[row] == -1);
+        if (heap.motions.mover[row] == MovedBy::Turning) REQUIRE(batch[row] == -1);
     }
     for (const Placed& p : heap.placed) {
         if (p.input.a != kWorldRow) REQUIRE(batch[p.input.a] == batch[p.input.b]);

@@ -56,7 +56,7 @@ struct Twins {
         const float inverse_inertia = pushed ? random.real_f(0.1, 9) : 0;
         for (Motions* motions : {&swept, &in_lanes}) {
             motions->add(v, w, inverse_mass, inverse_inertia);
-            motions->mover.back() = Mover::Turning;
+            motions->mover.back() = MovedBy::Turning;
         }
         const Rotation rotation = Rotation::from_angle(random.real(-3, 3));
         const Vec2 center = random.vector(-0.1, 0.1);
