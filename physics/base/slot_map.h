@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -51,7 +52,8 @@ class SlotMap {
         Slot& slot = slots_[index];
         CAIRN_ASSERT(slot.alive, "an object was erased twice");
         slot.alive = false;
-        slot.value = T{};
+        // What holds nothing needs no emptying, which waits for all that was written before it.
+        if constexpr (!std::is_trivially_destructible_v<T>) slot.value = T{};
         --size_;
         if (slot.generation == kMaxGeneration) return;  // retired
         ++slot.generation;

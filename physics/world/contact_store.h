@@ -68,6 +68,11 @@ struct ContactStore {
     std::vector<std::uint32_t> colors;  // by body slot: bits of those in which the body is moved
 };
 
+/// Of a body's colours. Counting bits would be a call, where processors are not known to do it.
+constexpr bool is_in_several(std::uint32_t colors) {
+    return (colors & (colors - 1)) != 0;
+}
+
 /// How many records ahead.
 inline constexpr std::size_t kRecordsAhead = 8;
 

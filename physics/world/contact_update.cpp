@@ -383,7 +383,7 @@ class Update {
     [[nodiscard]] unsigned lone_lanes(const PairBlock& pairs, unsigned lanes) const {
         const auto is_moved_more = [&](int body) {
             const auto at = static_cast<std::size_t>(body);
-            return at < stores_.contacts.colors.size() && std::popcount(stores_.contacts.colors[at]) > 1;
+            return at < stores_.contacts.colors.size() && is_in_several(stores_.contacts.colors[at]);
         };
         unsigned lone = 0;
         for (; lanes != 0; lanes &= lanes - 1) {

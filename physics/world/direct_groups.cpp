@@ -58,6 +58,14 @@ class Growth {
         from(s.bodies.front());
     }
 
+    /// From contacts between uneven masses, when all structures have been tried. One of a heap that was too much
+    /// for another would find that out again.
+    void from_contact(int contact) {
+        const ContactRecord& c = stores_.contacts.slots[contact];
+        const bool is_too_many = mark(c.body_a) == kTooMany || mark(c.body_b) == kTooMany;
+        if (!is_too_many || special::has(c, special::kRefused)) from(c.body_a);
+    }
+
     void from(int body) {
         if (!moves(stores_, body) || mark(body) != kNone) return;
         groups_.reached.clear();
@@ -119,17 +127,19 @@ class Growth {
         bool met_too_many = false;
         int contact_ends = 0;
         for (std::size_t next = 0; next < groups_.reached.size(); ++next) {
-            const int first = stores_.bodies.slots[groups_.reached[next]].first_contact;
-            for_each_edge(stores_.contacts.slots, first, [&](int contact, int) {
-                const ContactRecord& c = stores_.contacts.slots[contact];
-                if (special::has(c, special::kRefused)) return;
+            // Not for_each_edge: what stirs a heap touches hundreds, and a few are too many.
+            int key = stores_.bodies.slots[groups_.reached[next]].first_contact;
+            while (key != kNone && spare_ >= 0) {
+                const ContactRecord& c = stores_.contacts.slots[edge_record(key)];
+                key = c.edges[edge_side(key)].next;
+                if (special::has(c, special::kRefused)) continue;
                 if (moves(stores_, c.body_a) && moves(stores_, c.body_b)) ++contact_ends;
                 for (const int other : {c.body_a, c.body_b}) {
                     if (!moves(stores_, other)) continue;
                     met_too_many = met_too_many || mark(other) == kTooMany;
                     if (mark(other) == kNone && spare_ >= 0) take(other);
                 }
-            });
+            }
             if (spare_ < 0 || met_too_many) return false;
         }
         // Each has been met from both of its bodies.
@@ -217,7 +227,7 @@ void choose_direct_groups(Stores& stores, JointSolver solver, DirectGroups& grou
     }
     Growth growth(stores, groups);
     for (int i = 0; i < static_cast<int>(groups.structures.size()); ++i) growth.from_structure(i);
-    for (const int contact : stores.contacts.uneven) growth.from(stores.contacts.slots[contact].body_a);
+    for (const int contact : stores.contacts.uneven) growth.from_contact(contact);
     growth.end();
 }
 

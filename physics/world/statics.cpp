@@ -9,7 +9,6 @@
 #include "world/statics.h"
 
 #include <algorithm>
-#include <bit>
 
 #include <cairn/physics/tuning.h>
 
@@ -240,7 +239,7 @@ class Estimate {
         // Each contact in a lane has points, and a colour of its own.
         const auto at = static_cast<std::size_t>(body);
         const std::vector<std::uint32_t>& colors = stores_.contacts.colors;
-        if (at < colors.size() && std::popcount(colors[at]) > 1) return false;
+        if (at < colors.size() && is_in_several(colors[at])) return false;
         int touching = 0;
         for_each_edge(
             stores_.contacts.slots, stores_.bodies.slots[body].first_contact,
