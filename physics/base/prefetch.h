@@ -3,16 +3,18 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 
 namespace cairn::physics {
 
 inline constexpr std::size_t kCacheLine_B = 64;
 
-/// `size` bytes from there on. Where hardware would not foresee it: blocks of a colour stand apart in their
-/// pool.
+/// All cache lines of `size` bytes from there on. Where hardware would not foresee it: blocks of a colour stand
+/// apart in their pool.
 inline void prefetch(const void* from, std::size_t size) {
     const char* bytes = static_cast<const char*>(from);
-    for (std::size_t at = 0; at < size; at += kCacheLine_B) __builtin_prefetch(bytes + at);
+    const std::size_t before = reinterpret_cast<std::uintptr_t>(from) % kCacheLine_B;
+    for (std::size_t at = 0; at < before + size; at += kCacheLine_B) __builtin_prefetch(bytes - before + at);
 }
 
 /// One line, which is also taken from the cache of another core, for it will be written.

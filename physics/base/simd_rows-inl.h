@@ -9,6 +9,7 @@
 #endif
 
 #include <cstdint>
+#include <cstring>
 #include <hwy/highway.h>
 
 #include "base/lanes.h"
@@ -75,9 +76,10 @@ HWY_INLINE Columns load_rows(const float* rows, const std::int32_t* index) {
     return {set(row[0]), set(row[1]), set(row[2]), set(row[3])};
 }
 
-// Rows that stand anywhere: four floats behind each pointer, from an offset on.
+// Rows that stand anywhere: what four floats behind each pointer take up, from an offset on, whatever it is.
 HWY_INLINE Columns load_rows(const float* const* rows, int offset) {
-    const float* row = rows[0] + offset;
+    float row[4];
+    std::memcpy(row, rows[0] + offset, sizeof row);
     return {set(row[0]), set(row[1]), set(row[2]), set(row[3])};
 }
 

@@ -8,6 +8,8 @@
 #define HWY_TARGET_INCLUDE "collide/hull_lanes.cpp"
 #include "collide/hull_lanes.h"
 
+#include <cstddef>
+
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
@@ -19,12 +21,14 @@ HWY_BEFORE_NAMESPACE();
 namespace cairn::physics {
 namespace HWY_NAMESPACE {
 
-// One side of the pairs, as memory has it.
+// One side of the pairs, as memory has it. An outline is its kind and count, its radius and its points.
+constexpr int kPointsAt = 2;
+static_assert(offsetof(Outline, count) == 1 && offsetof(Outline, radius_m) == 4 &&
+              offsetof(Outline, points_m) == kPointsAt * sizeof(float));
+
 struct HullRows {
-    Lanes<const float*> points;
+    Lanes<const float*> outlines;
     Lanes<const float*> normals;
-    alignas(32) Lanes<float> radius;
-    alignas(32) Lanes<std::int32_t> count;
 };
 
 struct Core {
@@ -59,7 +63,7 @@ HWY_INLINE void load_core(const HullRows& rows, int lane, int count, const Place
                           Core& core) {
     int i = 0;
     do {
-        const Columns points = load_rows(rows.points.data() + lane, 2 * i);
+        const Columns points = load_rows(rows.outlines.data() + lane, kPointsAt + 2 * i);
         const Columns normals = load_rows(rows.normals.data() + lane, 2 * i);
         core.points[i] = place(Vec{points.x, points.y});
         core.points[i + 1] = place(Vec{points.z, points.u});
@@ -68,8 +72,10 @@ HWY_INLINE void load_core(const HullRows& rows, int lane, int count, const Place
         i += 2;
     } while (i < count);
     core.points[count] = core.points[0];
-    core.radius = load(rows.radius, lane);
-    const VI counts = load(rows.count, lane);
+    const Columns head = load_rows(rows.outlines.data() + lane, 0);
+    core.radius = head.y;
+    // (Numbers stored one by one and loaded together would have to reach the cache in between.)
+    const VI counts = hn::And(hn::ShiftRight<8>(hn::BitCast(DI(), head.x)), set_int(0xff));
     core.is_point = as_float_mask(hn::Lt(counts, set_int(2)));
     core.is_thin = as_float_mask(hn::Lt(counts, set_int(3)));
 }
@@ -288,10 +294,8 @@ HWY_INLINE int fill_rows(const Lanes<const Convex*>& shapes, HullRows& rows) {
     int most = 0;
     for (int lane = 0; lane < kLanes; ++lane) {
         const Convex& shape = *shapes[lane];
-        rows.points[lane] = &shape.outline.points_m[0].x;
+        rows.outlines[lane] = reinterpret_cast<const float*>(&shape.outline);
         rows.normals[lane] = &shape.normals[0].x;
-        rows.radius[lane] = shape.radius();
-        rows.count[lane] = shape.count();
         most = shape.count() > most ? shape.count() : most;
     }
     return most;
