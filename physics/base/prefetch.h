@@ -3,18 +3,16 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
 
 namespace cairn::physics {
 
 inline constexpr std::size_t kCacheLine_B = 64;
 
-/// All cache lines of `size` bytes from there on. Where hardware would not foresee it: blocks of a colour stand
-/// apart in their pool.
+/// `size` bytes from there on. Where hardware would not foresee it: blocks of a colour stand apart in their
+/// pool.
 inline void prefetch(const void* from, std::size_t size) {
     const char* bytes = static_cast<const char*>(from);
-    const std::size_t before = reinterpret_cast<std::uintptr_t>(from) % kCacheLine_B;
-    for (std::size_t at = 0; at < before + size; at += kCacheLine_B) __builtin_prefetch(bytes - before + at);
+    for (std::size_t at = 0; at < size; at += kCacheLine_B) __builtin_prefetch(bytes + at);
 }
 
 /// One line, which is also taken from the cache of another core, for it will be written.
