@@ -84,7 +84,8 @@ HWY_INLINE void load_core(const HullRows& rows, int lane, int count, const Place
 HWY_INLINE Edge best_edge(const Core& of, const Core& other, int count) {
     Edge best{set(-HUGE_VALF), of.normals[0], of.points[0], of.points[1], set_int(0)};
     for (int i = 0; i < count; ++i) {
-        const Vec normal = of.normals[i];
+        // Not a copy: g++ would make it in halves of registers, and loading the whole of it would have to wait.
+        const Vec& normal = of.normals[i];
         V nearest = dot(normal, other.points[0]);
         for (int j = 1; j < count; ++j) nearest = hn::Min(nearest, dot(normal, other.points[j]));
         const V separation = hn::Sub(nearest, dot(normal, of.points[i]));
