@@ -9,7 +9,6 @@
 #include "collide/hull_lanes.h"
 
 #include <cstddef>
-
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
@@ -84,7 +83,8 @@ HWY_INLINE void load_core(const HullRows& rows, int lane, int count, const Place
 HWY_INLINE Edge best_edge(const Core& of, const Core& other, int count) {
     Edge best{set(-HUGE_VALF), of.normals[0], of.points[0], of.points[1], set_int(0)};
     for (int i = 0; i < count; ++i) {
-        // Not a copy: g++ would make it in halves of registers, and loading the whole of it would have to wait.
+        // Not a copy: g++ would make it in halves of registers, and loading the whole of it would have to
+        // wait.
         const Vec& normal = of.normals[i];
         V nearest = dot(normal, other.points[0]);
         for (int j = 1; j < count; ++j) nearest = hn::Min(nearest, dot(normal, other.points[j]));

@@ -58,8 +58,8 @@ class Growth {
         from(s.bodies.front());
     }
 
-    /// From contacts between uneven masses, when all structures have been tried. One of a heap that was too much
-    /// for another would find that out again.
+    /// From contacts between uneven masses, when all structures have been tried. One of a heap that was too
+    /// much for another would find that out again.
     void from_contact(int contact) {
         const ContactRecord& c = stores_.contacts.slots[contact];
         const bool is_too_many = mark(c.body_a) == kTooMany || mark(c.body_b) == kTooMany;
