@@ -5,7 +5,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -49,11 +48,16 @@ class SlotMap {
     }
 
     void erase(int index) {
+        erase_as_is(index);
+        slots_[index].value = T{};
+    }
+
+    /// Leaves the object as it is until its slot is used again: emptying it would wait for all that was written
+    /// just before.
+    void erase_as_is(int index) {
         Slot& slot = slots_[index];
         CAIRN_ASSERT(slot.alive, "an object was erased twice");
         slot.alive = false;
-        // What holds nothing needs no emptying, which waits for all that was written before it.
-        if constexpr (!std::is_trivially_destructible_v<T>) slot.value = T{};
         --size_;
         if (slot.generation == kMaxGeneration) return;  // retired
         ++slot.generation;

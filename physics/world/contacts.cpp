@@ -43,11 +43,12 @@ void create_contact(Stores& stores, int shape_a, int shape_b) {
 
 void remove_contact(Stores& stores, int contact) {
     ContactStore& contacts = stores.contacts;
-    const ContactRecord& c = contacts.slots[contact];
+    ContactRecord& c = contacts.slots[contact];
     unlist_contact(stores, contact);
     unlink_edge(contacts.slots, stores.bodies.slots[c.body_a].first_contact, contact, 0);
     unlink_edge(contacts.slots, stores.bodies.slots[c.body_b].first_contact, contact, 1);
-    contacts.slots.erase(contact);
+    c.put_in = false;  // its list still names it
+    contacts.slots.erase_as_is(contact);
 }
 
 }  // namespace
