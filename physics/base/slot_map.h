@@ -52,8 +52,8 @@ class SlotMap {
         slots_[index].value = T{};
     }
 
-    /// Leaves the object as it is until its slot is used again: emptying it would wait for all that was written
-    /// just before.
+    /// Leaves the object as it is until its slot is used again: emptying it would wait for all that was
+    /// written just before.
     void erase_as_is(int index) {
         Slot& slot = slots_[index];
         CAIRN_ASSERT(slot.alive, "an object was erased twice");
