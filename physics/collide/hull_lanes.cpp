@@ -20,11 +20,13 @@ HWY_BEFORE_NAMESPACE();
 namespace cairn::physics {
 namespace HWY_NAMESPACE {
 
-// One side of the pairs, as memory has it. An outline is its kind and count, its radius and its points.
+// Where the points of an outline begin, in floats: before them stand its kind and count in one, and its
+// radius.
 constexpr int kPointsAt = 2;
 static_assert(offsetof(Outline, count) == 1 && offsetof(Outline, radius_m) == 4 &&
               offsetof(Outline, points_m) == kPointsAt * sizeof(float));
 
+// One side of the pairs, as memory has it.
 struct HullRows {
     Lanes<const float*> outlines;
     Lanes<const float*> normals;
@@ -71,9 +73,9 @@ HWY_INLINE void load_core(const HullRows& rows, int lane, int count, const Place
         i += 2;
     } while (i < count);
     core.points[count] = core.points[0];
+    // Not from arrays filled one by one: loading the whole of one would have to wait for all of its stores.
     const Columns head = load_rows(rows.outlines.data() + lane, 0);
     core.radius = head.y;
-    // (Numbers stored one by one and loaded together would have to reach the cache in between.)
     const VI counts = hn::And(hn::ShiftRight<8>(hn::BitCast(DI(), head.x)), set_int(0xff));
     core.is_point = as_float_mask(hn::Lt(counts, set_int(2)));
     core.is_thin = as_float_mask(hn::Lt(counts, set_int(3)));
