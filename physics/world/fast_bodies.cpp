@@ -24,7 +24,7 @@ constexpr float kSeenAhead_m = tuning::kSpeculativeDistance_m;
 constexpr std::uint32_t kCovered = place_flag::kFast | place_flag::kRouses;
 
 // What is left of the step before.
-constexpr std::uint32_t kOutdated = kCovered | place_flag::kStrayed | place_flag::kHasWay;
+constexpr std::uint32_t kOutdated = kCovered | place_flag::kStrayed | place_flag::kHasWay | place_flag::kLost;
 
 // What a thread takes at once.
 constexpr int kRowsPerChunk = 512;

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <bit>
 
+#include <cairn/physics/tuning.h>
+
 #include "base/ample.h"
 #include "collide/place_lanes.h"
 #include "collide/ray_cast.h"
@@ -26,6 +28,9 @@ constexpr int kContactsPerChunk = 64;
 
 // Rows ahead of which bodies are asked for.
 constexpr int kRowsAhead = 12;
+
+// Each turns a body back to less than the angle that was too much.
+constexpr int kMostRounds = 8;
 
 // Of a way, how far float may put what lies along it aside.
 constexpr float kRounding = 1e-6f;
@@ -110,10 +115,11 @@ class Way {
     float farthest_way_ = 0;
 };
 
-// While a body stays in the boxes that it had when contacts were updated, all that it could pass through has
-// a contact with it. One that was turned aside has to ask the trees.
-bool has_left_its_boxes(const Stores& stores, int body) {
-    return (stores.bodies.places[body].flags & place_flag::kBoxesMoved) != 0;
+// While centres stay in the boxes that their shapes had when contacts were updated, those of a pair without a
+// contact are in boxes apart, and neither can get past the other. What was hurled out of its own has to ask
+// the trees.
+bool is_lost(const Stores& stores, int body) {
+    return (stores.bodies.places[body].flags & place_flag::kLost) != 0;
 }
 
 bool is_guarded(const Stores& stores, int body) {
@@ -191,11 +197,11 @@ class Guard {
         assign_amply(ways.free_shares, ways.displacements.size(), 1.0f);
     }
 
-    void look_at_strays(std::span<const int> fast) {
+    void look_at_lost(std::span<const int> fast) {
         tasks_.parallel_for(static_cast<int>(fast.size()), kBodiesPerChunk, [&](const Chunk& chunk) {
             for (int i = chunk.begin; i < chunk.end; ++i) {
                 const int body = fast[i];
-                if (!is_guarded(stores_, body) || !has_left_its_boxes(stores_, body)) continue;
+                if (!is_guarded(stores_, body) || !is_lost(stores_, body)) continue;
                 ways_.free_shares[places_[body].row] = free_share_by_trees(body);
             }
         });
@@ -242,6 +248,15 @@ class Guard {
                 if (add(pair, pack)) for_passed(pack, follow);
             });
             for_passed(pack, follow);
+        });
+    }
+
+    // At bodies that were put back. What was taken for straight is an arc where a body turns, at the end of
+    // which the centre of any of its shapes may be beyond something.
+    void look_again(std::span<const int> bodies) {
+        tasks_.parallel_for(static_cast<int>(bodies.size()), 1, [&](const Chunk& chunk) {
+            for (int i = chunk.begin; i < chunk.end; ++i)
+                ways_.free_shares[places_[bodies[i]].row] = free_share_by_trees(bodies[i]);
         });
     }
 
@@ -328,7 +343,7 @@ class Guard {
         follow(b, a.shape, found);
     }
     void follow(const Side& side, int other, std::vector<FreeShare>& found) const {
-        if (!is_guarded(stores_, side.body) || has_left_its_boxes(stores_, side.body)) return;
+        if (!is_guarded(stores_, side.body) || is_lost(stores_, side.body)) return;
         const float share = Way(stores_, side.shape).free_share(other);
         if (share < 1) found.push_back({places_[side.body].row, share});
     }
@@ -353,14 +368,31 @@ class Guard {
     const Place* places_;
 };
 
+// Turning takes the centre of a shape along only where that is not the body's.
+bool takes_shapes_round(const BodyRecord& record) {
+    return record.center_arm_m > tuning::kLinearSlop_m;
+}
+
 void put_back(Stores& stores, int body, float share) {
     BodyRows& awake = stores.bodies.rows(RowSet::Awake);
-    const int row = stores.bodies.slots[body].row;
-    const Vec2 moved = awake.moved[row];
-    Position& center = stores.bodies.places[body].center;
-    center = center + (share - 1) * moved;
-    awake.moved[row] = share * moved;
+    const BodyRecord& record = stores.bodies.slots[body];
+    const Vec2 moved = awake.moved[record.row];
+    Place& place = stores.bodies.places[body];
+    place.center = place.center + (share - 1) * moved;
+    awake.moved[record.row] = share * moved;
+    if (takes_shapes_round(record)) {
+        const Rotation before = awake.rotation_before[record.row];
+        const double turned_rad = (inverse(before) * place.rotation).angle_rad();
+        place.rotation = normalized(Rotation::from_angle(share * turned_rad) * before);
+    }
     update_boxes(stores, body);
+}
+
+// As far as it was free to go; false where that is all of its way.
+bool hold(Stores& stores, const WayScratch& ways, int body) {
+    const float share = ways.free_shares[stores.bodies.places[body].row];
+    if (share < 1) put_back(stores, body, share);
+    return share < 1;
 }
 
 }  // namespace
@@ -371,14 +403,20 @@ void hold_fast_bodies(Stores& stores, StepScratch& scratch, TaskPool& tasks) {
     WayScratch& ways = *scratch.ways;
     note_displacements(stores, ways.displacements, tasks);
     Guard guard(stores, ways, tasks);
-    guard.look_at_strays(scratch.fast);
+    guard.look_at_lost(scratch.fast);
     guard.look_at_blocks();
     guard.look_beside(scratch.fast, scratch.beside);
     guard.look_at_loose();
+    std::vector<int>& turned_back = ways.turned_back;
+    turned_back.clear();
     for (const int body : scratch.fast) {
-        if (!is_guarded(stores, body)) continue;
-        const float share = ways.free_shares[stores.bodies.places[body].row];
-        if (share < 1) put_back(stores, body, share);
+        if (is_guarded(stores, body) && hold(stores, ways, body) &&
+            takes_shapes_round(stores.bodies.slots[body]))
+            turned_back.push_back(body);
+    }
+    for (int round = 0; round < kMostRounds && !turned_back.empty(); ++round) {
+        guard.look_again(turned_back);
+        std::erase_if(turned_back, [&](int body) { return !hold(stores, ways, body); });
     }
 }
 

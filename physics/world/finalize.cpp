@@ -82,6 +82,17 @@ void follow(Stores& stores, int body, Outdated&& outdated, Set&& set) {
     stores.bodies.rows_of(body).box_slack[stores.bodies.slots[body].row] = slack;
 }
 
+// Whether the centre of a shape is outside of the box which that has so far.
+bool leaves_boxes(const Stores& stores, int body) {
+    const Transform xf = stores.bodies.transform(body);
+    for (int s = stores.bodies.slots[body].first_shape; s != kNone; s = stores.shapes[s].next_of_body) {
+        const Position at = transform_point(xf, stores.shapes[s].convex.centroid);
+        const Aabb& box = stores.fat_boxes[s];
+        if (at.x < box.lower.x || at.x > box.upper.x || at.y < box.lower.y || at.y > box.upper.y) return true;
+    }
+    return false;
+}
+
 bool has_left(const Aabb& fat, const Aabb& reach) {
     return !contains(fat, reach);
 }
@@ -188,8 +199,11 @@ void finalize_bodies(Stores& stores, StepScratch& scratch, float dt_s, bool slee
             for (unsigned left = outcome.box_left; left != 0; left &= left - 1) {
                 const int lane = std::countr_zero(left);
                 std::uint32_t& flags = lanes.places[lane]->flags;
+                const int body = awake.body[row + lane];
                 if ((flags & place_flag::kHasWay) != 0) flags |= place_flag::kStrayed;
-                boxes.add(awake.body[row + lane]);
+                if ((flags & place_flag::kFast) != 0 && leaves_boxes(stores, body))
+                    flags |= place_flag::kLost;
+                boxes.add(body);
             }
         }
         boxes.finish();

@@ -177,6 +177,7 @@ struct WayScratch {
     std::vector<std::uint8_t> strayed;        // by shape: the body went another way than was expected
     ChunkedList<FreeShare> found_shares;      // of ways that met something
     std::vector<float> free_shares;           // of all ways, by row: the least that was found
+    std::vector<int> turned_back;             // bodies, of which the shapes are to be looked at again
 };
 
 /// A contact in a lane that wants more than its block can do for it.
