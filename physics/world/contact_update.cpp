@@ -10,7 +10,6 @@
 
 #include "base/ample.h"
 #include "base/prefetch.h"
-#include "world/awaited_contacts.h"
 #include "world/contact_events.h"
 #include "world/contact_lists.h"
 #include "world/contacts.h"
@@ -18,6 +17,7 @@
 #include "world/narrow_phase.h"
 #include "world/near_pairs.h"
 #include "world/one_way.h"
+#include "world/plain_contacts.h"
 #include "world/sleep.h"
 #include "world/special_contacts.h"
 #include "world/tiny_contacts.h"
@@ -33,9 +33,6 @@ constexpr std::size_t kPairsAhead = 2;
 
 // Blocks of near pairs ahead of which contacts are asked for, and the blocks themselves twice as far ahead.
 constexpr std::size_t kFindingsAhead = 4;
-
-// m/s. Bodies that are faster are not ones that were put somewhere.
-constexpr float kCalm_m_s = 1;
 
 // A kinematic body that stands still disturbs nobody.
 bool disturbs(const BodyStore& bodies, int body) {
@@ -63,15 +60,11 @@ class Update {
           stores_(world.stores),
           scratch_(world.scratch),
           time_(time),
-          rules_(rules),
+          plain_(world.stores, world.scratch, time, rules),
           impact_speed_(std::min(world.def.hit_speed_m_s, world.def.restitution_speed_m_s)) {}
 
     void run() {
-        scratch_.contacts.clear();
-        scratch_.scalar_contacts.clear();
-        scratch_.deep.clear();
-        scratch_.awaited.clear();
-        mark_what_was_put_in();
+        plain_.begin();
         update_uncolored();
         visit_contacts(stores_.contacts, scratch_.met,
                        [&](int contact) { unlist_contact(stores_, contact); });
@@ -85,7 +78,7 @@ class Update {
         visit_contacts(stores_.contacts, scratch_.parted,
                        [&](int contact) { forget_points(stores_, contact); });
         scratch_.parted.clear();
-        remember_what_was_put_in();
+        plain_.end();
         remove_gone(stores_, world_.events, scratch_);
         stores_.contacts.lanes.arrange();
         for (const int body : stores_.boxes_moved)
@@ -219,7 +212,7 @@ class Update {
         input.b = stores_.bodies.places[c.body_b].row;
         input.contact = contact;
         input.unit = length_unit(stores_, c);
-        add_scalar(input, c.memory);
+        plain_.add(input, c.memory);
         return true;
     }
 
@@ -374,7 +367,7 @@ class Update {
             const bool is_loose = (loose >> lane & 1) != 0;
             LaneNote& note =
                 notes.emplace_back(LaneNote{block_index, lane, pairs.contact[lane], is_loose, {}});
-            note.form = plain_form(make_input(stores_, pairs, places, manifold, lane), block, lane);
+            note.form = plain_.form_of(make_input(stores_, pairs, places, manifold, lane), block, lane);
         }
         return gone;
     }
@@ -393,28 +386,11 @@ class Update {
         return lone;
     }
 
-    // With the impulses of the lane.
-    [[nodiscard]] ContactConstraint plain_form(ContactInput input, const ContactBlock& block,
-                                               int lane) const {
-        for (int i = 0; i < input.count; ++i) input.points[i].impulse = block.points[i].impulse[lane];
-        input.friction_impulse = block.friction_impulse[lane];
-        return make_contact(input, scratch_.motions, rules_);
-    }
-
     void settle(const LaneNote& note) {
         const auto* plain = std::get_if<ContactConstraint>(&note.form);
-        if (plain == nullptr) {
-            part(note.contact, std::get_if<ContactInput>(&note.form));
-            return;
-        }
-        scratch_.contacts.push_back(*plain);
-        if (is_pushed_apart(scratch_.contacts.back())) {
-            note_deep();
-            hide_overlap(stores_.contacts.lanes.block(note.block), note.lane);
-        }
-        if (!note.is_loose) return;
-        solve_as_scalar();
-        stores_.contacts.lanes.blank(note.block * kLanes + note.lane);
+        if (plain != nullptr)
+            return plain_.add_beside(*plain, note.block * kLanes + note.lane, note.is_loose);
+        part(note.contact, std::get_if<ContactInput>(&note.form));
     }
 
     // The contact has no points any more. It leaves its list after this pass.
@@ -434,78 +410,15 @@ class Update {
         stores_.contacts.slots[contact].has_points = false;
     }
 
-    // The constraint that was added last is solved itself: no lane does it.
-    void solve_as_scalar() {
-        scratch_.contacts.back().in_lane = false;
-        scratch_.scalar_contacts.push_back(static_cast<int>(scratch_.contacts.size()) - 1);
-    }
-
-    // Of the constraint that was added last.
-    void note_deep() {
-        ContactConstraint& c = scratch_.contacts.back();
-        scratch_.deep.push_back({static_cast<int>(scratch_.contacts.size()) - 1,
-                                 {c.points[0].separation, c.points[1].separation}});
-        hide_overlap(c);
-    }
-
-    // What is solved with a structure of joints is moved by that alone. What was pressed together by others
-    // is parted by velocities, which reach through all of them.
-    [[nodiscard]] bool is_pushed_apart(const ContactConstraint& c) const {
-        const ContactRecord& record = stores_.contacts.slots[c.contact];
-        return was_put_in(record) && overlaps_deeply(c, time_.dt_s) && is_calm(c.a) && is_calm(c.b) &&
-               !is_direct(record);
-    }
-
-    // Bodies that are moved apart press others into each other.
-    void mark_what_was_put_in() {
-        scratch_.pushed.clear();
-        for (const int contact : stores_.contacts.put_in) {
-            const ContactRecord& c = stores_.contacts.slots[contact];
-            if (!c.put_in) continue;
-            for (const int body : {c.body_a, c.body_b}) {
-                if (!is_dynamic(body)) continue;
-                stores_.bodies.places[body].flags |= place_flag::kPushed;
-                scratch_.pushed.push_back(body);
-            }
-        }
-    }
-    [[nodiscard]] bool was_put_in(const ContactRecord& record) const {
-        return record.put_in || has_flag(record, place_flag::kPushed);
-    }
-
-    // What overlaps deeply as long as it has points.
-    void remember_what_was_put_in() {
-        ContactStore& contacts = stores_.contacts;
-        for (const int body : scratch_.pushed) stores_.bodies.places[body].flags &= ~place_flag::kPushed;
-        for (const int contact : contacts.put_in) contacts.slots[contact].put_in = false;
-        contacts.put_in.clear();
-        for (const DeepOverlap& overlap : scratch_.deep) {
-            const int contact = scratch_.contacts[static_cast<std::size_t>(overlap.contact)].contact;
-            contacts.slots[contact].put_in = true;
-            contacts.put_in.push_back(contact);
-        }
-    }
-
-    [[nodiscard]] bool is_calm(int row) const {
-        return length_squared(scratch_.motions.velocity[row].v) < kCalm_m_s * kCalm_m_s;
-    }
-
     // Of some lanes. In a dense crowd many overlap deeply, and few of those are calm.
     [[nodiscard]] unsigned calm_lanes(const ContactBlock& block, unsigned lanes) const {
         unsigned calm = 0;
         for (; lanes != 0; lanes &= lanes - 1) {
             const int lane = std::countr_zero(lanes);
-            if (is_calm(block.a[lane]) && is_calm(block.b[lane])) calm |= 1u << lane;
+            if (is_calm(scratch_.motions, block.a[lane]) && is_calm(scratch_.motions, block.b[lane]))
+                calm |= 1u << lane;
         }
         return calm;
-    }
-
-    [[nodiscard]] bool is_direct(const ContactRecord& record) const {
-        return has_flag(record, place_flag::kDirect);
-    }
-    [[nodiscard]] bool has_flag(const ContactRecord& record, std::uint32_t flag) const {
-        const auto flags = [&](int body) { return stores_.bodies.places[body].flags; };
-        return ((flags(record.body_a) | flags(record.body_b)) & flag) != 0;
     }
 
     void update_loose(int contact) {
@@ -547,36 +460,7 @@ class Update {
             input.surface_speed_m_s = effects.speed_m_s;
         }
         input.unit = unit;
-        add_scalar(input, c.memory);
-    }
-
-    // With the impulses that the contact remembers by feature.
-    void add_scalar(ContactInput input, const ContactMemory& memory) {
-        bool carried = false;
-        std::array<bool, 2> known{};
-        for (int i = 0; i < input.count; ++i) {
-            for (int j = 0; j < 2; ++j) {
-                if (memory.features[j] != input.points[i].feature) continue;
-                input.points[i].impulse = memory.impulse[j];
-                known[i] = carried = true;
-            }
-        }
-        input.friction_impulse = carried ? memory.friction_impulse : 0;
-        ContactConstraint constraint = make_contact(input, scratch_.motions, rules_);
-        for (int i = 0; i < input.count; ++i) {
-            const ContactPointConstraint& p = constraint.points[i];
-            const bool rests = p.separation <= 0.1f * input.unit * tuning::kLinearSlop_m &&
-                               std::fabs(p.closing_velocity) < input.unit * kRestSpeed_m_s;
-            if (!known[i] && rests) constraint.points[i].normal_impulse = kUnknownImpulse;
-        }
-        scratch_.contacts.push_back(constraint);
-        if (is_pushed_apart(constraint)) note_deep();
-        const ContactRecord& c = stores_.contacts.slots[input.contact];
-        if (input.reached_s > 0 && !is_direct(c)) {
-            await_contact(input, stores_.bodies.center_offset(c.body_a, c.body_b), time_, scratch_);
-        } else {
-            solve_as_scalar();
-        }
+        plain_.add(input, c.memory);
     }
 
     [[nodiscard]] bool is_dynamic(int body) const {
@@ -587,7 +471,7 @@ class Update {
     Stores& stores_;
     StepScratch& scratch_;
     const StepTime& time_;
-    const ContactRules& rules_;
+    PlainContacts plain_;
     float impact_speed_;  // m/s; slower contacts neither bounce nor tell of a hit
     BlockPlaces places_;
     ManifoldLanes manifold_;
