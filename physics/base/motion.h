@@ -106,6 +106,7 @@ struct Motions {
     // too few are still.
     std::vector<std::uint8_t> standing;
     std::vector<std::uint8_t> locked;  // axes of each row; empty while no body has any
+    bool some_turn_far = false;        // in a step, so that separations are not linear in their angles
 
     [[nodiscard]] int size() const { return static_cast<int>(velocity.size()); }
     [[nodiscard]] float spin(int i) const { return velocity[i].w * pose[i].k; }   // rad/s

@@ -10,7 +10,7 @@ namespace cairn::physics {
 /// What collision must know of a body besides where it is. They are set anew in each step.
 namespace place_flag {
 inline constexpr std::uint32_t kFast = 1;      ///< could pass through others in this step
-inline constexpr std::uint32_t kTurnsFar = 2;  ///< or turns although nothing can turn it: no SIMD lane for it
+inline constexpr std::uint32_t kTurnsFar = 2;  ///< separations are not linear in its angle
 inline constexpr std::uint32_t kDirect =
     8;  ///< is solved with what it is joined to and touches (world/direct_groups.h)
 inline constexpr std::uint32_t kBoxesMoved = 4;  ///< a box of the broad phase was made anew

@@ -249,13 +249,19 @@ void ContactBatches::fetch_group(int group) {
         if (entry.block >= 0) continue;
         Copy& copy = copies_[static_cast<std::size_t>(~entry.block)];
         copy.block.reports = false;
+        copy.block.turning = nullptr;
+        copy.turns.used = 0;
         for (int lane = 0; lane < kLanes; ++lane) {
             if (lane >= copy.used) {
                 clear_lane(copy.block, lane);
                 continue;
             }
             const int from = copy.from[static_cast<std::size_t>(lane)];
-            copy_lane(copy.block, lane, seen_.lanes->block(from / kLanes), from % kLanes);
+            const ContactBlock& block = seen_.lanes->block(from / kLanes);
+            copy_lane(copy.block, lane, block, from % kLanes);
+            if (block.turning == nullptr) continue;
+            copy_lane(copy.turns, lane, *block.turning, from % kLanes);
+            copy.block.turning = &copy.turns;
         }
     }
 }

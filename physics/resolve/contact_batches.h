@@ -60,6 +60,7 @@ class ContactBatches {
     };
     struct Copy {
         ContactBlock block;
+        TurnLanes turns;
         Lanes<std::int32_t> from{};  // lanes
         int used = 0;
     };

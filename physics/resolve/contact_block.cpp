@@ -32,6 +32,13 @@ void copy_lane(ContactBlock& to, int to_lane, const ContactBlock& from, int from
     copy_lane_bit(to.bounces, to_lane, from.bounces, from_lane);
 }
 
+void copy_lane(TurnLanes& to, int to_lane, const TurnLanes& from, int from_lane) {
+    to.bow_a[to_lane] = from.bow_a[from_lane];
+    to.bow_b[to_lane] = from.bow_b[from_lane];
+    for (int i = 0; i < 2; ++i) to.bend[i][to_lane] = from.bend[i][from_lane];
+    copy_lane_bit(to.used, to_lane, from.used, from_lane);
+}
+
 void clear_lane(ContactBlock& block, int lane) {
     block.a[lane] = block.b[lane] = kWorldRow;
     block.normal_x[lane] = block.normal_y[lane] = 0;

@@ -20,6 +20,15 @@ struct alignas(32) ContactBlockPoint {
     Lanes<float> impulse;           // N s, of one substep
 };
 
+/// Of a block of which bodies turn so far in a step that separations are not linear in their angles.
+struct alignas(32) TurnLanes {
+    // n . r of what turns: from the centre of mass to the point, without what is round of the shape.
+    Lanes<float> bow_a{};
+    Lanes<float> bow_b{};
+    std::array<Lanes<float>, 2> bend{};  // m, what the start separations of both points hold of it now
+    LaneBits used = 0;
+};
+
 /// A manifold of up to two points between two bodies, with one friction row midway between the points: on the
 /// line of a manifold all points have the same tangential arm.
 struct alignas(64) ContactBlock {
@@ -36,7 +45,8 @@ struct alignas(64) ContactBlock {
     // Touched only when `reports` is set: what impacts gave over the whole step.
     std::array<Lanes<float>, 2> total_impulse;
     bool reports = false;
-    LaneBits bounces = 0;  // that may have met fast in this step, and bounce in their lanes
+    LaneBits bounces = 0;          // that may have met fast in this step, and bounce in their lanes
+    TurnLanes* turning = nullptr;  // for this step
 };
 
 /// Of a block, what bouncing takes besides.
@@ -46,6 +56,8 @@ struct alignas(32) ImpactLanes {
 };
 
 void copy_lane(ContactBlock& to, int to_lane, const ContactBlock& from, int from_lane);
+/// What does not change in a step.
+void copy_lane(TurnLanes& to, int to_lane, const TurnLanes& from, int from_lane);
 /// What the passes change.
 void copy_outcome(ContactBlock& to, int to_lane, const ContactBlock& from, int from_lane);
 /// As unused lanes are.

@@ -91,6 +91,7 @@ int ContactLanes::remove(int bucket, int lane) {
     const int last = --links_[last_block].used;
     copy_pair(to, lane % kLanes, from, last);
     copy_lane(blocks_[lane / kLanes], lane % kLanes, blocks_[last_block], last);
+    move_turn(lane / kLanes, lane % kLanes, last_block, last);
     clear_lane(blocks_[last_block], last);
     if (!impacts_.empty()) {
         copy_lane(impacts_[lane / kLanes], lane % kLanes, impacts_[last_block], last);
@@ -280,6 +281,31 @@ void ContactLanes::make_room_for_impacts() {
     if (impacts_.size() == pairs_.size()) return;
     impacts_.reserve(pairs_.capacity());
     impacts_.resize(pairs_.size());
+}
+
+void ContactLanes::make_room_for_turns() {
+    if (turns_.size() == pairs_.size()) return;
+    turns_.reserve(pairs_.capacity());
+    turns_.resize(pairs_.size());
+}
+
+void ContactLanes::turn(int block, int lane, float bow_a_m, float bow_b_m) {
+    TurnLanes& turns = turns_[block];
+    if (blocks_[block].turning == nullptr) turns.used = 0;
+    blocks_[block].turning = &turns;
+    turns.bow_a[lane] = bow_a_m;
+    turns.bow_b[lane] = bow_b_m;
+    turns.bend[0][lane] = turns.bend[1][lane] = 0;
+    set_lane_bit(turns.used, lane, true);
+}
+
+void ContactLanes::move_turn(int block, int lane, int from_block, int from_lane) {
+    TurnLanes* const from = blocks_[from_block].turning;
+    TurnLanes* const to = blocks_[block].turning;
+    if (to != nullptr) set_lane_bit(to->used, lane, false);
+    if (from == nullptr || (from->used >> from_lane & 1) == 0) return;
+    turn(block, lane, from->bow_a[from_lane], from->bow_b[from_lane]);
+    set_lane_bit(from->used, from_lane, false);
 }
 
 void ContactLanes::blank(int lane) {

@@ -181,6 +181,11 @@ class ContactLanes {
     /// `restitution` is that of impacts which bounce in their lanes, 0 for all others.
     void set_material(int lane, float friction, float restitution);
 
+    /// Before contacts turn in their lanes: room for what that takes, of all blocks.
+    void make_room_for_turns();
+    /// Of a block in which none does yet; for a lane of this step.
+    void turn(int block, int lane, float bow_a_m, float bow_b_m);
+
     /// Leaves a lane out of the passes of this step: it keeps its bodies, so that nobody else writes them
     /// meanwhile, and does nothing to them.
     void blank(int lane);
@@ -198,6 +203,7 @@ class ContactLanes {
     int remove_near(PairGeometry geometry, int lane);
     int open_block(int bucket);
     void make_room_for_impacts();
+    void move_turn(int block, int lane, int from_block, int from_lane);
     void close_block(int bucket);
     bool sort_keys(int bucket, std::span<const Place> places, LaneOrderScratch& scratch) const;
     void take_order(LaneOrderScratch& scratch);
@@ -210,6 +216,7 @@ class ContactLanes {
     std::vector<BlockLink> links_;      // beside the pairs
     std::vector<ContactBlock> blocks_;  // beside the pairs
     std::vector<ImpactLanes> impacts_;  // the same; empty until a contact bounces in its lane
+    std::vector<TurnLanes> turns_;      // the same; empty until a body turns far
     std::vector<int> free_;
     std::array<Chain, kBuckets> chains_;
     std::uint64_t version_ = 0;

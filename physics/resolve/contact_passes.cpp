@@ -7,6 +7,7 @@
 #include "base/colored_runs.h"
 #include "resolve/contact_kernels.h"
 #include "resolve/contact_lanes.h"
+#include "resolve/turn_kernel.h"
 
 namespace cairn::physics {
 namespace {
@@ -47,6 +48,7 @@ void solve_all(ContactBlocks blocks, Motions& motions, const ContactRules& rules
     if (pass == Pass::Biased) {
         solve_blocks(blocks, motions.velocity.data(), time);
     } else {
+        if (motions.some_turn_far) bend_separations(blocks.blocks, blocks.kind, motions.pose.data());
         relax_blocks(blocks, motions.velocity.data(), motions.pose.data(), time);
     }
 }

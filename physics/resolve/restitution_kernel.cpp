@@ -63,9 +63,10 @@ HWY_INLINE void give_back_lanes(ContactBlock& block, const ImpactLanes& impacts,
         p = {load(stored.arm_a, lane), load(stored.arm_b, lane), load(stored.mass, lane), zero,
              load(stored.impulse, lane)};
         // Points that did not meet fast keep the velocity that they have.
-        const V target =
-            leaving_speed(load(impacts.closing_velocity[i], lane), load(stored.start_separation, lane),
-                          load(stored.separation, lane), restitution, twice_g);
+        V start = load(stored.start_separation, lane);
+        if (block.turning != nullptr) start = hn::Sub(start, load(block.turning->bend[i], lane));
+        const V target = leaving_speed(load(impacts.closing_velocity[i], lane), start,
+                                       load(stored.separation, lane), restitution, twice_g);
         missing[i] = hn::IfThenElseZero(met[i], hn::Sub(residual(pair, p), target));
     }
     const V old0 = points[0].old;

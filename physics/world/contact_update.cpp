@@ -230,6 +230,7 @@ class Update {
         resize_amply(scratch_.block_findings, static_cast<std::size_t>(stores_.contacts.lanes.pool_size()));
         scratch_.notes.start(count, kBlocksPerChunk, world_.tasks);
         find_unmoved();
+        if (scratch_.motions.some_turn_far) stores_.contacts.lanes.make_room_for_turns();
         std::atomic<int> known = 0;
         world_.tasks.parallel_for(count, kBlocksPerChunk, [&](const Chunk& chunk) {
             BlockPlaces places;
@@ -290,6 +291,7 @@ class Update {
     [[nodiscard]] bool is_known(const BlockFindings& last, int block) const {
         const Unmoved& unmoved = scratch_.standing->unmoved;
         return unmoved.some() && last.notes == 0 && last.gone == 0 && !last.bounces &&
+               stores_.contacts.lanes.block(block).turning == nullptr &&
                unmoved.all_of(stores_.contacts.lanes.block(block));
     }
 
@@ -337,6 +339,7 @@ class Update {
         collide(pairs, geometry, lanes_of(block_index), places, manifold);
         block.a = places.row_a;
         block.b = places.row_b;
+        block.turning = nullptr;
         const PreparedLanes prepared = prepare_block(
             places.poses, manifold, scratch_.motions.velocity.data(), scratch_.motions.pose.data(),
             pairs.features, impact_speed_, block, stores_.contacts.lanes.impacts(block_index));
@@ -347,7 +350,9 @@ class Update {
         const unsigned faint = pairs.faint & prepared.fast & ~prepared.apart;
         const unsigned told =
             ((pairs.reports | (pairs.impacts & prepared.fast)) & ~prepared.apart) | lone_lanes(pairs, faint);
-        const unsigned loose = ((places.turn_far & prepared.swings) | places.direct) & ~prepared.apart;
+        const unsigned swings = places.turn_far & prepared.swings & ~places.direct & ~prepared.apart;
+        const unsigned loose =
+            (places.direct & ~prepared.apart) | turn_in_lanes(block_index, pairs, places, manifold, swings);
         const unsigned deep = calm_lanes(block, prepared.deep & ~places.direct & ~prepared.apart);
         // What takes the plain form bounces in it.
         const unsigned bounces = faint & ~(told | loose | deep);
@@ -370,6 +375,25 @@ class Update {
             note.form = plain_.form_of(make_input(stores_, pairs, places, manifold, lane), block, lane);
         }
         return gone;
+    }
+
+    // Of some lanes with bodies that turn far, those that turn too far for a lane.
+    [[nodiscard]] unsigned turn_in_lanes(int block, const PairBlock& pairs, const BlockPlaces& places,
+                                         const ManifoldLanes& manifold, unsigned lanes) {
+        unsigned whirling = 0;
+        for (; lanes != 0; lanes &= lanes - 1) {
+            const int lane = std::countr_zero(lanes);
+            const auto whirls = [&](int body) {
+                return (stores_.bodies.places[body].flags & place_flag::kWhirls) != 0;
+            };
+            if (whirls(pairs.body_a[lane]) || whirls(pairs.body_b[lane])) {
+                whirling |= 1u << lane;
+            } else {
+                const Bows bows = bows_of(stores_, pairs, places, manifold, lane);
+                stores_.contacts.lanes.turn(block, lane, bows.a_m, bows.b_m);
+            }
+        }
+        return whirling;
     }
 
     // Of some lanes, those of bodies that no other contact in a lane moves: what they do can be told exactly.

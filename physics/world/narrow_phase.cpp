@@ -129,4 +129,17 @@ ContactInput make_input(const Stores& stores, const PairBlock& pairs, const Bloc
     return input;
 }
 
+Bows bows_of(const Stores& stores, const PairBlock& pairs, const BlockPlaces& places,
+             const ManifoldLanes& manifold, int lane) {
+    const ManifoldPointLanes& p = manifold.points[0];
+    const ManifoldPointLanes& q = manifold.points[1].id[lane] != kNoFeature ? manifold.points[1] : p;
+    const Vec2 normal{manifold.normal_x[lane], manifold.normal_y[lane]};
+    const float to_point = dot(normal, {0.5f * (p.x[lane] + q.x[lane]), 0.5f * (p.y[lane] + q.y[lane])});
+    const float between = dot(normal, {places.poses.dx[lane], places.poses.dy[lane]});
+    // Points lie midway between the surfaces.
+    const float half_gap = 0.25f * (p.separation[lane] + q.separation[lane]);
+    return {to_point - half_gap - stores.shapes[pairs.shape_a[lane]].convex.radius(),
+            to_point - between + half_gap + stores.shapes[pairs.shape_b[lane]].convex.radius()};
+}
+
 }  // namespace cairn::physics

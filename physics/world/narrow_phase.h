@@ -23,4 +23,13 @@ void collide_block(const Stores& stores, const PairBlock& pairs, PairGeometry ge
 ContactInput make_input(const Stores& stores, const PairBlock& pairs, const BlockPlaces& places,
                         const ManifoldLanes& manifold, int lane);
 
+/// How far along the normal the point of a contact lies from the centres of mass, without what is round of
+/// the shapes; midway between two points.
+struct Bows {
+    float a_m = 0;
+    float b_m = 0;
+};
+Bows bows_of(const Stores& stores, const PairBlock& pairs, const BlockPlaces& places,
+             const ManifoldLanes& manifold, int lane);
+
 }  // namespace cairn::physics

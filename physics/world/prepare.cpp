@@ -2,6 +2,7 @@
 #include "world/prepare.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include <cairn/physics/tuning.h>
@@ -13,7 +14,7 @@
 namespace cairn::physics {
 namespace {
 
-// rad. Lanes take separations as linear in the angle, which is wrong by half its square times the arm.
+// rad. Below, separations are linear in the angle: that is wrong by half its square times the arm.
 constexpr float kMaxTurn_rad = 0.25f;
 
 // rad. A point of a body that turns further in a step goes round and not along.
@@ -47,6 +48,7 @@ void set_motions(BodyStore& bodies, Vec2 gravity_m_s2, float dt_s, int first, St
     motions.resize(awake.size() + 1);
     resize_amply(scratch.drives, static_cast<std::size_t>(motions.size()));
     scratch.noted_rows.start(awake.size() - first, kRowsPerChunk, tasks);
+    std::atomic<bool> some_turn_far = false;
     tasks.parallel_for(awake.size() - first, kRowsPerChunk, [&](const Chunk& chunk) {
         ChunkedList<int>::Appender locked(scratch.noted_rows, chunk);
         for (int row = first + chunk.begin; row < first + chunk.end; ++row) {
@@ -59,11 +61,13 @@ void set_motions(BodyStore& bodies, Vec2 gravity_m_s2, float dt_s, int first, St
             flags &= ~(place_flag::kTurnsFar | place_flag::kWhirls);
             const float turn = std::fabs(awake.spin[row]) * dt_s;
             if (turn > kMaxTurn_rad) {
+                some_turn_far.store(true, std::memory_order_relaxed);
                 flags |= place_flag::kTurnsFar;
                 if (turn > kWhirl_rad) flags |= place_flag::kWhirls;
             }
         }
     });
+    scratch.motions.some_turn_far |= some_turn_far;
     scratch.noted_rows.for_each(
         [&](int row) { motions.lock(row + 1, locked_axes(bodies.slots[awake.body[row]])); });
 }
@@ -91,6 +95,7 @@ StepTime make_step_time(float dt_s, int substeps, float previous_h_s) {
 void prepare_motions(BodyStore& bodies, Vec2 gravity_m_s2, float dt_s, StepScratch& scratch,
                      TaskPool& tasks) {
     scratch.motions.locked.clear();
+    scratch.motions.some_turn_far = false;
     set_motions(bodies, gravity_m_s2, dt_s, 0, scratch, tasks);
     scratch.motions.set_row(kWorldRow, {}, 0, 0, 0);
     scratch.drives[kWorldRow] = {};

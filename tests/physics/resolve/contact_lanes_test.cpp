@@ -2,6 +2,7 @@
 #include "resolve/contact_lanes.h"
 
 #include <algorithm>
+#include <bit>
 #include <catch2/catch.hpp>
 #include <iterator>
 #include <map>
@@ -224,6 +225,45 @@ TEST_CASE("lanes stay dense, and contacts keep what is theirs, whatever comes an
     }
     while (!model.empty()) remove(random, lanes, model);
     check_against(lanes, model);
+}
+
+TEST_CASE("contacts that turn in a step go on doing so when others are removed, and others do not begin to") {
+    Random random(2);
+    constexpr int kBucket = colored_bucket(0, BlockKind::TwoBodies, PairGeometry::Hulls);
+    ContactLanes lanes;
+    std::map<int, int> lane_of;
+    for (int contact = 0; contact < 100; ++contact)
+        lane_of[contact] = lanes.add(kBucket, random_lane(random, contact));
+    const auto turns = [](int contact) { return contact % 5 == 0; };
+    lanes.make_room_for_turns();
+    for (const auto& [contact, lane] : lane_of) {
+        const auto bow = static_cast<float>(contact);
+        if (turns(contact)) lanes.turn(lane / kLanes, lane % kLanes, bow, -bow);
+    }
+    while (!lane_of.empty()) {
+        const auto gone = std::next(lane_of.begin(), random.below(static_cast<int>(lane_of.size())));
+        const int freed = gone->second;
+        lane_of.erase(gone);
+        const int moved = lanes.remove(kBucket, freed);
+        if (moved != kNone) lane_of[moved] = freed;
+        int turning = 0;
+        for (const auto& [contact, lane] : lane_of) {
+            const TurnLanes* found = lanes.block(lane / kLanes).turning;
+            const bool turns_here = found != nullptr && (found->used >> lane % kLanes & 1) != 0;
+            REQUIRE(turns_here == turns(contact));
+            if (!turns_here) continue;
+            REQUIRE(found->bow_a[lane % kLanes] == static_cast<float>(contact));
+            REQUIRE(found->bow_b[lane % kLanes] == -static_cast<float>(contact));
+            ++turning;
+        }
+        // None in lanes without a contact.
+        int used = 0;
+        for (const auto& [block, count] : blocks_of(lanes, kBucket)) {
+            const TurnLanes* found = lanes.block(block).turning;
+            used += found == nullptr ? 0 : std::popcount(found->used);
+        }
+        REQUIRE(used == turning);
+    }
 }
 
 TEST_CASE("every bucket is of one colour, kind and geometry") {

@@ -196,6 +196,63 @@ TEST_CASE("lanes of every kind move bodies as the scalar form of the same contac
     for (const Placed& p : heap.placed) check_lane(heap, p);
 }
 
+TEST_CASE(
+    "separations of bodies that turn far are those of the scalar form, beside others that turn little") {
+    const unsigned seed = GENERATE(11u, 12u, 13u);
+    Heap heap = make_heap(seed, kAllKinds, 200, 300);
+    Heap linear = make_heap(seed, kAllKinds, 200, 300);
+    Random random(seed);
+    for (int row = 1; row < heap.motions.size(); ++row) {
+        PoseRow& pose = heap.motions.pose[row];
+        pose.d = random.vector(-0.3, 0.3);
+        pose.theta = pose.k > 0 ? random.real_f(-1.5, 1.5) / pose.k : 0;
+        heap.motions.turned[row] = Rotation::from_angle(static_cast<double>(heap.motions.angle(row)));
+        linear.motions.pose[row] = pose;
+    }
+    heap.lanes.make_room_for_turns();
+    heap.motions.some_turn_far = true;
+    const auto turns = [&](const Placed& p) { return p.lane % 3 == 0; };
+    for (const Placed& p : heap.placed) {
+        if (!turns(p)) continue;
+        const auto bow = [&](auto&& arm_of) {
+            float sum = 0;
+            for (int k = 0; k < p.scalar.count; ++k) sum += dot(p.input.normal, arm_of(p.scalar.points[k]));
+            return sum / static_cast<float>(p.scalar.count);
+        };
+        heap.lanes.turn(p.lane / kLanes, p.lane % kLanes, bow([](const auto& q) { return q.core_r_a; }),
+                        bow([](const auto& q) { return q.core_r_b; }));
+    }
+    TaskPool alone(1);
+    const auto relax = [&](Heap& h) {
+        const WholeHeap whole(h);
+        solve(whole.runs(), h.motions, kHeapRules, kHeapSubstep_s, Pass::Relax, Scope::All, alone);
+    };
+    relax(heap);
+    relax(linear);
+    int turned = 0;
+    for (std::size_t i = 0; i < heap.placed.size(); ++i) {
+        const Placed& p = heap.placed[i];
+        const int lane = p.lane % kLanes;
+        for (std::size_t k = 0; k < static_cast<std::size_t>(p.scalar.count); ++k) {
+            const float found = heap.block(p).points[k].separation[lane];
+            const float without = linear.block(linear.placed[i]).points[k].separation[lane];
+            if (!turns(p)) {
+                CHECK(found == without);
+                continue;
+            }
+            const float expected = separation_now(p.scalar, p.scalar.points[k], heap.motions);
+            // Two points have one bow, midway: each is off by half of what their separations differ by, in
+            // half of which either body turns.
+            const float apart = p.scalar.count == 2
+                                    ? std::fabs(p.scalar.points[0].separation - p.scalar.points[1].separation)
+                                    : 0;
+            CHECK(std::fabs(found - expected) < 5e-6f + 0.5f * apart);
+            turned += std::fabs(found - without) > 0.05f ? 1 : 0;
+        }
+    }
+    CHECK(turned > 50);
+}
+
 TEST_CASE("every SIMD level gives the same bits") {
     const std::vector<SimdLevel> levels = available_simd_levels();
     REQUIRE(!levels.empty());
