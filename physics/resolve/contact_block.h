@@ -26,7 +26,7 @@ struct alignas(32) TurnLanes {
     Lanes<float> bow_a{};
     Lanes<float> bow_b{};
     std::array<Lanes<float>, 2> bend{};  // m, what the start separations of both points hold of it now
-    LaneBits used = 0;
+    LaneBits used = 0;                   // those of such contacts
 };
 
 /// A manifold of up to two points between two bodies, with one friction row midway between the points: on the
@@ -46,7 +46,7 @@ struct alignas(64) ContactBlock {
     std::array<Lanes<float>, 2> total_impulse;
     bool reports = false;
     LaneBits bounces = 0;          // that may have met fast in this step, and bounce in their lanes
-    TurnLanes* turning = nullptr;  // for this step
+    TurnLanes* turning = nullptr;  // in this step
 };
 
 /// Of a block, what bouncing takes besides.
@@ -56,7 +56,6 @@ struct alignas(32) ImpactLanes {
 };
 
 void copy_lane(ContactBlock& to, int to_lane, const ContactBlock& from, int from_lane);
-/// What does not change in a step.
 void copy_lane(TurnLanes& to, int to_lane, const TurnLanes& from, int from_lane);
 /// What the passes change.
 void copy_outcome(ContactBlock& to, int to_lane, const ContactBlock& from, int from_lane);

@@ -153,6 +153,7 @@ int ContactLanes::open_block(int bucket) {
         free_.pop_back();
     }
     clear_pairs(pairs_[block]);
+    blocks_[block].turning = nullptr;
     Chain& chain = chains_[bucket];
     links_[block] = {bucket, 0, chain.last, kNone};
     (chain.last == kNone ? chain.first : links_[chain.last].next) = block;

@@ -183,7 +183,8 @@ class ContactLanes {
 
     /// Before contacts turn in their lanes: room for what that takes, of all blocks.
     void make_room_for_turns();
-    /// Of a block in which none does yet; for a lane of this step.
+    /// In this step the bodies of the lane turn far; bows are those of TurnLanes. Several threads may tell so
+    /// of lanes of different blocks.
     void turn(int block, int lane, float bow_a_m, float bow_b_m);
 
     /// Leaves a lane out of the passes of this step: it keeps its bodies, so that nobody else writes them
@@ -216,7 +217,7 @@ class ContactLanes {
     std::vector<BlockLink> links_;      // beside the pairs
     std::vector<ContactBlock> blocks_;  // beside the pairs
     std::vector<ImpactLanes> impacts_;  // the same; empty until a contact bounces in its lane
-    std::vector<TurnLanes> turns_;      // the same; empty until a body turns far
+    std::vector<TurnLanes> turns_;      // the same, as blocks point to them; empty until a body turns far
     std::vector<int> free_;
     std::array<Chain, kBuckets> chains_;
     std::uint64_t version_ = 0;

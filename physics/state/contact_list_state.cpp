@@ -193,7 +193,8 @@ class Placing {
         if (!in_.require(count > 0, "a colour of contacts is empty")) return;
         const std::size_t first = links.size();
         links.resize(first + length);
-        // What blocks held before is read over, or made anew by the next step, before anybody looks at it.
+        // What else blocks held before is read over, or made anew by the next step, before anybody looks at
+        // it.
         if (pairs.size() < first + length) pairs.resize(first + length);
         if (blocks.size() < first + length) blocks.resize(first + length);
         chain = {static_cast<int>(first), static_cast<int>(first + length) - 1};
@@ -202,6 +203,7 @@ class Placing {
             const int used = std::min(kLanes, static_cast<int>(count - i * kLanes));
             PairBlock& pair_block = pairs[first + i];
             ContactBlock& contact_block = blocks[first + i];
+            contact_block.turning = nullptr;
             links[first + i] = {bucket, used, i > 0 ? block - 1 : kNone, i + 1 < length ? block + 1 : kNone};
             if (!read_colored_block(in_, pair_block, contact_block, used, last)) return;
             if (!place_lanes(pair_block, used, bucket, block * kLanes)) return;

@@ -83,12 +83,11 @@ void follow(Stores& stores, int body, Outdated&& outdated, Set&& set) {
 }
 
 // Whether the centre of a shape is outside of the box which that has so far.
-bool leaves_boxes(const Stores& stores, int body) {
+bool has_lost_its_boxes(const Stores& stores, int body) {
     const Transform xf = stores.bodies.transform(body);
     for (int s = stores.bodies.slots[body].first_shape; s != kNone; s = stores.shapes[s].next_of_body) {
         const Position at = transform_point(xf, stores.shapes[s].convex.centroid);
-        const Aabb& box = stores.fat_boxes[s];
-        if (at.x < box.lower.x || at.x > box.upper.x || at.y < box.lower.y || at.y > box.upper.y) return true;
+        if (!contains(stores.fat_boxes[s], make_aabb(at, {}, {}))) return true;
     }
     return false;
 }
@@ -201,7 +200,7 @@ void finalize_bodies(Stores& stores, StepScratch& scratch, float dt_s, bool slee
                 std::uint32_t& flags = lanes.places[lane]->flags;
                 const int body = awake.body[row + lane];
                 if ((flags & place_flag::kHasWay) != 0) flags |= place_flag::kStrayed;
-                if ((flags & place_flag::kFast) != 0 && leaves_boxes(stores, body))
+                if ((flags & place_flag::kFast) != 0 && has_lost_its_boxes(stores, body))
                     flags |= place_flag::kLost;
                 boxes.add(body);
             }

@@ -264,6 +264,9 @@ TEST_CASE("contacts that turn in a step go on doing so when others are removed, 
         }
         REQUIRE(used == turning);
     }
+    // A block that is used again knows nothing of that.
+    const int lane = lanes.add(kBucket, random_lane(random, 0));
+    CHECK(lanes.block(lane / kLanes).turning == nullptr);
 }
 
 TEST_CASE("every bucket is of one colour, kind and geometry") {

@@ -8,6 +8,18 @@ namespace cairn::physics {
 
 using namespace test;
 
+namespace {
+
+// Without thickness, 5 m from the origin.
+void add_walls(World& world, const ShapeDef& def) {
+    const BodyId walls = world.create_body({.type = BodyType::Static}).value();
+    const std::array<Vec2, 4> corners{Vec2{-5, -5}, Vec2{5, -5}, Vec2{5, 5}, Vec2{-5, 5}};
+    for (std::size_t i = 0; i < 4; ++i)
+        world.create_shape(walls, Segment{corners[i], corners[(i + 1) % 4]}, def).value();
+}
+
+}  // namespace
+
 TEST_CASE("a bullet of any speed stops at a thin wall") {
     for (const float speed : {20.0f, 60.0f, 150.0f, 400.0f, 1000.0f}) {
         for (const BodyType type : {BodyType::Static, BodyType::Kinematic}) {
@@ -142,10 +154,7 @@ TEST_CASE("a disc at 1000 m/s stays in a box of walls without thickness, however
     for (int round = 0; round < 20; ++round) {
         World world({.gravity_m_s2 = {}, .enable_sleep = false});
         const ShapeDef elastic{.material = {.friction = 0, .restitution = 1}};
-        const BodyId walls = world.create_body({.type = BodyType::Static}).value();
-        const std::array<Vec2, 4> corners{Vec2{-5, -5}, Vec2{5, -5}, Vec2{5, 5}, Vec2{-5, 5}};
-        for (std::size_t i = 0; i < 4; ++i)
-            world.create_shape(walls, Segment{corners[i], corners[(i + 1) % 4]}, elastic).value();
+        add_walls(world, elastic);
         const Rotation direction = Rotation::from_angle(random.real(-4, 4));
         const BodyDef def{.position_m = {random.real(-4.5, 4.5), random.real(-4.5, 4.5)},
                           .linear_velocity_m_s = rotate(direction, {1000, 0})};
@@ -178,17 +187,14 @@ TEST_CASE("a fast disc stays in a box of thin walls, however often it bounces") 
 
 TEST_CASE("shapes off their body's centre are not turned through walls without thickness") {
     // Dumbbells at 80 m/s, which turn each other by several rad a step. What a crowd presses at a wall,
-    // deeper than half of its own thickness, can still creep through: in less than one of a thousand.
+    // deeper than half of its own thickness, can still creep through: one of 7,680 was seen to.
     Random random(3);
     int count = 0;
     int escaped = 0;
     for (int round = 0; round < 8; ++round) {
         World world({.gravity_m_s2 = {}, .enable_sleep = false});
         const ShapeDef elastic{.material = {.friction = 0.1f, .restitution = 1}};
-        const BodyId walls = world.create_body({.type = BodyType::Static}).value();
-        const std::array<Vec2, 4> corners{Vec2{-5, -5}, Vec2{5, -5}, Vec2{5, 5}, Vec2{-5, 5}};
-        for (std::size_t i = 0; i < 4; ++i)
-            world.create_shape(walls, Segment{corners[i], corners[(i + 1) % 4]}, elastic).value();
+        add_walls(world, elastic);
         std::vector<BodyId> crowd;
         for (int x = -8; x <= 8; ++x) {
             for (int y = -8; y <= 8; ++y) {
