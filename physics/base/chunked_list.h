@@ -76,6 +76,7 @@ class ChunkedList {
 
     void copy_to(std::vector<T>& all) const {
         all.clear();
+        reserve_amply(all, size());
         for_each([&](const T& item) { all.push_back(item); });
     }
 

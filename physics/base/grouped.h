@@ -19,8 +19,8 @@ class Grouped {
         first_.clear();
     }
     void add(int group, const T& item) {
-        added_.push_back(item);
-        groups_.push_back(group);
+        push_amply(added_, item);
+        push_amply(groups_, group);
     }
     /// Into groups 0 up to, and without, `groups`.
     void sort(int groups) {

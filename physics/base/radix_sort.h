@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/ample.h"
+
 namespace cairn::physics {
 
 class RadixSort {
@@ -19,7 +21,7 @@ class RadixSort {
         // Digits in which all keys agree are passed over; in keys made of small numbers, most are.
         std::uint64_t varying = 0;
         for (const std::uint64_t key : keys) varying |= key ^ keys.front();
-        other_.resize(keys.size());
+        resize_amply(other_, keys.size());
         starts_.resize(kDigits);
         for (int shift = 0; shift < 64 && varying >> shift != 0; shift += kDigitBits) {
             if ((varying >> shift & (kDigits - 1)) == 0) continue;

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/ample.h"
 #include "base/assert.h"
 #include "base/prefetch.h"
 
@@ -33,7 +34,7 @@ class SlotMap {
         CAIRN_ASSERT(!full(), "a world holds too many objects of one kind");
         ++size_;
         if (free_head_ == kNone) {
-            slots_.push_back({0, kNone, true, std::move(value)});
+            push_amply(slots_, Slot{0, kNone, true, std::move(value)});
             return static_cast<int>(slots_.size()) - 1;
         }
         const int index = free_head_;

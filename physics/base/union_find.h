@@ -5,12 +5,14 @@
 #include <numeric>
 #include <vector>
 
+#include "base/ample.h"
+
 namespace cairn::physics {
 
 class UnionFind {
   public:
     void reset(int count) {
-        parent_.resize(count);
+        resize_amply(parent_, static_cast<std::size_t>(count));
         std::iota(parent_.begin(), parent_.end(), 0);
     }
     int find(int i) {

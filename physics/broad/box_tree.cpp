@@ -18,7 +18,7 @@ int groups_for(int count) {
 
 void BoxTree::insert(int item, const Aabb& box, OrderScratch& scratch) {
     CAIRN_ASSERT(!holds(item), "an item was added to a tree twice");
-    if (item >= static_cast<int>(places_.size())) places_.resize(item + 1, kNone);
+    cover_amply(places_, static_cast<std::size_t>(item) + 1, kNone);
     if (end_ % kGroupSize == 0) append_group();
     const int place = end_++;
     places_[item] = place;
@@ -95,13 +95,13 @@ void BoxTree::clear() {
 
 // One more group at the bottom, and the nodes above it that are not there yet.
 void BoxTree::append_group() {
-    items_.resize(items_.size() + kGroupSize, kNone);
-    levels_[0].emplace_back();
+    cover_amply(items_, items_.size() + kGroupSize, kNone);
+    push_amply(levels_[0], {});
     level_count_ = std::max(level_count_, 1);
     for (int k = 1; levels_[k - 1].size() > 1; ++k) {
         CAIRN_ASSERT(k < kMaxLevels, "too many boxes for one tree");
         if (static_cast<int>(levels_[k].size()) == groups_for(static_cast<int>(levels_[k - 1].size()))) break;
-        levels_[k].emplace_back();
+        push_amply(levels_[k], {});
         if (k < level_count_) continue;
         // A new root: what was the root is its first child.
         levels_[k][0].set_box(0, bounds(levels_[k - 1][0]));

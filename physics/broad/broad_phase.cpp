@@ -16,12 +16,11 @@ constexpr int kGroupsPerChunk = 64;
 }  // namespace
 
 void BroadPhase::add(int item, Layer layer, const Aabb& box) {
-    if (item >= static_cast<int>(states_.size())) {
-        states_.resize(item + 1);
-        box_before_.resize(item + 1);
-        ways_.resize(item + 1);
-        way_before_.resize(item + 1);
-    }
+    const std::size_t items = static_cast<std::size_t>(item) + 1;
+    cover_amply(states_, items);
+    cover_amply(box_before_, items);
+    cover_amply(ways_, items);
+    cover_amply(way_before_, items);
     states_[item] = {.layer = layer, .listed = states_[item].listed};
     trees_[index(layer)].insert(item, box, order_scratch_);
     note_move(item, Aabb{});
@@ -54,7 +53,7 @@ BroadPhase::Shifted BroadPhase::shift(int item, const Aabb& box) {
 }
 
 void BroadPhase::end_shifts(const ChunkedList<int>& first_moves, int dropped_ways) {
-    first_moves.for_each([&](int item) { moved_items_.push_back(item); });
+    first_moves.for_each([&](int item) { push_amply(moved_items_, item); });
     with_ways_ -= dropped_ways;
     trees_[index(Layer::Awake)].refit();
 }
@@ -94,7 +93,7 @@ void BroadPhase::set_layer(int item, Layer layer) {
 }
 
 void BroadPhase::note_move(int item, const Aabb& before) {
-    if (remember(item, before)) moved_items_.push_back(item);
+    if (remember(item, before)) push_amply(moved_items_, item);
 }
 
 // Remembers where the box was at the last search, if this is its first move since. Whether it is yet to be
@@ -139,7 +138,7 @@ void BroadPhase::collect_moved_groups(TaskPool& tasks) {
         for (std::size_t group = 0; group < lanes.size(); ++group) {
             const auto moved = static_cast<LaneMask>(lanes[group]);
             lanes[group] = moved == 0 ? kNone : static_cast<int>(moved_groups_.size());
-            if (moved != 0) moved_groups_.push_back({layer, static_cast<int>(group), moved, {}});
+            if (moved != 0) push_amply(moved_groups_, MovedGroup{layer, static_cast<int>(group), moved, {}});
         }
     }
     if (had_ways_) assign_amply(group_ways_, 2 * moved_groups_.size(), GroupWays{});
@@ -221,6 +220,7 @@ bool BroadPhase::may_be_known(const ItemPair& pair) const {
 
 void BroadPhase::sort(std::vector<ItemPair>& pairs) {
     pair_keys_.clear();
+    reserve_amply(pair_keys_, pairs.size());
     for (const ItemPair& pair : pairs)
         pair_keys_.push_back(static_cast<std::uint64_t>(pair.a) << 32 | static_cast<std::uint32_t>(pair.b));
     radix_.sort(pair_keys_);

@@ -6,6 +6,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "base/ample.h"
 #include "base/simd_rows-inl.h"
 #include "broad/box_way-inl.h"
 
@@ -155,7 +156,7 @@ class GroupSearch {
     HWY_INLINE void tell(LaneMask lanes, int item, std::vector<ItemPair>& pairs) const {
         for (; lanes != 0; lanes &= lanes - 1) {
             const int own = tree_.items()[kGroupSize * own_.group + std::countr_zero(lanes)];
-            pairs.push_back({std::min(own, item), std::max(own, item)});
+            push_amply(pairs, ItemPair{std::min(own, item), std::max(own, item)});
         }
     }
 

@@ -108,10 +108,10 @@ int ContactLanes::add_near(PairGeometry geometry, const PairLane& pair) {
     const int lane = near_count_[index(geometry)]++;
     const int block = lane / kLanes;
     if (block == static_cast<int>(blocks.size())) {
-        blocks.emplace_back();
+        push_amply(blocks, {});
         clear_pairs(blocks.back());
-        near_reaches_[index(geometry)].emplace_back();
-        near_sights_[index(geometry)].resize(blocks.size() * kLanes);
+        push_amply(near_reaches_[index(geometry)], {});
+        cover_amply(near_sights_[index(geometry)], blocks.size() * kLanes);
     }
     write_pair(blocks[block], lane % kLanes, pair);
     near_reaches_[index(geometry)][block].m[lane % kLanes] = pair.reach_m;
@@ -140,9 +140,9 @@ int ContactLanes::open_block(int bucket) {
             blocks_.reserve(kFirstBlocks);
             links_.reserve(kFirstBlocks);
         }
-        pairs_.emplace_back();
-        blocks_.emplace_back();
-        links_.emplace_back();
+        push_amply(pairs_, {});
+        push_amply(blocks_, {});
+        push_amply(links_, {});
         for (int lane = 0; lane < kLanes; ++lane) clear_lane(blocks_.back(), lane);
         if (!impacts_.empty()) make_room_for_impacts();
         free_.reserve(pairs_.capacity());

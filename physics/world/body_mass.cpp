@@ -7,6 +7,7 @@
 
 #include <cairn/physics/tuning.h>
 
+#include "base/ample.h"
 #include "world/contact_lists.h"
 #include "world/edge_list.h"
 #include "world/joint_lists.h"
@@ -75,7 +76,7 @@ void measure_extent(Stores& stores, int body) {
 
 void start_mass(Stores& stores, int body) {
     auto& entries = stores.masses.entries;
-    if (entries.size() <= static_cast<std::size_t>(body)) entries.resize(body + 1);
+    cover_amply(entries, static_cast<std::size_t>(body) + 1);
     // One that was listed for the slot's last body stays listed, and does no harm.
     entries[body] = {.sum = {}, .is_listed = entries[body].is_listed};
 }
@@ -98,7 +99,7 @@ void note_reshaped(Stores& stores, int body) {
     MassLedger::Entry& entry = stores.masses.entries[body];
     if (entry.is_listed) return;
     entry.is_listed = true;
-    stores.masses.reshaped.push_back(body);
+    push_amply(stores.masses.reshaped, body);
 }
 
 void settle_mass(Stores& stores, int body) {

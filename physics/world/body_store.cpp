@@ -1,6 +1,8 @@
 // Upkeep of rows: the last row fills the gap, and its body learns its new place.
 #include "world/body_store.h"
 
+#include "base/ample.h"
+
 namespace cairn::physics {
 
 void BodyStore::set_row(int body, RowSet set, int row) {
@@ -12,9 +14,9 @@ void BodyStore::set_row(int body, RowSet set, int row) {
 
 void BodyStore::add_row(int body, RowSet set) {
     BodyRows& to = rows(set);
-    std::apply([](auto&... column) { (column.emplace_back(), ...); }, to.columns());
+    std::apply([](auto&... column) { (push_amply(column, {}), ...); }, to.columns());
     to.body.back() = body;
-    if (places.size() <= static_cast<std::size_t>(body)) places.resize(body + 1);
+    cover_amply(places, static_cast<std::size_t>(body) + 1);
     places[body] = {};
     set_row(body, set, to.size() - 1);
 }
@@ -40,7 +42,7 @@ void BodyStore::move_row(int body, RowSet set) {
     BodyRows& to = rows(set);
     std::apply(
         [&](auto&... target) {
-            std::apply([&](auto&... source) { (target.push_back(source[old_row]), ...); }, from.columns());
+            std::apply([&](auto&... source) { (push_amply(target, source[old_row]), ...); }, from.columns());
         },
         to.columns());
     set_row(body, set, to.size() - 1);

@@ -3,6 +3,7 @@
 
 #include <bit>
 
+#include "base/ample.h"
 #include "world/direct_groups.h"
 #include "world/special_contacts.h"
 
@@ -93,7 +94,7 @@ int choose_bucket(const Stores& stores, const ContactRecord& c) {
 void add_loose(ContactStore& contacts, int contact) {
     contacts.slots[contact].bucket = kLooseBucket;
     contacts.slots[contact].lane = static_cast<int>(contacts.loose.size());
-    contacts.loose.push_back(contact);
+    push_amply(contacts.loose, contact);
     contacts.tiny += special::has(contacts.slots[contact], special::kTiny) ? 1 : 0;
 }
 
@@ -152,8 +153,7 @@ void color_contact(Stores& stores, int contact) {
     ContactRecord& c = contacts.slots[contact];
     c.has_points = true;
     note_if_uneven(stores, contact);
-    const std::size_t bodies = static_cast<std::size_t>(stores.bodies.slots.end_index());
-    if (contacts.colors.size() < bodies) contacts.colors.resize(bodies, 0);
+    cover_amply(contacts.colors, static_cast<std::size_t>(stores.bodies.slots.end_index()));
     c.bucket = choose_bucket(stores, c);
     if (c.bucket == kLooseBucket) return add_loose(contacts, contact);
     mark_color(stores, c, c.bucket, true);

@@ -147,9 +147,9 @@ class Update {
             const int lane = std::countr_zero(rest);
             const int contact = pairs().contact[lane];
             if ((found.gone >> lane & 1) != 0) {
-                scratch_.gone.push_back(contact);
+                push_amply(scratch_.gone, contact);
             } else if ((found.meets >> lane & 1) != 0) {
-                if (meets(contact)) scratch_.met.push_back(contact);
+                if (meets(contact)) push_amply(scratch_.met, contact);
             } else if (predict(contact, next_ahead((found.will_meet >> lane & 1) != 0))) {
                 pairs().remembers |= static_cast<std::uint8_t>(1u << lane);
             } else {
@@ -259,7 +259,7 @@ class Update {
         for (const int block : stores_.contacts.lanes.blocks()) {
             BlockFindings& found = scratch_.block_findings[block];
             for (unsigned gone = found.gone; gone != 0; gone &= gone - 1)
-                scratch_.gone.push_back(stores_.contacts.lanes.pairs(block).contact[std::countr_zero(gone)]);
+                push_amply(scratch_.gone, stores_.contacts.lanes.pairs(block).contact[std::countr_zero(gone)]);
             found.next_note = all_notes;
             all_notes += found.notes;
             scratch_.some_bounce_in_lanes |= found.bounces;
@@ -422,14 +422,14 @@ class Update {
         // What it bore was in its lane, and went with the points.
         stores_.contacts.slots[contact].memory = {};
         if (predict(contact, ahead)) {
-            scratch_.parted.push_back(contact);
+            push_amply(scratch_.parted, contact);
         } else {
             lose_points(contact);
         }
     }
 
     void lose_points(int contact) {
-        scratch_.parted.push_back(contact);
+        push_amply(scratch_.parted, contact);
         report_parting(stores_, stores_.contacts.slots[contact], world_.events.ends);
         stores_.contacts.slots[contact].has_points = false;
     }
@@ -455,7 +455,7 @@ class Update {
         const float unit = length_unit(stores_, c);
         collide(single_, PairGeometry::Chains, 1, places_, manifold_, unit);
         if (gone_lanes(stores_, single_, places_.boxes_moved) != 0) {
-            scratch_.gone.push_back(contact);
+            push_amply(scratch_.gone, contact);
             return;
         }
         if (special::has(c, special::kRefused)) return;
@@ -473,7 +473,7 @@ class Update {
             return;
         }
         if (was_loose && !is_loose(c)) {  // decided just now
-            if (meets(contact)) scratch_.met.push_back(contact);
+            if (meets(contact)) push_amply(scratch_.met, contact);
             return;
         }
         if (!meets(contact)) return;

@@ -117,7 +117,7 @@ class Estimate {
         link();
         for (int row = 1; row < motions_.size(); ++row) {
             const StaticsScratch::Stand& stand = scratch_.stands[row];
-            if (stand.above == 0 && stand.first != kNone) scratch_.ready.push_back(row);
+            if (stand.above == 0 && stand.first != kNone) push_amply(scratch_.ready, row);
         }
         // The last one first: what stands together is visited together.
         while (!scratch_.ready.empty()) {
@@ -202,7 +202,7 @@ class Estimate {
             const int support = static_cast<int>(block) * kLanes + lane;
             if (lanes.steepness[lane] <= kBearing) {
                 if (!touches_only_one(upper)) continue;
-                scratch_.slopes.push_back(support);
+                push_amply(scratch_.slopes, support);
             }
             StaticsScratch::Stand& stand = scratch_.stands[upper];
             scratch_.next[support] = stand.first;
@@ -276,7 +276,7 @@ class Estimate {
                 below.load += shares[point];
                 below.moment += s.x_below[k][lane] * shares[point];
             }
-            if (lower != kWorldRow && --below.above == 0) scratch_.ready.push_back(lower);
+            if (lower != kWorldRow && --below.above == 0) push_amply(scratch_.ready, lower);
         }
     }
 

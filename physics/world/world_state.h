@@ -10,6 +10,7 @@
 
 #include <cairn/physics/world.h>
 
+#include "base/ample.h"
 #include "base/chunked_list.h"
 #include "base/motion.h"
 #include "base/task_pool.h"
@@ -80,7 +81,7 @@ struct Stores {
 /// A shape with its box; that of a sensor is empty.
 inline int insert_shape(Stores& stores, const ShapeRecord& record, const Aabb& fat_box) {
     const int shape = stores.shapes.insert(record);
-    if (shape >= static_cast<int>(stores.fat_boxes.size())) stores.fat_boxes.resize(shape + 1);
+    cover_amply(stores.fat_boxes, static_cast<std::size_t>(shape) + 1);
     stores.fat_boxes[shape] = fat_box;
     return shape;
 }
@@ -94,7 +95,7 @@ inline bool mark_moved_boxes(Stores& stores, int body) {
     return true;
 }
 inline void note_moved_boxes(Stores& stores, int body) {
-    if (mark_moved_boxes(stores, body)) stores.boxes_moved.push_back(body);
+    if (mark_moved_boxes(stores, body)) push_amply(stores.boxes_moved, body);
 }
 
 struct Events {
