@@ -1,7 +1,7 @@
-// Vectors that grow with the world. `resize`, `assign` and `push_back` take exactly the room that they need, and
-// then again and again as sizes creep up, or twice as much as before, of which half may stay empty for good.
-// These take twice as much while there are few, and a quarter more from then on: at most a fifth stays empty,
-// and each item is moved four times on the average.
+// Vectors that grow with the world. `resize`, `assign` and `push_back` take exactly the room that they need,
+// and then again and again as sizes creep up, or twice as much as before, of which half may stay empty for
+// good. These take twice as much while there are few, and a quarter more from then on: at most a fifth stays
+// empty, and each item is moved four times on the average.
 #pragma once
 
 #include <algorithm>

@@ -96,11 +96,24 @@ template <Is<ShapeDef> R, class Visit>
           user_data);
 }
 
-/// What a shape is made of, which many shapes have alike. Its neighbours on the body follow from the links,
-/// its chain and its place among the sensors from those.
-template <Is<ShapeRecord> R, class Visit>
+/// What a shape is made of, which many shapes have alike.
+struct ShapeMake {
+    Convex convex;
+    ShapeDef def;
+    float margin_m = 0;
+};
+
+/// Of a shape: its neighbours on the body follow from the links, its chain and its place among the sensors
+/// from those.
+inline ShapeMake make_of(const ShapeRecord& record) {
+    const auto& [body, previous_of_body, next_of_body, chain, sensor, margin_m, prototype, user_data] =
+        record;
+    return {record.convex(), record.def(), margin_m};
+}
+
+template <Is<ShapeMake> R, class Visit>
 [[gnu::always_inline]] constexpr void fields(R& r, Visit&& visit) {
-    auto& [body, previous_of_body, next_of_body, chain, sensor, margin_m, convex, def] = r;
+    auto& [convex, def, margin_m] = r;
     visit(convex, def, margin_m);
 }
 

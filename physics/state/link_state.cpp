@@ -98,7 +98,7 @@ class Linking {
     // Null for one that may not stand there.
     ShapeRecord* take_shape(int body, int shape, bool sensor) {
         ShapeRecord* const record = shapes_.find(shape);
-        if (record == nullptr || record->body != kNone || record->def.sensor != sensor) return nullptr;
+        if (record == nullptr || record->body != kNone || record->def().sensor != sensor) return nullptr;
         record->body = body;
         ++shapes_read_;
         return record;

@@ -10,7 +10,7 @@
 namespace cairn::physics {
 namespace {
 
-constexpr std::size_t kMakeBytes = packed_size<ShapeRecord>();
+constexpr std::size_t kMakeBytes = packed_size<ShapeMake>();
 
 bool is_sound(const Convex& convex) {
     const int count = convex.count();
@@ -28,7 +28,7 @@ bool is_sound(const Convex& convex) {
     return false;
 }
 
-bool is_sound(const ShapeRecord& shape) {
+bool is_sound(const ShapeMake& shape) {
     const auto within = [](std::span<const Vec2> points) {
         return std::all_of(points.begin(), points.end(), [](Vec2 p) { return is_within_reach(p); });
     };
@@ -49,14 +49,19 @@ bool is_sound(const Aabb& box, bool sensor) {
     return sensor || (is_somewhere && (is_finite(box.lower) || is_finite(box.upper)));
 }
 
+bool is_made_alike(const ShapeRecord& a, const ShapeRecord& b) {
+    return a.prototype == b.prototype && a.user_data == b.user_data &&
+           differing_bits(a.margin_m, b.margin_m) == 0;
+}
+
 void save_records(const Stores& stores, Writer& out) {
     const std::size_t count = static_cast<std::size_t>(stores.shapes.size());
     std::byte* at = out.room(count * (1 + kMakeBytes + sizeof(Aabb)));
     const ShapeRecord* last = nullptr;
     for_each_alive(stores.shapes, [&](int shape, const ShapeRecord& record) {
-        const bool is_new = last == nullptr || differing_bits(*last, record) != 0;
+        const bool is_new = last == nullptr || !is_made_alike(*last, record);
         at = put(at, is_new);
-        if (is_new) at = put(at, record);
+        if (is_new) at = put(at, make_of(record));
         at = put(at, stores.fat_boxes[static_cast<std::size_t>(shape)]);
         last = &record;
     });
@@ -75,8 +80,8 @@ Expected load_records(Reader& in, Stores& stores) {
     constexpr std::size_t kLeast = 1 + sizeof(Aabb);
     // Copied from here and not from the shape before: what was stored just now is slow to read in other
     // pieces.
-    ShapeRecord make;
-    bool is_made = false;
+    ShapeMake make;
+    ShapePrototypes::Shared* prototype = nullptr;
     const std::byte* at = in.rest().data();
     std::size_t left = in.rest().size();
     Reading reading;
@@ -89,13 +94,15 @@ Expected load_records(Reader& in, Stores& stores) {
         ++at;
         if (is_new) {
             at = get(at, make, reading);
-            is_made = true;
             if (!in.require(is_sound(make), "a shape has points, a radius or a material that none has"))
                 return;
-        } else if (!in.require(is_made, "the first shape is as one before it")) {
+            prototype = stores.prototypes.take(make.convex, make.def);
+        } else if (in.require(prototype != nullptr, "the first shape is as one before it")) {
+            ShapePrototypes::take(prototype);
+        } else {
             return;
         }
-        record = make;
+        record = {.margin_m = make.margin_m, .prototype = prototype, .user_data = make.def.user_data};
         Aabb& box = stores.fat_boxes[static_cast<std::size_t>(shape)];
         at = get_unchecked(at, box);
         if (!in.require(is_sound(box, make.def.sensor), "a shape has a box that is nowhere or everywhere"))
@@ -140,7 +147,7 @@ void load_chain(Reader& in, Stores& stores, int index, ChainRecord& chain) {
         return;
     for (const int shape : segments) {
         const bool is_segment = names(stores.shapes, shape) && stores.shapes[shape].chain == kNone &&
-                                stores.shapes[shape].convex.is_chained();
+                                stores.shapes[shape].convex().is_chained();
         if (!in.require(is_segment, "a chain has a segment that is none, or of another chain")) return;
         stores.shapes[shape].chain = index;
     }
@@ -181,7 +188,7 @@ void load_sensors(Reader& in, Stores& stores, std::size_t expected) {
         in.list(inside);
         in.list(bodies);
         if (!in.ok()) return;
-        const bool is_sensor = names(stores.shapes, shape) && stores.shapes[shape].def.sensor &&
+        const bool is_sensor = names(stores.shapes, shape) && stores.shapes[shape].def().sensor &&
                                stores.shapes[shape].sensor == kNone && inside.size() == bodies.size();
         if (!in.require(is_sensor, "a shape is listed as a sensor that is none, or twice")) return;
         stores.shapes[shape].sensor = place++;
@@ -219,6 +226,7 @@ void load_shapes(Reader& in, RestoreSpace& to) {
     Stores& stores = to.stores;
     in.begin("shapes");
     load_slots(in, stores.shapes);
+    stores.prototypes.clear();
     Expected expected;
     if (in.ok()) expected = load_records(in, stores);
     if (in.ok()) load_chains(in, stores, expected.segments);

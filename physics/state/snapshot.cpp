@@ -23,8 +23,8 @@ void save(const WorldState& world, Writer& out) {
     out.value(def);
     out.value(step_count);
     out.value(previous_h_s);
-    const auto& [bodies, shapes, fat_boxes, chains, contacts, joints, broad, boxes_moved, masses, rules,
-                 sensors, breakables] = stores;
+    const auto& [bodies, prototypes, shapes, fat_boxes, chains, contacts, joints, broad, boxes_moved, masses,
+                 rules, sensors, breakables] = stores;
     save_bodies(stores, out);
     save_shapes(stores, out);
     save_contacts(contacts, out);

@@ -92,7 +92,7 @@ void destroy_body(WorldState& world, int body) {
         const int chain = stores.shapes[shape].chain;
         if (chain != kNone && stores.chains.alive(chain)) stores.chains.erase(chain);
         stores.broad.remove(shape);
-        stores.shapes.erase(shape);
+        erase_shape(stores, shape);
     });
     while (stores.bodies.slots[body].first_sensor != kNone) {
         destroy_sensor(world, stores.bodies.slots[body].first_sensor);
@@ -110,15 +110,16 @@ int add_shape(Stores& stores, int body, const Convex& convex, const ShapeDef& de
     ShapeRecord record;
     record.body = body;
     record.previous_of_body = owner.last_shape;
-    record.convex = convex;
-    record.def = def;
     record.margin_m = tuning::kAabbReach_m;
-    record.def.one_way_normal = unit_or_zero(def.one_way_normal);
     // Small shapes take small margins, or a heap of grains would be one heap of pairs.
     if (owner.type != BodyType::Static)
         record.margin_m +=
             std::min(tuning::kAabbMargin_m - tuning::kAabbReach_m, 0.025f * half_perimeter(box));
 
+    ShapeDef made_of = def;
+    made_of.one_way_normal = unit_or_zero(def.one_way_normal);
+    record.prototype = stores.prototypes.take(convex, made_of);
+    record.user_data = def.user_data;
     const int shape = insert_shape(stores, record, grown(box, record.margin_m));
     stores.broad.add(shape, layer_of(owner.set), stores.fat_boxes[shape]);
     (owner.last_shape == kNone ? owner.first_shape : stores.shapes[owner.last_shape].next_of_body) = shape;
@@ -131,7 +132,7 @@ void remove_shape(Stores& stores, int shape) {
     stores.sensors.outdated = true;
     unlink_shape(stores, shape);
     stores.broad.remove(shape);
-    stores.shapes.erase(shape);
+    erase_shape(stores, shape);
 }
 
 int create_shape(Stores& stores, int body, const Convex& convex, const ShapeDef& def) {
@@ -143,7 +144,7 @@ int create_shape(Stores& stores, int body, const Convex& convex, const ShapeDef&
 
 void destroy_shape(WorldState& world, int shape) {
     Stores& stores = world.stores;
-    if (stores.shapes[shape].def.sensor) return destroy_sensor(world, shape);
+    if (stores.shapes[shape].def().sensor) return destroy_sensor(world, shape);
     const int body = stores.shapes[shape].body;
     wake_body(stores, body);
     destroy_contacts_of(world, shape);
@@ -154,7 +155,7 @@ void destroy_shape(WorldState& world, int shape) {
 void refilter_shape(WorldState& world, int shape) {
     Stores& stores = world.stores;
     stores.sensors.outdated = true;
-    if (stores.shapes[shape].def.sensor) return;
+    if (stores.shapes[shape].def().sensor) return;
     for_each_edge(stores.contacts.slots, stores.bodies.slots[stores.shapes[shape].body].first_contact,
                   [&](int contact, int) {
                       const ContactRecord& c = stores.contacts.slots[contact];

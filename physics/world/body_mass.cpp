@@ -60,14 +60,14 @@ void measure_extent(Stores& stores, int body) {
     record.extent_m = record.turn_arm_m = record.center_arm_m = 0;
     record.inner_radius_m = std::numeric_limits<float>::infinity();
     for_each_shape(stores, body, [&](const ShapeRecord& shape) {
-        const float farthest = farthest_distance(shape.convex, record.mass.center_m);
+        const float farthest = farthest_distance(shape.convex(), record.mass.center_m);
         record.extent_m = std::max(record.extent_m, farthest);
-        record.turn_arm_m = std::max(record.turn_arm_m, farthest - shape.convex.radius());
+        record.turn_arm_m = std::max(record.turn_arm_m, farthest - shape.convex().radius());
         record.center_arm_m =
-            std::max(record.center_arm_m, length(shape.convex.centroid - record.mass.center_m));
+            std::max(record.center_arm_m, length(shape.convex().centroid - record.mass.center_m));
         // A line has no inside, but its contacts hold from the speculative distance on.
         const float solid =
-            shape.convex.is_line() ? tuning::kSpeculativeDistance_m : inner_radius(shape.convex);
+            shape.convex().is_line() ? tuning::kSpeculativeDistance_m : inner_radius(shape.convex());
         record.inner_radius_m = std::min(record.inner_radius_m, solid);
     });
 }
@@ -108,7 +108,7 @@ void settle_mass(Stores& stores, int body) {
     entry.lacks_shapes = false;
     entry.sum = {};
     for_each_shape(stores, body, [&](const ShapeRecord& shape) {
-        entry.sum += mass_of(shape.convex, static_cast<double>(shape.def.density_kg_m2));
+        entry.sum += mass_of(shape.convex(), static_cast<double>(shape.def().density_kg_m2));
     });
     apply(stores, body, entry.sum);
 }

@@ -16,7 +16,7 @@ void BoxCover::add(int body, const AheadLanes& ahead, int lane, bool goes_along)
 
 void BoxCover::add(int body, const Way& way) {
     const int shape = stores_.bodies.slots[body].first_shape;
-    if (shape != kNone) ask_for_geometry(stores_.shapes, shape);
+    if (shape != kNone) stores_.shapes.ask_for(shape);
     if (waiting_count_ == kLanes) take_waiting();
     waiting_[waiting_count_] = body;
     ways_[waiting_count_++] = way;
@@ -39,19 +39,19 @@ void BoxCover::take(int body, const Way& way) {
         lanes_.turn[lane] = way.turn_rad;
         lanes_.room[lane] = way.room_m;
         lanes_.margin[lane] = shape.margin_m;
-        lanes_.radius[lane] = shape.convex.radius();
-        lanes_.count[lane] = shape.convex.count();
+        lanes_.radius[lane] = shape.convex().radius();
+        lanes_.count[lane] = shape.convex().count();
         lanes_.places[lane] = &stores_.bodies.places[body];
         lanes_.centers[lane] = &record.mass.center_m;
-        lanes_.shapes[lane] = &shape.convex;
+        lanes_.shapes[lane] = &shape.convex();
         lanes_.boxes[lane] = &stores_.fat_boxes[s];
         // From the lane on, so that lanes without a shape of their own are as the last one.
         const unsigned onward = kAllLanes << lane & kAllLanes;
         lanes_.right_boxes =
-            static_cast<LaneBits>((lanes_.right_boxes & ~onward) | (shape.convex.is_box ? onward : 0));
+            static_cast<LaneBits>((lanes_.right_boxes & ~onward) | (shape.convex().is_box ? onward : 0));
         lanes_.going_along =
             static_cast<LaneBits>((lanes_.going_along & ~onward) | (way.goes_along ? onward : 0));
-        if (!shape.convex.is_box) lanes_.most_points = std::max(lanes_.most_points, shape.convex.count());
+        if (!shape.convex().is_box) lanes_.most_points = std::max(lanes_.most_points, shape.convex().count());
         shapes_[lane] = s;
         rows_[lane] = record.row;
         rounding_[lane] = way.rounding_m;

@@ -59,7 +59,7 @@ class Break {
         : stores_(stores), def_(def), grain_(def.grain) {
         for_each_solid_shape(stores, body, [&](int shape) {
             shapes_.push_back(shape);
-            rings_.push_back(grain_.compressed(ring_of(stores.shapes[shape].convex)));
+            rings_.push_back(grain_.compressed(ring_of(stores.shapes[shape].convex())));
         });
         impact_ = nearest_within(grain_.compressed(impact));
         const auto least_radius = static_cast<double>(def.min_width_m);

@@ -83,7 +83,7 @@ Material Chain::material(int segment) const {
     const ChainRecord& record = record_of(*world_, id_);
     CAIRN_ASSERT(segment >= 0 && segment < static_cast<int>(record.segments.size()),
                  "a chain was asked for a segment that it does not have");
-    return world_->stores.shapes[record.segments[segment]].def.material;
+    return world_->stores.shapes[record.segments[segment]].def().material;
 }
 
 Result<void> Chain::set_material(int segment, Material material) {
@@ -91,7 +91,7 @@ Result<void> Chain::set_material(int segment, Material material) {
     if (auto fault = validate_segment_index(record, segment)) return *fault;
     if (auto fault = validate(material)) return *fault;
     const int shape = record.segments[segment];
-    world_->stores.shapes[shape].def.material = material;
+    redefine_shape(world_->stores, shape, [&](ShapeDef& def) { def.material = material; });
     remix_contacts_of_shape(world_->stores, shape);
     return {};
 }

@@ -76,9 +76,9 @@ void reform(WorldState& world, int chain, int first, int last) {
         const int segment = (i + count) % count;
         const int shape = record.segments[segment];
         shapes.push_back(shape);
-        ShapeRecord& s = stores.shapes[shape];
-        s.convex = form_of(record, segment);
-        set_fat_box(stores, shape, grown(bounds(s.convex, xf), s.margin_m));
+        const ShapeRecord& s = stores.shapes[shape];
+        remake_shape(stores, shape, form_of(record, segment), s.def());
+        set_fat_box(stores, shape, grown(bounds(s.convex(), xf), s.margin_m));
         stores.broad.touch(shape);  // what it met before loses its contact, and gets a new one
     }
     wake_body(stores, record.body);
@@ -138,7 +138,7 @@ void insert_chain_points(WorldState& world, int chain, int index, std::span<cons
     ChainRecord& record = stores.chains[chain];
     const int added = static_cast<int>(points_m.size());
     const int at = std::min(index, static_cast<int>(record.segments.size()));
-    const ShapeDef def = stores.shapes[record.segments[std::max(at - 1, 0)]].def;
+    const ShapeDef def = stores.shapes[record.segments[std::max(at - 1, 0)]].def();
     record.points_m.insert(record.points_m.begin() + index, points_m.begin(), points_m.end());
     record.segments.insert(record.segments.begin() + at, added, kNone);
     for (int i = at; i < at + added; ++i) record.segments[i] = add_segment(stores, chain, i, def);

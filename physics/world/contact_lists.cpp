@@ -23,8 +23,8 @@ void note_if_uneven(Stores& stores, int contact) {
 }
 
 PairGeometry geometry_of(const Stores& stores, const ContactRecord& c) {
-    const Convex& a = stores.shapes[c.shape_a].convex;
-    const Convex& b = stores.shapes[c.shape_b].convex;
+    const Convex& a = stores.shapes[c.shape_a].convex();
+    const Convex& b = stores.shapes[c.shape_b].convex();
     if (a.is_box && b.is_box) return PairGeometry::Boxes;
     const bool in_lanes = !a.is_chained() && !b.is_chained() && !(a.is_line() && b.is_line());
     return in_lanes ? PairGeometry::Hulls : PairGeometry::Chains;
@@ -35,13 +35,13 @@ float reach_of(const Stores& stores, int body, int shape) {
     const BodyRecord& record = stores.bodies.slots[body];
     const ShapeRecord& s = stores.shapes[shape];
     const bool is_only = record.first_shape == shape && s.next_of_body == kNone;
-    return is_only ? record.extent_m : farthest_distance(s.convex, record.mass.center_m);
+    return is_only ? record.extent_m : farthest_distance(s.convex(), record.mass.center_m);
 }
 
 PairLane make_lane(const Stores& stores, int contact) {
     const ContactRecord& c = stores.contacts.slots[contact];
-    const Convex& a = stores.shapes[c.shape_a].convex;
-    const Convex& b = stores.shapes[c.shape_b].convex;
+    const Convex& a = stores.shapes[c.shape_a].convex();
+    const Convex& b = stores.shapes[c.shape_b].convex();
     PairLane lane;
     lane.contact = contact;
     lane.body_a = c.body_a;

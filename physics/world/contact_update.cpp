@@ -259,7 +259,8 @@ class Update {
         for (const int block : stores_.contacts.lanes.blocks()) {
             BlockFindings& found = scratch_.block_findings[block];
             for (unsigned gone = found.gone; gone != 0; gone &= gone - 1)
-                push_amply(scratch_.gone, stores_.contacts.lanes.pairs(block).contact[std::countr_zero(gone)]);
+                push_amply(scratch_.gone,
+                           stores_.contacts.lanes.pairs(block).contact[std::countr_zero(gone)]);
             found.next_note = all_notes;
             all_notes += found.notes;
             scratch_.some_bounce_in_lanes |= found.bounces;

@@ -30,8 +30,8 @@ void create_contact(Stores& stores, int shape_a, int shape_b) {
     c.body_a = a.body;
     c.body_b = b.body;
     mix_materials(stores, c);
-    c.reports_touch = a.def.contact_events || b.def.contact_events;
-    c.reports_hit = a.def.hit_events || b.def.hit_events;
+    c.reports_touch = a.def().contact_events || b.def().contact_events;
+    c.reports_hit = a.def().hit_events || b.def().hit_events;
     mark_special(stores, c);
 
     ContactStore& contacts = stores.contacts;
@@ -85,8 +85,7 @@ void find_new_pairs(Stores& stores, StepScratch& scratch, TaskPool& tasks) {
     stores.broad.end_search(scratch.pairs);
     const auto ask = [&](const ItemPair& pair) {
         for (const int shape : {pair.a, pair.b}) {
-            stores.shapes.ask_for(shape, kCacheLine_B);
-            prefetch(&stores.shapes[shape].def, sizeof(ShapeDef));
+            stores.shapes.ask_for(shape);
         }
     };
     const auto ask_for_bodies = [&](const ItemPair& pair) {

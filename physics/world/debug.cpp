@@ -34,7 +34,7 @@ DebugContact describe(const Stores& stores, int contact, float substeps) {
     const RelativePose b_in_a{inverse_rotate(xf_a.q, xf_b.p - xf_a.p), inverse(xf_a.q) * xf_b.q};
     const float reach_m = 2 * tuning::kLinearSlop_m;
     const Manifold manifold =
-        collide(stores.shapes[c.shape_a].convex, stores.shapes[c.shape_b].convex, b_in_a, reach_m);
+        collide(stores.shapes[c.shape_a].convex(), stores.shapes[c.shape_b].convex(), b_in_a, reach_m);
     const ContactMemory memory = memory_of(stores.contacts, contact);
     DebugContact told{.shape_a = stores.shapes.id(c.shape_a),
                       .shape_b = stores.shapes.id(c.shape_b),

@@ -30,11 +30,11 @@ SurfaceForce impulse_on(const Stores& stores, int shape, const ExplosionDef& def
     const BodyRecord& body = stores.bodies.slots[record.body];
     const Transform xf = stores.bodies.transform(record.body);
     const Vec2 center = inverse_transform_point(xf, def.center_m);
-    const Vec2 direction = direction_to(record.convex, center);
+    const Vec2 direction = direction_to(record.convex(), center);
     const QueryFilter shelter{.mask = def.shelter, .ignored_body = stores.bodies.slots.id(record.body)};
     SurfaceForce sum{shelter.ignored_body};
     visit_facing_pieces(
-        record.convex, [&](Vec2) { return direction; },
+        record.convex(), [&](Vec2) { return direction; },
         [&](const OutlinePiece& piece) {
             const float share = strength(def, length(piece.point - center));
             if (share <= 0) return;

@@ -70,7 +70,7 @@ Sweep make_sweep(const Stores& stores, int shape, Position origin, Vec2 gravity,
     const BodyRecord& record = stores.bodies.slots[body];
     const BodyRows& rows = stores.bodies.rows_of(body);
     const Place& place = stores.bodies.places[body];
-    return {&stores.shapes[shape].convex,
+    return {&stores.shapes[shape].convex(),
             place.center - origin,
             place.rotation,
             record.mass.center_m,

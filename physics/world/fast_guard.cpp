@@ -51,7 +51,7 @@ std::optional<LocalRayHit> cast_relative_way(const Stores& stores, int shape, Po
     const Place& place = stores.bodies.places[body];
     if (place.row == kWorldRow) {
         const Transform now = stores.bodies.transform(body);
-        return cast_ray(stores.shapes[shape].convex, inverse_transform_point(now, from),
+        return cast_ray(stores.shapes[shape].convex(), inverse_transform_point(now, from),
                         inverse_rotate(now.q, way));
     }
     const BodyRows& awake = stores.bodies.rows(RowSet::Awake);
@@ -68,7 +68,7 @@ std::optional<LocalRayHit> cast_relative_way(const Stores& stores, int shape, Po
     const BodyRecord& record = stores.bodies.slots[body];
     if (stays_outside(seen, straight_way, record.extent_m + chord * length(seen + straight_way))) return {};
     const Transform now = stores.bodies.transform(body);
-    const Convex& convex = stores.shapes[shape].convex;
+    const Convex& convex = stores.shapes[shape].convex();
     const Vec2 start = inverse_transform_point({center + -rotate(q, record.mass.center_m), q}, from);
     const Vec2 relative_way = inverse_transform_point(now, from + way) - start;
     if (length(relative_way) <= least_way) return {};
@@ -79,7 +79,7 @@ std::optional<LocalRayHit> cast_relative_way(const Stores& stores, int shape, Po
 // own thickness; 1 when it met nothing.
 class Way {
   public:
-    Way(const Stores& stores, int shape) : stores_(stores), convex_(stores.shapes[shape].convex) {
+    Way(const Stores& stores, int shape) : stores_(stores), convex_(stores.shapes[shape].convex()) {
         const int body = stores.shapes[shape].body;
         const BodyRecord& record = stores.bodies.slots[body];
         const BodyRows& awake = stores.bodies.rows(RowSet::Awake);

@@ -22,11 +22,12 @@ inline bool may_collide(const Stores& stores, int shape_a, int shape_b) {
     const int a = stores.shapes[shape_a].body;
     const int b = stores.shapes[shape_b].body;
     if (a == b) return false;
-    if (stores.shapes[shape_a].convex.is_line() && stores.shapes[shape_b].convex.is_line()) return false;
+    if (stores.shapes[shape_a].convex().is_line() && stores.shapes[shape_b].convex().is_line()) return false;
     const BodyRecord& body_a = stores.bodies.slots[a];
     const BodyRecord& body_b = stores.bodies.slots[b];
     if (body_a.type != BodyType::Dynamic && body_b.type != BodyType::Dynamic) return false;
-    if (!filters_allow(stores.shapes[shape_a].def.filter, stores.shapes[shape_b].def.filter)) return false;
+    if (!filters_allow(stores.shapes[shape_a].def().filter, stores.shapes[shape_b].def().filter))
+        return false;
     bool allowed = true;
     for_each_edge(stores.joints.slots, body_a.first_joint, [&](int joint, int side) {
         const JointRecord& j = stores.joints.slots[joint];

@@ -74,7 +74,7 @@ void follow(Stores& stores, int body, Outdated&& outdated, Set&& set) {
     for (int shape = stores.bodies.slots[body].first_shape; shape != kNone;
          shape = stores.shapes[shape].next_of_body) {
         const ShapeRecord& record = stores.shapes[shape];
-        const Aabb box = bounds(record.convex, xf);
+        const Aabb box = bounds(record.convex(), xf);
         const Aabb reach = grown(box, tuning::kAabbReach_m);
         if (outdated(stores.fat_boxes[shape], reach)) set(shape, grown(box, record.margin_m));
         slack = std::min(slack, clearance(stores.fat_boxes[shape], reach));
@@ -86,7 +86,7 @@ void follow(Stores& stores, int body, Outdated&& outdated, Set&& set) {
 bool has_lost_its_boxes(const Stores& stores, int body) {
     const Transform xf = stores.bodies.transform(body);
     for (int s = stores.bodies.slots[body].first_shape; s != kNone; s = stores.shapes[s].next_of_body) {
-        const Position at = transform_point(xf, stores.shapes[s].convex.centroid);
+        const Position at = transform_point(xf, stores.shapes[s].convex().centroid);
         if (!contains(stores.fat_boxes[s], make_aabb(at, {}, {}))) return true;
     }
     return false;

@@ -71,7 +71,7 @@ Correction conserving(const Stores& stores, int body, const FracturePlan& plan) 
     MassSum before;
     for_each_solid_shape(stores, body, [&](int s) {
         const ShapeRecord& shape = stores.shapes[s];
-        before += mass_of(shape.convex, static_cast<double>(shape.def.density_kg_m2));
+        before += mass_of(shape.convex(), static_cast<double>(shape.def().density_kg_m2));
     });
     MassSum after;
     for (const Piece& piece : plan) after += piece.mass;
@@ -120,7 +120,7 @@ int make_piece(Stores& stores, const Heritage& h, const Piece& piece, const Corr
     place.center = h.xf.p + rotate(h.xf.q, correction.shift);
     place.rotation = h.xf.q;
     for (const PieceShape& shape : piece.shapes) {
-        ShapeDef def = stores.shapes[shape.source].def;
+        ShapeDef def = stores.shapes[shape.source].def();
         def.density_kg_m2 = shape.density_kg_m2;
         create_shape(stores, body, shape.convex, def);
     }
@@ -147,8 +147,8 @@ std::size_t piece_at(const FracturePlan& plan, Vec2 point) {
 
 void hand_over_sensors(Stores& stores, int body, const FracturePlan& plan, const std::vector<int>& pieces) {
     for (int s = stores.bodies.slots[body].first_sensor; s != kNone; s = stores.shapes[s].next_of_body) {
-        const Convex convex = stores.shapes[s].convex;
-        const ShapeDef def = stores.shapes[s].def;
+        const Convex convex = stores.shapes[s].convex();
+        const ShapeDef def = stores.shapes[s].def();
         create_shape(stores, pieces[piece_at(plan, convex.centroid)], convex, def);
     }
 }
@@ -189,7 +189,7 @@ std::vector<int> divide_body(WorldState& world, int body, const FracturePlan& pl
 check::Fault validate_divisible(const Stores& stores, int body) {
     bool has_lines = false;
     for_each_solid_shape(stores, body,
-                         [&](int s) { has_lines = has_lines || stores.shapes[s].convex.is_line(); });
+                         [&](int s) { has_lines = has_lines || stores.shapes[s].convex().is_line(); });
     if (has_lines)
         return Error{"the body has a segment or a chain, but only shapes with an area can be divided"};
     if (stores.bodies.slots[body].first_shape == kNone) {

@@ -29,7 +29,7 @@ double mass_for_density_1(const Convex& shape) {
 }  // namespace
 
 Fragment whole_fragment(const Stores& stores, int shape, int group) {
-    const Convex& convex = stores.shapes[shape].convex;
+    const Convex& convex = stores.shapes[shape].convex();
     return {shape, group, true, ring_of(convex), {convex}};
 }
 
@@ -82,8 +82,8 @@ std::vector<Piece> make_pieces(const Stores& stores, const std::vector<Fragment>
             pieces.back().group = f.group;
         }
         const ShapeRecord& source = stores.shapes[f.shape];
-        const double share = f.is_whole ? 1 : mass_for_density_1(source.convex) / kept[f.shape];
-        const auto density = static_cast<float>(static_cast<double>(source.def.density_kg_m2) * share);
+        const double share = f.is_whole ? 1 : mass_for_density_1(source.convex()) / kept[f.shape];
+        const auto density = static_cast<float>(static_cast<double>(source.def().density_kg_m2) * share);
         for (const Convex& convex : f.convexes) {
             pieces[index].shapes.push_back({f.shape, convex, density});
             pieces[index].mass += mass_of(convex, static_cast<double>(density));

@@ -17,8 +17,8 @@ std::size_t place_of(int kind_a, int kind_b) {
     return static_cast<std::size_t>(high * (high + 1) / 2 + low);
 }
 
-const Material& material_of(const Stores& stores, int shape) {
-    return stores.shapes[shape].def.material;
+Material material_of(const Stores& stores, int shape) {
+    return stores.shapes[shape].def().material;
 }
 
 void remix(Stores& stores, int contact) {
@@ -71,16 +71,16 @@ float mix(const MixRule& rule, float a, float b) {
 
 // Rolling: the stiffer resistance acts, and of the two roundings the wider one is what rolls.
 SurfaceEffects surface_effects(const Stores& stores, const ContactRecord& contact) {
-    const Material& a = material_of(stores, contact.shape_a);
-    const Material& b = material_of(stores, contact.shape_b);
-    const float radius = std::max(stores.shapes[contact.shape_a].convex.radius(),
-                                  stores.shapes[contact.shape_b].convex.radius());
+    const Material a = material_of(stores, contact.shape_a);
+    const Material b = material_of(stores, contact.shape_b);
+    const float radius = std::max(stores.shapes[contact.shape_a].convex().radius(),
+                                  stores.shapes[contact.shape_b].convex().radius());
     return {std::max(a.rolling_resistance, b.rolling_resistance) * radius, mixed_surface_speed(a, b)};
 }
 
 void mix_materials(const Stores& stores, ContactRecord& contact) {
-    const Material& a = material_of(stores, contact.shape_a);
-    const Material& b = material_of(stores, contact.shape_b);
+    const Material a = material_of(stores, contact.shape_a);
+    const Material b = material_of(stores, contact.shape_b);
     const MaterialRule rule = stores.rules.mixing.rule(a.kind, b.kind);
     contact.friction = mix(rule.friction, a.friction, b.friction);
     contact.restitution = mix(rule.restitution, a.restitution, b.restitution);

@@ -27,7 +27,8 @@ void measure(const Stores& stores, const ContactRecord& c, ContactErrors& most) 
     const Transform xf_a = stores.bodies.transform(c.body_a);
     const Transform xf_b = stores.bodies.transform(c.body_b);
     const RelativePose b_in_a{inverse_rotate(xf_a.q, xf_b.p - xf_a.p), inverse(xf_a.q) * xf_b.q};
-    const Manifold m = collide(stores.shapes[c.shape_a].convex, stores.shapes[c.shape_b].convex, b_in_a, 0);
+    const Manifold m =
+        collide(stores.shapes[c.shape_a].convex(), stores.shapes[c.shape_b].convex(), b_in_a, 0);
     for (int i = 0; i < m.count; ++i) {
         const ManifoldPoint& p = m.points[static_cast<std::size_t>(i)];
         const Position at = transform_point(xf_a, p.point);

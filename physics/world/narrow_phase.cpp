@@ -36,8 +36,8 @@ void collide_lane(const Stores& stores, const PairBlock& pairs, const PoseLanes&
     const Rotation turn = inverse(q_a) * q_b;
     const Vec2 between = inverse_rotate(q_a, {poses.dx[lane], poses.dy[lane]});
     const RelativePose b_in_a{center_a + between - rotate(turn, center_b), turn};
-    const Convex& a = stores.shapes[pairs.shape_a[lane]].convex;
-    const Convex& b = stores.shapes[pairs.shape_b[lane]].convex;
+    const Convex& a = stores.shapes[pairs.shape_a[lane]].convex();
+    const Convex& b = stores.shapes[pairs.shape_b[lane]].convex();
     const Manifold m = unit == 1 ? collide(a, b, b_in_a, tuning::kSpeculativeDistance_m)
                                  : collide_in_unit(a, b, b_in_a, unit);
     const bool in_front = m.count == 0 && a.is_chained();
@@ -62,8 +62,8 @@ HullLanes hulls_of(const Stores& stores, const PairBlock& pairs, unsigned lanes)
     HullLanes hulls;
     for (int lane = 0; lane < kLanes; ++lane) {
         const int from = (lanes >> lane & 1) != 0 ? lane : first;
-        hulls.a[lane] = &stores.shapes[pairs.shape_a[from]].convex;
-        hulls.b[lane] = &stores.shapes[pairs.shape_b[from]].convex;
+        hulls.a[lane] = &stores.shapes[pairs.shape_a[from]].convex();
+        hulls.b[lane] = &stores.shapes[pairs.shape_b[from]].convex();
     }
     return hulls;
 }
@@ -80,8 +80,8 @@ void ask_for_pairs(const Stores& stores, const PairBlock& pairs, PairGeometry ge
         prefetch(&stores.bodies.places[pairs.body_a[lane]], sizeof(Place));
         prefetch(&stores.bodies.places[pairs.body_b[lane]], sizeof(Place));
         if (geometry == PairGeometry::Boxes) continue;  // the block knows them
-        ask_for_geometry(stores.shapes, pairs.shape_a[lane]);
-        ask_for_geometry(stores.shapes, pairs.shape_b[lane]);
+        stores.shapes.ask_for(pairs.shape_a[lane]);
+        stores.shapes.ask_for(pairs.shape_b[lane]);
     }
 }
 
@@ -124,8 +124,8 @@ ContactInput make_input(const Stores& stores, const PairBlock& pairs, const Bloc
     }
     input.friction = record.friction;
     input.restitution = record.restitution;
-    input.radius_a = stores.shapes[pairs.shape_a[lane]].convex.radius();
-    input.radius_b = stores.shapes[pairs.shape_b[lane]].convex.radius();
+    input.radius_a = stores.shapes[pairs.shape_a[lane]].convex().radius();
+    input.radius_b = stores.shapes[pairs.shape_b[lane]].convex().radius();
     return input;
 }
 
@@ -138,8 +138,8 @@ Bows bows_of(const Stores& stores, const PairBlock& pairs, const BlockPlaces& pl
     const float between = dot(normal, {places.poses.dx[lane], places.poses.dy[lane]});
     // Points lie midway between the surfaces.
     const float half_gap = 0.25f * (p.separation[lane] + q.separation[lane]);
-    return {to_point - half_gap - stores.shapes[pairs.shape_a[lane]].convex.radius(),
-            to_point - between + half_gap + stores.shapes[pairs.shape_b[lane]].convex.radius()};
+    return {to_point - half_gap - stores.shapes[pairs.shape_a[lane]].convex().radius(),
+            to_point - between + half_gap + stores.shapes[pairs.shape_b[lane]].convex().radius()};
 }
 
 }  // namespace cairn::physics

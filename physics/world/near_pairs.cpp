@@ -67,8 +67,8 @@ class NearLook {
         for (; close != 0; close &= close - 1) {
             const int lane = std::countr_zero(close);
             copy_geometry(pack_, packed_, pairs, lane);
-            ask_for_geometry(stores_.shapes, pairs.shape_a[lane]);
-            ask_for_geometry(stores_.shapes, pairs.shape_b[lane]);
+            stores_.shapes.ask_for(pairs.shape_a[lane]);
+            stores_.shapes.ask_for(pairs.shape_b[lane]);
             from_[packed_++] = block * kLanes + lane;
             if (packed_ == kLanes) finish();
         }

@@ -70,12 +70,12 @@ std::optional<Vec2> direction_between(const Convex& a, const Convex& b, const Po
 Side side_at(const Stores& stores, const ContactRecord& c, const Poses& at) {
     const ShapeRecord& a = stores.shapes[c.shape_a];
     const ShapeRecord& b = stores.shapes[c.shape_b];
-    const Vec2 normal_a = rotate(at.a.q, a.def.one_way_normal);
-    const Vec2 normal_b = rotate(at.b.q, b.def.one_way_normal);
-    const bool beyond_a = !is_one_way(a) || is_beyond(a.convex, at.a, b.convex, at.b, normal_a);
-    const bool beyond_b = !is_one_way(b) || is_beyond(b.convex, at.b, a.convex, at.a, normal_b);
+    const Vec2 normal_a = rotate(at.a.q, a.def().one_way_normal);
+    const Vec2 normal_b = rotate(at.b.q, b.def().one_way_normal);
+    const bool beyond_a = !is_one_way(a) || is_beyond(a.convex(), at.a, b.convex(), at.b, normal_a);
+    const bool beyond_b = !is_one_way(b) || is_beyond(b.convex(), at.b, a.convex(), at.a, normal_b);
     if (beyond_a && beyond_b) return Side::Front;
-    const std::optional<Vec2> a_to_b = direction_between(a.convex, b.convex, at);
+    const std::optional<Vec2> a_to_b = direction_between(a.convex(), b.convex(), at);
     if (!a_to_b) return Side::Inside;
     const bool front_a = beyond_a || dot(*a_to_b, normal_a) > kInFront;
     const bool front_b = beyond_b || dot(-*a_to_b, normal_b) > kInFront;

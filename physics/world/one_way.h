@@ -9,7 +9,7 @@
 namespace cairn::physics {
 
 inline bool is_one_way(const ShapeRecord& shape) {
-    return shape.def.one_way_normal != Vec2{};
+    return shape.def().one_way_normal != Vec2{};
 }
 
 /// The direction with length 1; (0, 0) stays.

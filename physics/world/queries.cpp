@@ -80,7 +80,7 @@ std::optional<RayHit> ray_hit(const Stores& stores, int shape, Position origin, 
     const ShapeRecord& record = stores.shapes[shape];
     const Transform xf = stores.bodies.transform(record.body);
     const auto hit =
-        cast_ray(record.convex, inverse_transform_point(xf, origin), inverse_rotate(xf.q, translation));
+        cast_ray(record.convex(), inverse_transform_point(xf, origin), inverse_rotate(xf.q, translation));
     if (!hit) return {};
     return RayHit{stores.shapes.id(shape), body_of(stores, shape), origin + hit->fraction * translation,
                   rotate(xf.q, hit->normal), hit->fraction};
@@ -133,8 +133,8 @@ std::optional<ShapeHit> shape_hit(const Stores& stores, int shape, const Convex&
     const Transform xf = stores.bodies.transform(record.body);
     const RelativePose relative = relative_pose(start, xf);
     const Vec2 way = inverse_rotate(xf.q, translation);
-    auto hit = cast_shape(record.convex, moving, relative, way);
-    if (hit && record.convex.is_chained()) hit = at_chain(record.convex, moving, relative, way, *hit);
+    auto hit = cast_shape(record.convex(), moving, relative, way);
+    if (hit && record.convex().is_chained()) hit = at_chain(record.convex(), moving, relative, way, *hit);
     if (!hit) return {};
     return ShapeHit{stores.shapes.id(shape),   body_of(stores, shape), transform_point(xf, hit->point),
                     rotate(xf.q, hit->normal), hit->fraction,          hit->overlap};
@@ -146,9 +146,9 @@ std::optional<SurfacePoint> surface_point(const Stores& stores, int shape, Posit
     const Transform xf = stores.bodies.transform(record.body);
     const Convex speck = disc(0);
     const RelativePose pose{inverse_transform_point(xf, point), {}};
-    if (is_behind(record.convex, pose.p)) return {};
-    const Clearance at = clearance(minkowski_difference(record.convex, speck, pose));
-    const Vec2 nearest = meeting_point(record.convex, speck, pose, at);
+    if (is_behind(record.convex(), pose.p)) return {};
+    const Clearance at = clearance(minkowski_difference(record.convex(), speck, pose));
+    const Vec2 nearest = meeting_point(record.convex(), speck, pose, at);
     return SurfacePoint{stores.shapes.id(shape), body_of(stores, shape), transform_point(xf, nearest),
                         rotate(xf.q, at.normal), at.distance};
 }
@@ -178,16 +178,16 @@ std::optional<CollisionPlane> collision_plane(const Stores& stores, int shape, c
     const Transform xf = stores.bodies.transform(record.body);
     const RelativePose relative = relative_pose(pose, xf);
     Meeting met;
-    if (record.convex.is_chained()) {
-        const auto at_front = meeting(record.convex, moving, relative, reach);
+    if (record.convex().is_chained()) {
+        const auto at_front = meeting(record.convex(), moving, relative, reach);
         if (!at_front) return {};
         met = *at_front;
     } else {
-        const Clearance at = clearance(minkowski_difference(record.convex, moving, relative));
+        const Clearance at = clearance(minkowski_difference(record.convex(), moving, relative));
         if (at.distance > reach) return {};
-        met = {meeting_point(record.convex, moving, relative, at), at.normal, at.distance};
+        met = {meeting_point(record.convex(), moving, relative, at), at.normal, at.distance};
     }
-    const auto [before, after] = edge_normals(record.convex, met.normal);
+    const auto [before, after] = edge_normals(record.convex(), met.normal);
     return CollisionPlane{stores.shapes.id(shape),
                           body_of(stores, shape),
                           transform_point(xf, met.point),
@@ -201,8 +201,8 @@ std::optional<CollisionPlane> collision_plane(const Stores& stores, int shape, c
 bool overlaps(const Stores& stores, int shape, const Convex& other, const Transform& pose) {
     const ShapeRecord& record = stores.shapes[shape];
     const RelativePose relative = relative_pose(pose, stores.bodies.transform(record.body));
-    if (is_behind(record.convex, relative.p + rotate(relative.q, other.centroid))) return false;
-    return clearance(minkowski_difference(record.convex, other, relative)).distance <= 0;
+    if (is_behind(record.convex(), relative.p + rotate(relative.q, other.centroid))) return false;
+    return clearance(minkowski_difference(record.convex(), other, relative)).distance <= 0;
 }
 
 // The box is clipped to the bounds of the shape first. That changes nothing about the answer, and then it is
@@ -211,8 +211,8 @@ bool overlaps_box(const Stores& stores, int shape, Position lower, Position uppe
     const ShapeRecord& record = stores.shapes[shape];
     const Transform xf = stores.bodies.transform(record.body);
     const Position middle{0.5 * lower.x + 0.5 * upper.x, 0.5 * lower.y + 0.5 * upper.y};
-    if (is_behind(record.convex, inverse_transform_point(xf, middle))) return false;
-    const Extent own = extent(record.convex, xf.q);
+    if (is_behind(record.convex(), inverse_transform_point(xf, middle))) return false;
+    const Extent own = extent(record.convex(), xf.q);
     const auto low = [](double box, double center, float bound) {
         return static_cast<float>(std::max(box - center, static_cast<double>(bound)));
     };
@@ -231,7 +231,7 @@ bool overlaps_box(const Stores& stores, int shape, Position lower, Position uppe
         points = {l, u};
         box.outline.count = l == u ? 1 : 2;
     }
-    return clearance(minkowski_difference(record.convex, box, {{}, inverse(xf.q)})).distance <= 0;
+    return clearance(minkowski_difference(record.convex(), box, {{}, inverse(xf.q)})).distance <= 0;
 }
 
 // Calls visit(point) for the shapes whose surface, or inside, is within the radius.
@@ -294,7 +294,7 @@ std::optional<ShapeId> shape_at(const Stores& stores, Position point_m, const Qu
     visit_in_box(stores, make_aabb(point_m, {}, {}), filter, [&](int shape) {
         const ShapeRecord& record = stores.shapes[shape];
         const Vec2 local = inverse_transform_point(stores.bodies.transform(record.body), point_m);
-        if (!contains_point(record.convex, local)) return;
+        if (!contains_point(record.convex(), local)) return;
         if (!last || rank(stores.shapes.id(shape)) > rank(*last)) last = stores.shapes.id(shape);
     });
     return last;

@@ -10,7 +10,7 @@ namespace cairn::physics {
 
 inline bool sees(const Stores& stores, const QueryFilter& filter, int shape) {
     const ShapeRecord& record = stores.shapes[shape];
-    if (!filter_sees(filter, record.def.filter)) return false;
+    if (!filter_sees(filter, record.def().filter)) return false;
     const BodyId body = stores.bodies.slots.id(record.body);
     return body != filter.ignored_body && filter.accepts(stores.shapes.id(shape), body);
 }

@@ -23,10 +23,10 @@ bool overlap(const Stores& stores, int shape_a, int shape_b) {
     const Transform xf_a = stores.bodies.transform(a.body);
     const Transform xf_b = stores.bodies.transform(b.body);
     const RelativePose b_in_a{inverse_rotate(xf_a.q, xf_b.p - xf_a.p), inverse(xf_a.q) * xf_b.q};
-    if (is_behind(b.convex, inverse_transform_point(xf_b, transform_point(xf_a, a.convex.centroid)))) {
+    if (is_behind(b.convex(), inverse_transform_point(xf_b, transform_point(xf_a, a.convex().centroid)))) {
         return false;
     }
-    return distance_between(a.convex, b.convex, b_in_a).distance <= 0;
+    return distance_between(a.convex(), b.convex(), b_in_a).distance <= 0;
 }
 
 // m. What comes this near on its way has touched.
@@ -52,7 +52,7 @@ BodyWay way_of(const Stores& stores, int body) {
 Sweep make_sweep(const Stores& stores, int shape, const BodyWay& way, Position origin) {
     const int body = stores.shapes[shape].body;
     const Place& place = stores.bodies.places[body];
-    return {&stores.shapes[shape].convex,
+    return {&stores.shapes[shape].convex(),
             place.center - origin - way.moved,
             way.before,
             stores.bodies.slots[body].mass.center_m,
@@ -64,7 +64,7 @@ Sweep make_sweep(const Stores& stores, int shape, const BodyWay& way, Position o
 float swing(const Stores& stores, int shape, const BodyWay& way) {
     if (way.chord == 0) return 0;
     const ShapeRecord& record = stores.shapes[shape];
-    return way.chord * farthest_distance(record.convex, stores.bodies.slots[record.body].mass.center_m);
+    return way.chord * farthest_distance(record.convex(), stores.bodies.slots[record.body].mass.center_m);
 }
 
 // Whether a shape that was outside before the step, and is after it, was inside in between. What moved less
@@ -73,7 +73,7 @@ bool passed(const Stores& stores, int sensor, int shape) {
     const BodyWay own = way_of(stores, stores.shapes[sensor].body);
     const BodyWay other = way_of(stores, stores.shapes[shape].body);
     const float turning = swing(stores, sensor, own) + swing(stores, shape, other);
-    const Convex& visitor = stores.shapes[shape].convex;
+    const Convex& visitor = stores.shapes[shape].convex();
     if (length(other.moved - own.moved) + turning <= kFastShare * inner_radius(visitor)) return false;
     const Position origin = stores.bodies.places[stores.shapes[sensor].body].center;
     const Sweep a = make_sweep(stores, sensor, own, origin);
@@ -87,22 +87,22 @@ bool passed(const Stores& stores, int sensor, int shape) {
 bool may_see(const Stores& stores, int sensor, int shape) {
     const ShapeRecord& own = stores.shapes[sensor];
     const ShapeRecord& other = stores.shapes[shape];
-    if (!other.def.seen_by_sensors || own.body == other.body) return false;
+    if (!other.def().seen_by_sensors || own.body == other.body) return false;
     const BodyType type = stores.bodies.slots[own.body].type;
     if (type == BodyType::Static && stores.bodies.slots[other.body].type == BodyType::Static) return false;
-    return filters_allow(own.def.filter, other.def.filter);
+    return filters_allow(own.def().filter, other.def().filter);
 }
 
 // Of all of the sensor's way.
 Aabb box_of_way(const Stores& stores, int sensor) {
     const ShapeRecord& own = stores.shapes[sensor];
     const Transform now = stores.bodies.transform(own.body);
-    const Aabb box = bounds(own.convex, now);
+    const Aabb box = bounds(own.convex(), now);
     const BodyWay way = way_of(stores, own.body);
     if (way.moved == Vec2{} && way.chord == 0) return box;
     const Vec2 center = stores.bodies.slots[own.body].mass.center_m;
     const Position before = stores.bodies.places[own.body].center + -way.moved;
-    const Aabb start = bounds(own.convex, {before + -rotate(way.before, center), way.before});
+    const Aabb start = bounds(own.convex(), {before + -rotate(way.before, center), way.before});
     // What turns is at most this far from the straight way between its ends: less than its chord.
     return grown(merged(start, box), swing(stores, sensor, way));
 }
@@ -168,8 +168,8 @@ void report_changes(const Stores& stores, const Sensor& before, const Sensor& no
 int create_sensor(Stores& stores, int body, const Convex& convex, const ShapeDef& def) {
     ShapeRecord record;
     record.body = body;
-    record.convex = convex;
-    record.def = def;
+    record.prototype = stores.prototypes.take(convex, def);
+    record.user_data = def.user_data;
     record.sensor = static_cast<int>(stores.sensors.all.size());
     const int shape = insert_shape(stores, record, Aabb{});
     stores.sensors.all.push_back({shape, {}, {}});
@@ -197,7 +197,7 @@ void destroy_sensor(WorldState& world, int shape) {
         stores.shapes[all[place].shape].sensor = place;
     }
     all.pop_back();
-    stores.shapes.erase(shape);
+    erase_shape(stores, shape);
 }
 
 void update_sensors(Stores& stores, std::span<const int> fast, Events& events) {

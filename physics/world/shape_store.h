@@ -1,10 +1,10 @@
-// Shapes: geometry, attributes, and the box that stands for them in the broad phase.
+// Shapes: what they are made of, and the box that stands for them in the broad phase.
 // Invariant: the fat box (Stores::fat_boxes) encloses the shape as of the last step, with kAabbReach_m to
 // spare; the broad phase knows it by the number of the shape's slot; shapes of a body form a list in order of
-// creation, and its sensors another.
+// creation, and its sensors another; each shape counts among those of its prototype.
 #pragma once
 
-#include <cstddef>
+#include <cstdint>
 
 #include <cairn/physics/ids.h>
 #include <cairn/physics/shape.h>
@@ -12,10 +12,10 @@
 #include "base/aabb.h"
 #include "base/slot_map.h"
 #include "collide/convex.h"
+#include "world/shape_prototypes.h"
 
 namespace cairn::physics {
 
-/// What boxes of the broad phase are made of stands within the first two cache lines.
 struct ShapeRecord {
     int body = kNone;
     int previous_of_body = kNone;
@@ -23,15 +23,17 @@ struct ShapeRecord {
     int chain = kNone;   // whose segment it is
     int sensor = kNone;  // place among the sensors; they have no box
     float margin_m = 0;  // of the fat box
-    Convex convex;
-    ShapeDef def;
+    ShapePrototypes::Shared* prototype = nullptr;
+    std::uint64_t user_data = 0;
+
+    [[nodiscard]] const Convex& convex() const { return prototype->first.convex; }
+    [[nodiscard]] ShapeDef def() const {
+        ShapeDef def = prototype->first.def;
+        def.user_data = user_data;
+        return def;
+    }
 };
 
 using ShapeStore = SlotMap<ShapeRecord, ShapeId>;
-
-/// Asks for what is needed to collide a shape.
-inline void ask_for_geometry(const ShapeStore& shapes, int shape) {
-    shapes.ask_for(shape, offsetof(ShapeRecord, def));
-}
 
 }  // namespace cairn::physics

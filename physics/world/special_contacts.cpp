@@ -14,7 +14,7 @@ void mark_special(const Stores& stores, ContactRecord& contact) {
                  is_breakable(stores, contact.body_a) || is_breakable(stores, contact.body_b));
     special::set(contact, special::kOneWay,
                  is_one_way(stores.shapes[contact.shape_a]) || is_one_way(stores.shapes[contact.shape_b]));
-    const auto is_tiny = [&](int shape) { return extent_of(stores.shapes[shape].convex) < kTinyExtent_m; };
+    const auto is_tiny = [&](int shape) { return extent_of(stores.shapes[shape].convex()) < kTinyExtent_m; };
     special::set(contact, special::kTiny, is_tiny(contact.shape_a) || is_tiny(contact.shape_b));
 }
 

@@ -35,7 +35,7 @@ inline float extent_of(const Convex& shape) {
 inline float length_unit(const Stores& stores, const ContactRecord& c) {
     if (!special::has(c, special::kTiny)) return 1;
     return length_unit(
-        std::min(extent_of(stores.shapes[c.shape_a].convex), extent_of(stores.shapes[c.shape_b].convex)));
+        std::min(extent_of(stores.shapes[c.shape_a].convex()), extent_of(stores.shapes[c.shape_b].convex())));
 }
 
 /// The manifold of two shapes, seen in such a unit.

@@ -63,7 +63,7 @@ SurfaceForce wind_force(const Stores& stores, int body, const WindDef& def, floa
                     record.mass.center_m};
     SurfaceForce sum{stores.bodies.slots.id(body)};
     for (int shape = record.first_shape; shape != kNone; shape = stores.shapes[shape].next_of_body) {
-        if (sees(stores, def.filter, shape)) add_shape(sum, stores.shapes[shape].convex, flow, def);
+        if (sees(stores, def.filter, shape)) add_shape(sum, stores.shapes[shape].convex(), flow, def);
     }
     const float rim = record.extent_m > 0 ? 1 / record.extent_m : 0;
     const float speed = length(flow.velocity) + std::fabs(flow.spin) * record.extent_m;

@@ -27,7 +27,7 @@ check::Fault validate_cut(Position from, Position to) {
 std::optional<Interval> way_through(const Stores& stores, int body, const CutWay& way) {
     std::optional<Interval> all;
     for_each_solid_shape(stores, body, [&](int shape) {
-        const Convex& convex = stores.shapes[shape].convex;
+        const Convex& convex = stores.shapes[shape].convex();
         if (convex.is_line()) return;
         const std::optional<Interval> found = interval_near(ring_of(convex), way.line, kLineReach_m);
         if (!found || found->high < 0 || found->low > way.length_m) return;

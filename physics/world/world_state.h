@@ -65,6 +65,7 @@ struct Stores {
     explicit Stores(std::uint16_t tag) : bodies(tag), shapes(tag), chains(tag), contacts(tag), joints(tag) {}
 
     BodyStore bodies;
+    ShapePrototypes prototypes;
     ShapeStore shapes;
     std::vector<Aabb> fat_boxes;  // by shape: in the broad phase
     ChainStore chains;
@@ -84,6 +85,28 @@ inline int insert_shape(Stores& stores, const ShapeRecord& record, const Aabb& f
     cover_amply(stores.fat_boxes, static_cast<std::size_t>(shape) + 1);
     stores.fat_boxes[shape] = fat_box;
     return shape;
+}
+
+inline void erase_shape(Stores& stores, int shape) {
+    stores.prototypes.release(stores.shapes[shape].prototype);
+    stores.shapes.erase(shape);
+}
+
+/// Makes the shape of something else; `def` holds its user data too.
+inline void remake_shape(Stores& stores, int shape, const Convex& convex, const ShapeDef& def) {
+    ShapeRecord& record = stores.shapes[shape];
+    ShapePrototypes::Shared* const before = record.prototype;
+    record.prototype = stores.prototypes.take(convex, def);
+    record.user_data = def.user_data;
+    stores.prototypes.release(before);
+}
+
+/// The same, for a change of its definition: change(def).
+template <class Change>
+void redefine_shape(Stores& stores, int shape, const Change& change) {
+    ShapeDef def = stores.shapes[shape].def();
+    change(def);
+    remake_shape(stores, shape, stores.shapes[shape].convex(), def);
 }
 
 /// The contacts of the body will be asked whether their boxes still overlap. Whether it is yet to be listed

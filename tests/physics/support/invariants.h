@@ -57,7 +57,7 @@ inline void check_shapes(const Stores& stores) {
             REQUIRE(s.body == body);
             REQUIRE(s.previous_of_body == last);
             REQUIRE((s.chain == kNone || stores.chains.alive(s.chain)));
-            const Aabb box = bounds(s.convex, stores.bodies.transform(body));
+            const Aabb box = bounds(s.convex(), stores.bodies.transform(body));
             // Boxes are made when the shape was a rounding error away from where it is.
             REQUIRE(contains(stores.fat_boxes[shape], grown(box, 0.999f * tuning::kAabbReach_m)));
             REQUIRE(stores.broad.layer(shape) == layer_of(record.set));
@@ -72,7 +72,7 @@ inline void check_shapes(const Stores& stores) {
             REQUIRE(stores.shapes.alive(sensor));
             const ShapeRecord& s = stores.shapes[sensor];
             REQUIRE(s.body == body);
-            REQUIRE(s.def.sensor);
+            REQUIRE(s.def().sensor);
             REQUIRE(stores.sensors.all.at(s.sensor).shape == sensor);
             ++sensors;
         }

@@ -125,7 +125,7 @@ class Operations {
         }
     }
     void refilter(int shape) {
-        world_.stores.shapes[shape].def.filter = random_filter();
+        redefine_shape(world_.stores, shape, [&](ShapeDef& def) { def.filter = random_filter(); });
         refilter_shape(world_, shape);
     }
     void push(int body) {

@@ -71,7 +71,7 @@ Sweep steady_way(const Stores& stores, int shape) {
     const BodyRecord& record = stores.bodies.slots[body];
     const Place& place = stores.bodies.places[body];
     Sweep way{
-        &stores.shapes[shape].convex, place.center - Position{}, place.rotation, record.mass.center_m, {}};
+        &stores.shapes[shape].convex(), place.center - Position{}, place.rotation, record.mass.center_m, {}};
     if (record.type == BodyType::Static) return way;
     const BodyRows& rows = stores.bodies.rows_of(body);
     way.velocity = static_cast<float>(kStep_s) * rows.velocity[record.row];
@@ -361,7 +361,7 @@ TEST_CASE("at every step of a crowd, sensors hold what the manifolds say, and ev
         const int body = stores.shapes[shape].body;
         const Place& from = before[static_cast<std::size_t>(body)];
         const Place& to = stores.bodies.places[body];
-        return Sweep{&stores.shapes[shape].convex,
+        return Sweep{&stores.shapes[shape].convex(),
                      from.center - Position{},
                      from.rotation,
                      stores.bodies.slots[body].mass.center_m,
@@ -390,13 +390,13 @@ TEST_CASE("at every step of a crowd, sensors hold what the manifolds say, and ev
                 const ShapeRecord& other = stores.shapes[shape];
                 const BodyType types[] = {stores.bodies.slots[own.body].type,
                                           stores.bodies.slots[other.body].type};
-                const bool hidden = other.def.sensor || !other.def.seen_by_sensors ||
+                const bool hidden = other.def().sensor || !other.def().seen_by_sensors ||
                                     own.body == other.body ||
                                     (types[0] == BodyType::Static && types[1] == BodyType::Static) ||
-                                    !filters_allow(own.def.filter, other.def.filter);
+                                    !filters_allow(own.def().filter, other.def().filter);
                 const Transform a = stores.bodies.transform(own.body);
                 const Transform b = stores.bodies.transform(other.body);
-                const Manifold m = collide(own.convex, other.convex,
+                const Manifold m = collide(own.convex(), other.convex(),
                                            {inverse_rotate(a.q, b.p - a.p), inverse(a.q) * b.q}, 0.001f);
                 float gap = 1;
                 for (int i = 0; i < m.count; ++i)
