@@ -34,7 +34,7 @@ class SlotMap {
         CAIRN_ASSERT(!full(), "a world holds too many objects of one kind");
         ++size_;
         if (free_head_ == kNone) {
-            push_amply(slots_, Slot{0, kNone, true, std::move(value)});
+            push_amply(slots_, Slot{0, 1, kNone, std::move(value)});
             return static_cast<int>(slots_.size()) - 1;
         }
         const int index = free_head_;
@@ -44,7 +44,7 @@ class SlotMap {
         if (free_head_ != kNone) ask_for(free_head_);
         --free_;
         slot.value = std::move(value);
-        slot.alive = true;
+        slot.alive = 1;
         return index;
     }
 
@@ -58,7 +58,7 @@ class SlotMap {
     void erase_as_is(int index) {
         Slot& slot = slots_[index];
         CAIRN_ASSERT(slot.alive, "an object was erased twice");
-        slot.alive = false;
+        slot.alive = 0;
         --size_;
         if (slot.generation == kMaxGeneration) return;  // retired
         ++slot.generation;
@@ -76,7 +76,7 @@ class SlotMap {
         const std::size_t index = id.index1 - std::size_t{1};  // of the null handle beyond all slots
         if (id.world != world_tag_ || index >= slots_.size()) return kNone;
         const Slot& slot = slots_[index];
-        return slot.alive && slot.generation == id.generation ? static_cast<int>(index) : kNone;
+        return slot.alive != 0 && slot.generation == id.generation ? static_cast<int>(index) : kNone;
     }
 
     T& operator[](int index) { return slots_[index].value; }
@@ -85,7 +85,7 @@ class SlotMap {
     void ask_for(int index, std::size_t size = sizeof(T)) const {
         prefetch(&slots_[index], sizeof(Slot) - sizeof(T) + size);
     }
-    [[nodiscard]] bool alive(int index) const { return slots_[index].alive; }
+    [[nodiscard]] bool alive(int index) const { return slots_[index].alive != 0; }
     /// One past the last slot in use; walk the slots with `alive`.
     [[nodiscard]] int end_index() const { return static_cast<int>(slots_.size()); }
     [[nodiscard]] int size() const { return size_; }
@@ -96,9 +96,9 @@ class SlotMap {
     friend class Lookup;
 
     struct Slot {
-        std::uint32_t generation;
+        std::uint32_t generation : 24;
+        std::uint32_t alive : 1;  // ahead of the value: both are looked at together
         int next_free;
-        bool alive;  // ahead of the value: both are looked at together
         T value;
     };
 

@@ -19,8 +19,7 @@ void BroadPhase::add(int item, Layer layer, const Aabb& box) {
     const std::size_t items = static_cast<std::size_t>(item) + 1;
     cover_amply(states_, items);
     cover_amply(box_before_, items);
-    cover_amply(ways_, items);
-    cover_amply(way_before_, items);
+    if (!ways_.empty()) cover_ways();
     states_[item] = {.layer = layer, .listed = states_[item].listed};
     trees_[index(layer)].insert(item, box, order_scratch_);
     note_move(item, Aabb{});
@@ -61,9 +60,15 @@ void BroadPhase::end_shifts(const ChunkedList<int>& first_moves, int dropped_way
 void BroadPhase::set_way(int item, Vec2 way) {
     drop_way(item);
     if (way == Vec2{}) return;
+    if (ways_.empty()) cover_ways();
     had_ways_ = states_[item].has_way = true;
     ways_[item] = way;
     ++with_ways_;
+}
+
+void BroadPhase::cover_ways() {
+    cover_amply(ways_, states_.size());
+    cover_amply(way_before_, states_.size());
 }
 
 void BroadPhase::drop_way(int item) {

@@ -48,7 +48,7 @@ class BroadPhase {
     [[nodiscard]] Aabb box(int item) const { return tree(layer(item)).box(item); }
     [[nodiscard]] const BoxTree& tree(Layer layer) const { return trees_[index(layer)]; }
     [[nodiscard]] bool has_ways() const { return with_ways_ > 0; }
-    [[nodiscard]] Vec2 way(int item) const { return ways_[item]; }
+    [[nodiscard]] Vec2 way(int item) const { return has_ways() ? ways_[item] : Vec2{}; }
     /// By item; empty while none has any.
     [[nodiscard]] std::span<const Vec2> ways() const {
         return has_ways() ? std::span<const Vec2>(ways_) : std::span<const Vec2>();
@@ -84,6 +84,7 @@ class BroadPhase {
 
     void note_move(int item, const Aabb& before);
     bool remember(int item, const Aabb& before);
+    void cover_ways();
     void drop_way(int item);
     void collect_moved_groups(TaskPool& tasks);
     void mark_moved_lanes(TaskPool& tasks);
@@ -94,8 +95,9 @@ class BroadPhase {
     std::array<BoxTree, kLayers.size()> trees_;
     std::vector<State> states_;     // by item
     std::vector<Aabb> box_before_;  // by item
-    std::vector<Vec2> ways_;        // by item; 0 for those that have none
-    std::vector<Vec2> way_before_;  // by item, of those that had one
+    // By item; 0 for those that have none, and empty until one has.
+    std::vector<Vec2> ways_;
+    std::vector<Vec2> way_before_;  // beside them, of those that had one
     int with_ways_ = 0;
     bool had_ways_ = false;         // some item, now or at some time since the last search
     std::vector<int> moved_items_;  // in the order of their first move; some may be gone

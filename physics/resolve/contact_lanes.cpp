@@ -72,6 +72,17 @@ void copy_geometry(PairBlock& to, int to_lane, const PairBlock& from, int from_l
     copy(to.boxes.offset_by, from.boxes.offset_by);
 }
 
+void ContactLanes::make_room(std::size_t contacts) {
+    // The last block of each bucket may stay half empty.
+    constexpr std::size_t kHalfEmpty = 8;
+    const std::size_t more = contacts / kLanes + kHalfEmpty;
+    if (contacts < kLanes * kHalfEmpty || more <= free_.size()) return;
+    const std::size_t blocks = pairs_.size() + more - free_.size();
+    reserve_amply(pairs_, blocks);
+    reserve_amply(blocks_, blocks);
+    reserve_amply(links_, blocks);
+}
+
 int ContactLanes::add(int bucket, const PairLane& pair) {
     if (!is_colored(bucket)) return add_near(geometry_of(bucket), pair);
     ++version_;
@@ -130,6 +141,20 @@ int ContactLanes::remove_near(PairGeometry geometry, int lane) {
     std::vector<NearReaches>& reaches = near_reaches_[index(geometry)];
     reaches[lane / kLanes].m[lane % kLanes] = reaches[last / kLanes].m[last % kLanes];
     return last == lane ? kNone : to.contact[lane % kLanes];
+}
+
+void ContactLanes::shrink_near(PairGeometry geometry, int before) {
+    constexpr int kMany = 512;
+    const int now = near_count_[index(geometry)];
+    if (before < kMany || now > before / 4) return;
+    const auto shrink = [](auto& items, int count) {
+        items.resize(static_cast<std::size_t>(count));
+        items.shrink_to_fit();
+    };
+    const int blocks = (now + kLanes - 1) / kLanes;
+    shrink(near_[index(geometry)], blocks);
+    shrink(near_reaches_[index(geometry)], blocks);
+    shrink(near_sights_[index(geometry)], blocks * kLanes);
 }
 
 int ContactLanes::open_block(int bucket) {

@@ -118,6 +118,8 @@ struct LaneOrderScratch {
 
 class ContactLanes {
   public:
+    /// Before so many contacts more come into colours: room for them, at once.
+    void make_room(std::size_t contacts);
     /// Puts a contact in. The result is its lane: the number of the block times kLanes, plus the place in it.
     int add(int bucket, const PairLane& lane);
     /// The contact that took the freed lane, or kNone.
@@ -143,6 +145,9 @@ class ContactLanes {
         return near_sights_[index(geometry)];
     }
     [[nodiscard]] int near_count(PairGeometry geometry) const { return near_count_[index(geometry)]; }
+    /// Where of many near pairs most went at once, as where a scene begins or wakes, gives back the memory
+    /// that they took. `before` is how many there were.
+    void shrink_near(PairGeometry geometry, int before);
 
     [[nodiscard]] PairBlock& pairs(int block) { return pairs_[block]; }
     [[nodiscard]] const PairBlock& pairs(int block) const { return pairs_[block]; }

@@ -81,7 +81,7 @@ Expected load_records(Reader& in, Stores& stores) {
     // Copied from here and not from the shape before: what was stored just now is slow to read in other
     // pieces.
     ShapeMake make;
-    ShapePrototypes::Shared* prototype = nullptr;
+    ShapePrototype* prototype = nullptr;
     const std::byte* at = in.rest().data();
     std::size_t left = in.rest().size();
     Reading reading;
@@ -98,7 +98,7 @@ Expected load_records(Reader& in, Stores& stores) {
                 return;
             prototype = stores.prototypes.take(make.convex, make.def);
         } else if (in.require(prototype != nullptr, "the first shape is as one before it")) {
-            ShapePrototypes::take(prototype);
+            ++prototype->users;
         } else {
             return;
         }

@@ -23,7 +23,7 @@ void save_slots(const Map& map, Writer& out) {
         std::byte* at = out.room(sizeof(std::uint32_t) * (2 + 2 * slots.size() + free));
         at = put(at, static_cast<std::uint32_t>(slots.size()));
         const auto word = [&](std::size_t i) {
-            return slots[i].generation | (slots[i].alive ? kAliveBit : 0);
+            return slots[i].generation | (slots[i].alive != 0 ? kAliveBit : 0);
         };
         for (std::size_t first = 0; first < slots.size();) {
             std::size_t end = first + 1;
@@ -63,8 +63,8 @@ void load_slots(Reader& in, Map& map) {
                 return;
             const auto end = slot + length;
             for (; slot != end; ++slot) {
-                slot->alive = alive;
-                slot->generation = generation;
+                slot->alive = alive ? 1 : 0;
+                slot->generation = generation & Map::kMaxGeneration;
                 slot->next_free = kUnlisted;
                 if (!alive) slot->value = gone;
             }

@@ -65,10 +65,14 @@ class Update {
 
     void run() {
         plain_.begin();
+        std::array<int, kPairGeometries> near_before{};
+        for (int g = 0; g < kPairGeometries; ++g)
+            near_before[g] = stores_.contacts.lanes.near_count(static_cast<PairGeometry>(g));
         update_uncolored();
         visit_contacts(stores_.contacts, scratch_.met,
                        [&](int contact) { unlist_contact(stores_, contact); });
         loose_done_ = stores_.contacts.loose.size();
+        stores_.contacts.lanes.make_room(scratch_.met.size());
         visit_contacts(stores_.contacts, scratch_.met, [&](int contact) { color_contact(stores_, contact); });
         scratch_.met.clear();
         update_uncolored();  // those that found no colour
@@ -84,6 +88,8 @@ class Update {
         for (const int body : stores_.boxes_moved)
             stores_.bodies.places[body].flags &= ~place_flag::kBoxesMoved;
         stores_.boxes_moved.clear();
+        for (int g = 0; g < kPairGeometries; ++g)
+            stores_.contacts.lanes.shrink_near(static_cast<PairGeometry>(g), near_before[g]);
     }
 
   private:

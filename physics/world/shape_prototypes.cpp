@@ -1,10 +1,14 @@
 // Prototypes by all of their bits.
 #include "world/shape_prototypes.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <numeric>
 #include <utility>
+
+#include "base/ample.h"
 
 namespace cairn::physics {
 namespace {
@@ -14,87 +18,124 @@ class Words {
   public:
     explicit Words(const ShapePrototype& prototype) {
         // Bindings name all members, or do not compile.
-        const auto& [convex, def] = prototype;
+        const auto& [convex, def, users, place, digest] = prototype;
         const auto& [owns_end, is_box, centroid, half_size, outline, normals] = convex;
         const auto& [kind, count, radius_m, points_m] = outline;
         const auto& [density, material, filter, contact_events, hit_events, sensor, seen_by_sensors,
                      one_way_normal, user_data] = def;
         const auto& [friction, restitution, rolling_resistance, surface_speed, material_kind] = material;
         const auto& [categories, mask, group] = filter;
-        add(owns_end, is_box, contact_events, hit_events, sensor, seen_by_sensors);
-        add(static_cast<std::uint32_t>(kind), std::uint32_t{count});
-        add(centroid, half_size, one_way_normal);
-        add(radius_m, density, friction, restitution, rolling_resistance, surface_speed);
-        add(static_cast<std::uint32_t>(material_kind), static_cast<std::uint32_t>(group));
-        add(categories, mask, user_data);
-        for (const Vec2 point : points_m) add(point);
-        for (const Vec2 normal : normals) add(normal);
+        const std::array<bool, 6> flags{owns_end,   is_box, contact_events,
+                                        hit_events, sensor, seen_by_sensors};
+        std::uint32_t bits = static_cast<std::uint32_t>(kind) << 16 | std::uint32_t{count} << 8;
+        for (std::size_t i = 0; i < flags.size(); ++i) bits |= std::uint32_t{flags[i]} << i;
+        add(points_m);
+        add(normals);
+        add(std::array{centroid, half_size, one_way_normal});
+        add(std::array{radius_m, density, friction, restitution, rolling_resistance, surface_speed});
+        add(std::array{bits, static_cast<std::uint32_t>(material_kind), static_cast<std::uint32_t>(group),
+                       0u});
+        add(std::array{categories, mask, user_data});
     }
 
     bool operator==(const Words& other) const = default;
 
-    // Source: the finalizer of MurmurHash3, Appleby 2011, after each word.
-    [[nodiscard]] std::uint64_t hash() const {
-        std::uint64_t hash = 0;
-        for (std::size_t i = 0; i < kCount; i += 2) {
-            hash ^= std::uint64_t{words_[i]} << 32 | words_[i + 1];
-            hash *= 0xff51afd7ed558ccdu;
-            hash ^= hash >> 32;
+    // Four sums that need not wait for each other, then the finalizer of MurmurHash3 (Appleby 2011).
+    [[nodiscard]] std::uint32_t digest() const {
+        constexpr std::size_t kSums = 4;
+        static_assert(kCount % kSums == 0);
+        std::array<std::uint64_t, kSums> sums{1, 2, 3, 4};
+        for (std::size_t i = 0; i < kCount; i += kSums) {
+            for (std::size_t k = 0; k < kSums; ++k)
+                sums[k] = std::rotl((sums[k] ^ words_[i + k]) * 0xff51afd7ed558ccdu, 29);
         }
-        return hash;
+        std::uint64_t hash = 0;
+        for (const std::uint64_t sum : sums) {
+            hash = (hash ^ sum) * 0xc4ceb9fe1a85ec53u;
+            hash ^= hash >> 33;
+        }
+        return static_cast<std::uint32_t>(hash);
     }
 
   private:
-    static constexpr std::size_t kCount = 64;
+    static constexpr std::size_t kCount = 28;
 
-    template <class... Members>
-    void add(const Members&... members) {
-        (put(members), ...);
-    }
-    void put(std::uint32_t word) { words_[used_++] = word; }
-    void put(std::uint64_t word) {
-        put(static_cast<std::uint32_t>(word));
-        put(static_cast<std::uint32_t>(word >> 32));
-    }
-    void put(bool flag) { put(std::uint32_t{flag}); }
-    void put(float number) { put(std::bit_cast<std::uint32_t>(number)); }
-    void put(Vec2 v) {
-        put(v.x);
-        put(v.y);
+    template <class T, std::size_t n>
+    void add(const std::array<T, n>& values) {
+        using Bits = std::array<std::uint64_t, sizeof(values) / sizeof(std::uint64_t)>;
+        const auto bits = std::bit_cast<Bits>(values);
+        std::copy(bits.begin(), bits.end(), words_.begin() + static_cast<std::ptrdiff_t>(used_));
+        used_ += bits.size();
     }
 
-    std::array<std::uint32_t, kCount> words_{};
+    std::array<std::uint64_t, kCount> words_{};
     std::size_t used_ = 0;
 };
 
 }  // namespace
 
-bool ShapePrototype::operator==(const ShapePrototype& other) const {
-    return Words(*this) == Words(other);
+ShapePrototype* ShapePrototypes::take(const Convex& convex, const ShapeDef& def) {
+    ShapePrototype wanted{convex, def};
+    wanted.def.user_data = 0;
+    const Words words(wanted);
+    wanted.digest = words.digest();
+    if (2 * (size() + 1) > slots_.size()) grow_table();
+    for (std::size_t at = home(wanted.digest); slots_[at].place != kEmpty; at = after(at)) {
+        if (slots_[at].digest != wanted.digest) continue;
+        ShapePrototype& known = *prototypes_[slots_[at].place];
+        if (Words(known) != words) continue;
+        ++known.users;
+        return &known;
+    }
+    wanted.users = 1;
+    if (free_.empty()) {
+        wanted.place = static_cast<std::uint32_t>(prototypes_.size());
+        push_amply(prototypes_, std::make_unique<ShapePrototype>(wanted));
+    } else {
+        wanted.place = free_.back();
+        free_.pop_back();
+        *prototypes_[wanted.place] = wanted;
+    }
+    put({wanted.digest, wanted.place});
+    return prototypes_[wanted.place].get();
 }
 
-std::size_t ShapePrototypes::Hash::operator()(const ShapePrototype& prototype) const {
-    return Words(prototype).hash();
-}
-
-ShapePrototypes::Shared* ShapePrototypes::take(const Convex& convex, const ShapeDef& def) {
-    ShapePrototype prototype{convex, def};
-    prototype.def.user_data = 0;
-    if (const auto known = counts_.find(prototype); known != counts_.end()) return take(&*known);
-    if (spare_.empty()) return take(&*counts_.emplace(prototype, 0).first);
-    Counts::node_type node = std::move(spare_.back());
-    spare_.pop_back();
-    node.key() = prototype;
-    node.mapped() = 0;
-    return take(&*counts_.insert(std::move(node)).position);
-}
-
-void ShapePrototypes::release(Shared* shared) {
-    if (--shared->second == 0) spare_.push_back(counts_.extract(shared->first));
+void ShapePrototypes::release(ShapePrototype* prototype) {
+    if (--prototype->users > 0) return;
+    std::size_t gap = home(prototype->digest);
+    while (slots_[gap].place != prototype->place) gap = after(gap);
+    // What follows without a gap, and may stand nearer to where it is looked for first, moves up. Source:
+    // Knuth, vol. 3, 6.4, algorithm R.
+    for (std::size_t at = after(gap); slots_[at].place != kEmpty; at = after(at)) {
+        const std::size_t mask = slots_.size() - 1;
+        const std::size_t from_home = (at - home(slots_[at].digest)) & mask;
+        if (from_home < ((at - gap) & mask)) continue;
+        slots_[gap] = slots_[at];
+        gap = at;
+    }
+    slots_[gap] = {};
+    push_amply(free_, prototype->place);
 }
 
 void ShapePrototypes::clear() {
-    while (!counts_.empty()) spare_.push_back(counts_.extract(counts_.begin()));
+    std::fill(slots_.begin(), slots_.end(), Slot{});
+    resize_amply(free_, prototypes_.size());
+    std::iota(free_.rbegin(), free_.rend(), 0u);
+}
+
+void ShapePrototypes::grow_table() {
+    constexpr std::size_t kLeast = 16;
+    const std::vector<Slot> before = std::exchange(slots_, {});
+    slots_.resize(std::max(kLeast, 2 * before.size()));
+    for (const Slot& entry : before) {
+        if (entry.place != kEmpty) put(entry);
+    }
+}
+
+void ShapePrototypes::put(Slot entry) {
+    std::size_t at = home(entry.digest);
+    while (slots_[at].place != kEmpty) at = after(at);
+    slots_[at] = entry;
 }
 
 }  // namespace cairn::physics

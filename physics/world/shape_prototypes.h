@@ -5,7 +5,8 @@
 #pragma once
 
 #include <cstddef>
-#include <unordered_map>
+#include <cstdint>
+#include <memory>
 #include <vector>
 
 #include <cairn/physics/shape.h>
@@ -16,37 +17,38 @@ namespace cairn::physics {
 
 struct ShapePrototype {
     Convex convex;
-    ShapeDef def;  // without user_data: each shape has its own
-
-    bool operator==(const ShapePrototype& other) const;  // in all bits: -0 is not 0
+    ShapeDef def;              // without user_data: each shape has its own
+    int users = 0;             // shapes that are made of it
+    std::uint32_t place = 0;   // among all
+    std::uint32_t digest = 0;  // of all bits of the first two
 };
 
 class ShapePrototypes {
-    struct Hash {
-        std::size_t operator()(const ShapePrototype& prototype) const;
-    };
-    using Counts = std::unordered_map<ShapePrototype, int, Hash>;
-
   public:
-    /// A prototype, and the number of the shapes that are made of it.
-    using Shared = Counts::value_type;
-
-    /// For one shape more. What `convex` and `def` refer to may be part of a prototype.
-    Shared* take(const Convex& convex, const ShapeDef& def);
-    /// For one shape more, made as another one.
-    static Shared* take(Shared* shared) {
-        ++shared->second;
-        return shared;
-    }
+    /// For one shape more. What `convex` and `def` refer to may be part of a prototype. -0 is not 0.
+    ShapePrototype* take(const Convex& convex, const ShapeDef& def);
     /// For one shape less.
-    void release(Shared* shared);
+    void release(ShapePrototype* prototype);
     /// No shape is made of any more.
     void clear();
-    [[nodiscard]] std::size_t size() const { return counts_.size(); }
+    [[nodiscard]] std::size_t size() const { return prototypes_.size() - free_.size(); }
 
   private:
-    Counts counts_;
-    std::vector<Counts::node_type> spare_;  // of those that went, for their memory
+    // Of a table with open addresses: where a prototype is found by its digest, or in the next slots.
+    struct Slot {
+        std::uint32_t digest = 0;
+        std::uint32_t place = kEmpty;
+    };
+    static constexpr std::uint32_t kEmpty = ~std::uint32_t{0};
+
+    [[nodiscard]] std::size_t home(std::uint32_t digest) const { return digest & (slots_.size() - 1); }
+    [[nodiscard]] std::size_t after(std::size_t slot) const { return (slot + 1) & (slots_.size() - 1); }
+    void grow_table();
+    void put(Slot entry);
+
+    std::vector<std::unique_ptr<ShapePrototype>> prototypes_;
+    std::vector<std::uint32_t> free_;  // places of those that went
+    std::vector<Slot> slots_;          // a power of two; half of them at least are empty
 };
 
 }  // namespace cairn::physics

@@ -23,12 +23,12 @@ struct ShapeRecord {
     int chain = kNone;   // whose segment it is
     int sensor = kNone;  // place among the sensors; they have no box
     float margin_m = 0;  // of the fat box
-    ShapePrototypes::Shared* prototype = nullptr;
+    ShapePrototype* prototype = nullptr;
     std::uint64_t user_data = 0;
 
-    [[nodiscard]] const Convex& convex() const { return prototype->first.convex; }
+    [[nodiscard]] const Convex& convex() const { return prototype->convex; }
     [[nodiscard]] ShapeDef def() const {
-        ShapeDef def = prototype->first.def;
+        ShapeDef def = prototype->def;
         def.user_data = user_data;
         return def;
     }

@@ -33,7 +33,7 @@ ChainId Shape::chain() const {
     const int chain = record_of(*world_, id_).chain;
     return chain == kNone ? ChainId{} : world_->stores.chains.id(chain);
 }
-const Outline& Shape::outline() const {
+Outline Shape::outline() const {
     return record_of(*world_, id_).convex().outline;
 }
 float Shape::density() const {

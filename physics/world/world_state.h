@@ -95,7 +95,7 @@ inline void erase_shape(Stores& stores, int shape) {
 /// Makes the shape of something else; `def` holds its user data too.
 inline void remake_shape(Stores& stores, int shape, const Convex& convex, const ShapeDef& def) {
     ShapeRecord& record = stores.shapes[shape];
-    ShapePrototypes::Shared* const before = record.prototype;
+    ShapePrototype* const before = record.prototype;
     record.prototype = stores.prototypes.take(convex, def);
     record.user_data = def.user_data;
     stores.prototypes.release(before);

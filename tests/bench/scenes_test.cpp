@@ -91,6 +91,15 @@ TEST_CASE("scenes that stand allocate nothing in a step") {
     CHECK(measure_on_cairn("scale_1k", 20).allocations == 0);
 }
 
+TEST_CASE("a box in a stack takes less than 1,200 bytes, with its contacts and all that steps work on") {
+    for (const std::string name : {"scale_1k", "scale_2k", "scale_5k", "scale_10k", "scale_20k"}) {
+        INFO(name);
+        const Measurement m = measure_on_cairn(name, 20);
+        CHECK(m.bytes_peak > 500 * m.tally.bodies);  // that it is measured at all
+        CHECK(m.bytes_peak < 1200 * m.tally.bodies);
+    }
+}
+
 TEST_CASE("a scene ends in the same state at every SIMD level") {
     std::set<std::uint64_t> hashes;
     const auto levels = physics::available_simd_levels();

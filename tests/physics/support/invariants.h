@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <map>
 #include <set>
 #include <utility>
 #include <vector>
@@ -47,6 +48,12 @@ inline void check_rows(const Stores& stores) {
 inline void check_shapes(const Stores& stores) {
     int listed = 0;
     int sensors = 0;
+    std::map<const ShapePrototype*, int> made_of;
+    for (int shape = 0; shape < stores.shapes.end_index(); ++shape) {
+        if (stores.shapes.alive(shape)) ++made_of[stores.shapes[shape].prototype];
+    }
+    REQUIRE(made_of.size() == stores.prototypes.size());
+    for (const auto& [prototype, count] : made_of) REQUIRE(prototype->users == count);
     for (int body = 0; body < stores.bodies.slots.end_index(); ++body) {
         if (!stores.bodies.slots.alive(body)) continue;
         const BodyRecord& record = stores.bodies.slots[body];

@@ -56,7 +56,7 @@ class Shape {
     [[nodiscard]] ShapeId id() const { return id_; }
     [[nodiscard]] BodyId body() const;
     [[nodiscard]] ChainId chain() const;  ///< null unless the shape is a segment of a chain
-    [[nodiscard]] const Outline& outline() const;
+    [[nodiscard]] Outline outline() const;
     [[nodiscard]] float density() const;
     /// >= 0, kg/m^2. The mass of the body follows, and the body wakes. Not for segments of chains.
     Result<void> set_density(float density_kg_m2);
