@@ -18,6 +18,7 @@
 #include "world/near_pairs.h"
 #include "world/one_way.h"
 #include "world/plain_contacts.h"
+#include "world/pressed_bodies.h"
 #include "world/sleep.h"
 #include "world/special_contacts.h"
 #include "world/tiny_contacts.h"
@@ -65,6 +66,7 @@ class Update {
 
     void run() {
         plain_.begin();
+        scratch_.pressed.clear();
         std::array<int, kPairGeometries> near_before{};
         for (int g = 0; g < kPairGeometries; ++g)
             near_before[g] = stores_.contacts.lanes.near_count(static_cast<PairGeometry>(g));
@@ -235,6 +237,7 @@ class Update {
         const int count = static_cast<int>(blocks.size());
         resize_amply(scratch_.block_findings, static_cast<std::size_t>(stores_.contacts.lanes.pool_size()));
         scratch_.notes.start(count, kBlocksPerChunk, world_.tasks);
+        scratch_.pressed_found.start(count, kBlocksPerChunk, world_.tasks);
         find_unmoved();
         if (scratch_.motions.some_turn_far) stores_.contacts.lanes.make_room_for_turns();
         std::atomic<int> known = 0;
@@ -242,6 +245,7 @@ class Update {
             BlockPlaces places;
             ManifoldLanes manifold;
             ChunkedList<LaneNote>::Appender notes(scratch_.notes, chunk);
+            ChunkedList<int>::Appender pressed(scratch_.pressed_found, chunk);
             int known_here = 0;
             for (int i = chunk.begin; i < chunk.end; ++i) {
                 fetch_ahead(blocks, i);
@@ -256,10 +260,12 @@ class Update {
                 found.gone = static_cast<std::uint8_t>(gone);
                 found.notes = static_cast<std::uint8_t>(notes.items().size() - noted);
                 found.bounces = stores_.contacts.lanes.block(blocks[i]).bounces != 0;
+                found.presses = note_pressed(stores_, blocks[i], pressed.items());
             }
             known.fetch_add(known_here, std::memory_order_relaxed);
         });
         scratch_.standing->all_blocks_known = known == count;
+        scratch_.pressed_found.for_each([&](int body) { push_amply(scratch_.pressed, body); });
         int all_notes = 0;
         scratch_.some_bounce_in_lanes = false;
         for (const int block : stores_.contacts.lanes.blocks()) {
@@ -297,7 +303,7 @@ class Update {
     // Whether looking at the block would find what it found in the last step: nothing to be noted.
     [[nodiscard]] bool is_known(const BlockFindings& last, int block) const {
         const Unmoved& unmoved = scratch_.standing->unmoved;
-        return unmoved.some() && last.notes == 0 && last.gone == 0 && !last.bounces &&
+        return unmoved.some() && last.notes == 0 && last.gone == 0 && !last.bounces && !last.presses &&
                stores_.contacts.lanes.block(block).turning == nullptr &&
                unmoved.all_of(stores_.contacts.lanes.block(block));
     }
@@ -491,6 +497,7 @@ class Update {
             input.surface_speed_m_s = effects.speed_m_s;
         }
         input.unit = unit;
+        note_pressed(stores_, input, scratch_.pressed);
         plain_.add(input, c.memory);
     }
 

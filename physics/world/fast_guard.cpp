@@ -12,6 +12,7 @@
 #include "base/ample.h"
 #include "collide/place_lanes.h"
 #include "collide/ray_cast.h"
+#include "world/edge_list.h"
 #include "world/fast_bodies.h"
 #include "world/filtering.h"
 #include "world/finalize.h"
@@ -79,7 +80,8 @@ std::optional<LocalRayHit> cast_relative_way(const Stores& stores, int shape, Po
 // own thickness; 1 when it met nothing.
 class Way {
   public:
-    Way(const Stores& stores, int shape) : stores_(stores), convex_(stores.shapes[shape].convex()) {
+    Way(const Stores& stores, int shape, float fast_share = kFastShare)
+        : stores_(stores), convex_(stores.shapes[shape].convex()) {
         const int body = stores.shapes[shape].body;
         const BodyRecord& record = stores.bodies.slots[body];
         const BodyRows& awake = stores.bodies.rows(RowSet::Awake);
@@ -88,7 +90,7 @@ class Way {
                 rotate(awake.rotation_before[record.row], arm);
         way_ = transform_point(stores.bodies.transform(body), convex_.centroid) - from_;
         length_ = length(way_);
-        least_way_ = kFastShare * record.inner_radius_m;
+        least_way_ = fast_share * record.inner_radius_m;
         farthest_way_ = record.inner_radius_m / kRounding;
     }
 
@@ -395,7 +397,32 @@ bool hold(Stores& stores, const WayScratch& ways, int body) {
     return share < 1;
 }
 
+// Of a body, by what it touches and cannot push away.
+float free_share_of_pressed(const Stores& stores, int body) {
+    constexpr float kAllWays = 0;
+    float free_share = 1;
+    for_each_edge(stores.contacts.slots, stores.bodies.slots[body].first_contact, [&](int contact, int side) {
+        const ContactRecord& c = stores.contacts.slots[contact];
+        const bool is_b = side == 1;
+        if (!is_b || stores.bodies.slots[c.body_a].type == BodyType::Dynamic) return;
+        if (special::has(c, special::kRefused | special::kPassing)) return;
+        free_share = std::min(free_share, Way(stores, c.shape_b, kAllWays).free_share(c.shape_a));
+    });
+    return free_share;
+}
+
 }  // namespace
+
+void hold_pressed_bodies(Stores& stores, StepScratch& scratch) {
+    std::vector<int>& pressed = scratch.pressed;
+    std::sort(pressed.begin(), pressed.end());
+    pressed.erase(std::unique(pressed.begin(), pressed.end()), pressed.end());
+    for (const int body : pressed) {
+        if (!stores.bodies.is_awake(body)) continue;
+        const float share = free_share_of_pressed(stores, body);
+        if (share < 1) put_back(stores, body, share);
+    }
+}
 
 void hold_fast_bodies(Stores& stores, StepScratch& scratch, TaskPool& tasks) {
     if (scratch.fast.empty()) return;

@@ -10,4 +10,7 @@ namespace cairn::physics {
 /// met that shape. It keeps its velocity, so that the next step sees them meet.
 void hold_fast_bodies(Stores& stores, StepScratch& scratch, TaskPool& tasks);
 
+/// Stage: the same for what is pressed, however slow, and what it is pressed into.
+void hold_pressed_bodies(Stores& stores, StepScratch& scratch);
+
 }  // namespace cairn::physics

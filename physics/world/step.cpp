@@ -104,6 +104,7 @@ void step_world(WorldState& world, float dt_s) {
     finalize_bodies(stores, scratch, time.dt_s, def.enable_sleep, tasks);
     clock.enter(Stage::Continuous);
     hold_fast_bodies(stores, scratch, tasks);
+    hold_pressed_bodies(stores, scratch);
     break_joints(stores, scratch, world.events);
     clock.enter(Stage::Sensors);
     update_sensors(stores, scratch.fast, world.events);

@@ -221,6 +221,7 @@ struct BlockFindings {
     std::uint8_t notes = 0;
     std::uint8_t gone = 0;  // bits: lanes of which the boxes have parted
     bool bounces = false;   // in some lane
+    bool presses = false;   // some body deep into what cannot give way
 };
 
 /// A contact that acts once, when it is reached (world/awaited_contacts.h).
@@ -323,6 +324,8 @@ struct StepScratch {
     std::vector<Advance> advances;            // by row of the motions
     std::vector<int> fast;                    // bodies that could pass through others in this step
     ChunkedList<int> fast_found;
+    std::vector<int> pressed;  // bodies that others press deep into what cannot give way
+    ChunkedList<int> pressed_found;
     ChunkedList<int> untold_boxes;                // of shapes: written, but not known to the broad phase yet
     std::unique_ptr<ShiftedBoxes> shifted_boxes;  // none before many are told at once
     std::unique_ptr<WayScratch> ways;             // none before the first fast body
