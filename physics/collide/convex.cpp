@@ -2,6 +2,8 @@
 #include "collide/convex.h"
 
 #include <algorithm>
+#include <bit>
+#include <cstdint>
 
 #include <cairn/physics/tuning.h>
 
@@ -26,6 +28,19 @@ void set_points(Convex& shape, std::span<const Vec2> points, float radius_m) {
         shape.outline.points_m[i] = shape.point(0);
         shape.normals[i] = shape.normals[0];
     }
+}
+
+// Of a segment of a chain, behind its own points: the far ends of its neighbours.
+void set_far_ends(Convex& segment, const std::array<Vec2, 2>& far) {
+    std::copy(far.begin(), far.end(), segment.outline.points_m.begin() + 2);
+    segment.normals[2] = normalized(right_perp(segment.point(0) - far[0]));
+    segment.normals[3] = normalized(right_perp(far[1] - segment.point(1)));
+}
+
+template <std::size_t n>
+bool are_same_bits(const std::array<Vec2, n>& a, const std::array<Vec2, n>& b) {
+    using Bits = std::array<std::uint64_t, n>;
+    return std::bit_cast<Bits>(a) == std::bit_cast<Bits>(b);
 }
 
 check::Fault place(const char* field, Vec2 p) {
@@ -148,12 +163,24 @@ Convex make_chain_segment(std::optional<Vec2> before, Vec2 a, Vec2 b, std::optio
     shape.outline.kind = ShapeKind::ChainSegment;
     set_points(shape, std::array{a, b}, 0);
     const Vec2 behind = left_perp(b - a);
-    const std::array<Vec2, 2> far{before.value_or(a + behind), after.value_or(b + behind)};
-    std::copy(far.begin(), far.end(), shape.outline.points_m.begin() + 2);
-    shape.normals[2] = normalized(right_perp(a - far[0]));
-    shape.normals[3] = normalized(right_perp(far[1] - b));
+    set_far_ends(shape, {before.value_or(a + behind), after.value_or(b + behind)});
     shape.owns_end = !after;
     return shape;
+}
+
+bool is_consistent(const Convex& shape) {
+    const auto& points = shape.outline.points_m;
+    Convex made;
+    set_points(made, std::span(points).first(static_cast<std::size_t>(shape.count())), shape.radius());
+    if (shape.is_chained()) set_far_ends(made, {points[2], points[3]});
+    if (!are_same_bits(made.outline.points_m, points) || !are_same_bits(made.normals, shape.normals))
+        return false;
+    if (!shape.is_box) return are_same_bits(std::array{made.centroid}, std::array{shape.centroid});
+    const Vec2 half = shape.half_size;
+    const auto corner = [&](float sx, float sy) { return shape.centroid + Vec2{sx * half.x, sy * half.y}; };
+    return shape.count() == 4 && shape.radius() == 0 && half.x > 0 && half.y > 0 &&
+           points[0] == corner(-1, -1) && points[1] == corner(1, -1) && points[2] == corner(1, 1) &&
+           points[3] == corner(-1, 1);
 }
 
 Extents extents(const Convex& shape, Rotation q) {

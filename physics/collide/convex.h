@@ -41,6 +41,10 @@ Result<Convex> make_convex(const Geometry& geometry);
 /// of its neighbours; a missing one makes a free end, as if the chain turned squarely behind itself there.
 Convex make_chain_segment(std::optional<Vec2> before, Vec2 a, Vec2 b, std::optional<Vec2> after);
 
+/// Whether all that follows from the points is what it would be made to be, in all bits: what was written
+/// down elsewhere may say anything. The kind and the number of points are such as go together.
+bool is_consistent(const Convex& shape);
+
 /// Bounds of the shape, turned, about the origin of its body.
 struct Extents {
     Vec2 lower;

@@ -33,11 +33,11 @@ bool is_sound(const ShapeMake& shape) {
         return std::all_of(points.begin(), points.end(), [](Vec2 p) { return is_within_reach(p); });
     };
     const int kind = shape.def.material.kind;
-    return is_sound(shape.convex) && kind >= 0 && kind < kMaterialKinds && shape.convex.radius() >= 0 &&
-           shape.convex.radius() <= kMostExtent_m && within(shape.convex.outline.points_m) &&
-           within(shape.convex.normals) && is_within_reach(shape.convex.centroid) &&
-           is_within_reach(shape.convex.half_size) && is_finite(shape.def.one_way_normal) &&
-           shape.margin_m <= kMostExtent_m && shape.margin_m >= 0;
+    return is_sound(shape.convex) && is_consistent(shape.convex) && kind >= 0 && kind < kMaterialKinds &&
+           shape.convex.radius() >= 0 && shape.convex.radius() <= kMostExtent_m &&
+           within(shape.convex.outline.points_m) && within(shape.convex.normals) &&
+           is_within_reach(shape.convex.centroid) && is_within_reach(shape.convex.half_size) &&
+           is_finite(shape.def.one_way_normal) && shape.margin_m <= kMostExtent_m && shape.margin_m >= 0;
 }
 
 // A sensor has no box, so its own may be any; others are met somewhere, but not by everything.

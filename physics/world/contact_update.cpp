@@ -335,12 +335,6 @@ class Update {
                  ManifoldLanes& manifold, float unit = 1) const {
         load_places(stores_.bodies.places.data(), pairs.body_a, pairs.body_b, lanes, places);
         collide_block(stores_, pairs, geometry, lanes, places.poses, manifold, unit);
-        // Lanes that nobody is in are far apart, but not along a normal without length, as a damaged snapshot
-        // may have one.
-        for (unsigned rest = ~lanes & ((1u << kLanes) - 1); rest != 0; rest &= rest - 1) {
-            const int lane = std::countr_zero(rest);
-            for (ManifoldPointLanes& point : manifold.points) point.id[lane] = kNoFeature;
-        }
     }
 
     // The result are the lanes of which the boxes have parted.

@@ -23,6 +23,39 @@ constexpr double kFloatRounding_m = 1e-6;
 
 }  // namespace
 
+TEST_CASE("a shape of which anything that follows from its points was changed is not consistent") {
+    Random random(2);
+    std::vector<Convex> shapes{make_chain_segment({}, {0, 0}, {1, 0}, Vec2{2, 1}),
+                               make_chain_segment(Vec2{-1, 1}, {0, 0}, {1, 0}, {}),
+                               make_convex(Box{0.3f, 0.7f, {0.1f, -0.2f}}).value(),
+                               make_convex(Box{0.3f, 0.7f, {0.1f, -0.2f}, 0.4f, 0.1f}).value()};
+    for (const Form form : kForms) {
+        for (int i = 0; i < 100; ++i) shapes.push_back(random_convex(random, form));
+    }
+    for (const Convex& shape : shapes) {
+        REQUIRE(is_consistent(shape));
+        for (std::size_t i = 0; i < kMaxPolygonVertices; ++i) {
+            // The one point of a circle may be anywhere, but its repetitions are where it is.
+            Convex changed = shape;
+            changed.outline.points_m[i].x += 0.125f;
+            REQUIRE(!is_consistent(changed));
+            changed = shape;
+            changed.normals[i].y += 0.125f;
+            REQUIRE(!is_consistent(changed));
+        }
+        Convex changed = shape;
+        changed.centroid.y += 0.125f;
+        REQUIRE(!is_consistent(changed));
+        if (!shape.is_box) continue;
+        changed = shape;
+        changed.half_size.x *= 1.5f;
+        REQUIRE(!is_consistent(changed));
+        changed = shape;
+        changed.outline.radius_m = 0.1f;
+        REQUIRE(!is_consistent(changed));
+    }
+}
+
 TEST_CASE("every shape's points run anticlockwise, with unit normals that point out") {
     Random random(1);
     for (const Form form : kForms) {
