@@ -66,7 +66,8 @@ class Update {
 
     void run() {
         plain_.begin();
-        scratch_.pressed.clear();
+        if (!scratch_.pressed) scratch_.pressed = std::make_unique<PressedScratch>();
+        scratch_.pressed->bodies.clear();
         std::array<int, kPairGeometries> near_before{};
         for (int g = 0; g < kPairGeometries; ++g)
             near_before[g] = stores_.contacts.lanes.near_count(static_cast<PairGeometry>(g));
@@ -237,7 +238,7 @@ class Update {
         const int count = static_cast<int>(blocks.size());
         resize_amply(scratch_.block_findings, static_cast<std::size_t>(stores_.contacts.lanes.pool_size()));
         scratch_.notes.start(count, kBlocksPerChunk, world_.tasks);
-        scratch_.pressed_found.start(count, kBlocksPerChunk, world_.tasks);
+        scratch_.pressed->found.start(count, kBlocksPerChunk, world_.tasks);
         find_unmoved();
         if (scratch_.motions.some_turn_far) stores_.contacts.lanes.make_room_for_turns();
         std::atomic<int> known = 0;
@@ -245,7 +246,7 @@ class Update {
             BlockPlaces places;
             ManifoldLanes manifold;
             ChunkedList<LaneNote>::Appender notes(scratch_.notes, chunk);
-            ChunkedList<int>::Appender pressed(scratch_.pressed_found, chunk);
+            ChunkedList<int>::Appender pressed(scratch_.pressed->found, chunk);
             int known_here = 0;
             for (int i = chunk.begin; i < chunk.end; ++i) {
                 fetch_ahead(blocks, i);
@@ -265,7 +266,7 @@ class Update {
             known.fetch_add(known_here, std::memory_order_relaxed);
         });
         scratch_.standing->all_blocks_known = known == count;
-        scratch_.pressed_found.for_each([&](int body) { push_amply(scratch_.pressed, body); });
+        scratch_.pressed->found.for_each([&](int body) { push_amply(scratch_.pressed->bodies, body); });
         int all_notes = 0;
         scratch_.some_bounce_in_lanes = false;
         for (const int block : stores_.contacts.lanes.blocks()) {
@@ -491,7 +492,7 @@ class Update {
             input.surface_speed_m_s = effects.speed_m_s;
         }
         input.unit = unit;
-        note_pressed(stores_, input, scratch_.pressed);
+        note_pressed(stores_, input, scratch_.pressed->bodies);
         plain_.add(input, c.memory);
     }
 

@@ -414,7 +414,7 @@ float free_share_of_pressed(const Stores& stores, int body) {
 }  // namespace
 
 void hold_pressed_bodies(Stores& stores, StepScratch& scratch) {
-    std::vector<int>& pressed = scratch.pressed;
+    std::vector<int>& pressed = scratch.pressed->bodies;
     std::sort(pressed.begin(), pressed.end());
     pressed.erase(std::unique(pressed.begin(), pressed.end()), pressed.end());
     for (const int body : pressed) {

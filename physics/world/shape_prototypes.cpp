@@ -5,7 +5,6 @@
 #include <array>
 #include <bit>
 #include <cstdint>
-#include <numeric>
 #include <utility>
 
 #include "base/ample.h"
@@ -88,12 +87,13 @@ ShapePrototype* ShapePrototypes::take(const Convex& convex, const ShapeDef& def)
         return &known;
     }
     wanted.users = 1;
-    if (free_.empty()) {
+    if (first_free_ == kEmpty) {
         wanted.place = static_cast<std::uint32_t>(prototypes_.size());
         push_amply(prototypes_, std::make_unique<ShapePrototype>(wanted));
     } else {
-        wanted.place = free_.back();
-        free_.pop_back();
+        wanted.place = first_free_;
+        first_free_ = prototypes_[first_free_]->place;
+        --free_count_;
         *prototypes_[wanted.place] = wanted;
     }
     put({wanted.digest, wanted.place});
@@ -114,13 +114,17 @@ void ShapePrototypes::release(ShapePrototype* prototype) {
         gap = at;
     }
     slots_[gap] = {};
-    push_amply(free_, prototype->place);
+    first_free_ = std::exchange(prototype->place, first_free_);
+    ++free_count_;
 }
 
 void ShapePrototypes::clear() {
     std::fill(slots_.begin(), slots_.end(), Slot{});
-    resize_amply(free_, prototypes_.size());
-    std::iota(free_.rbegin(), free_.rend(), 0u);
+    first_free_ = kEmpty;
+    free_count_ = 0;
+    for (std::size_t place = prototypes_.size(); place-- > 0; ++free_count_) {
+        prototypes_[place]->place = std::exchange(first_free_, static_cast<std::uint32_t>(place));
+    }
 }
 
 void ShapePrototypes::grow_table() {

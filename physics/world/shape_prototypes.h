@@ -19,7 +19,7 @@ struct ShapePrototype {
     Convex convex;
     ShapeDef def;              // without user_data: each shape has its own
     int users = 0;             // shapes that are made of it
-    std::uint32_t place = 0;   // among all
+    std::uint32_t place = 0;   // among all; of one that went, the place of the next such
     std::uint32_t digest = 0;  // of all bits of the first two
 };
 
@@ -31,7 +31,7 @@ class ShapePrototypes {
     void release(ShapePrototype* prototype);
     /// No shape is made of any more.
     void clear();
-    [[nodiscard]] std::size_t size() const { return prototypes_.size() - free_.size(); }
+    [[nodiscard]] std::size_t size() const { return prototypes_.size() - free_count_; }
 
   private:
     // Of a table with open addresses: where a prototype is found by its digest, or in the next slots.
@@ -47,8 +47,9 @@ class ShapePrototypes {
     void put(Slot entry);
 
     std::vector<std::unique_ptr<ShapePrototype>> prototypes_;
-    std::vector<std::uint32_t> free_;  // places of those that went
-    std::vector<Slot> slots_;          // a power of two; half of them at least are empty
+    std::vector<Slot> slots_;            // a power of two; half of them at least are empty
+    std::uint32_t first_free_ = kEmpty;  // place of one that went, for its memory
+    std::uint32_t free_count_ = 0;
 };
 
 }  // namespace cairn::physics

@@ -204,6 +204,12 @@ struct WayScratch {
     std::vector<int> turned_back;             // bodies, of which the shapes are to be looked at again
 };
 
+/// Bodies that others press deep into what cannot give way (world/pressed_bodies.h).
+struct PressedScratch {
+    std::vector<int> bodies;
+    ChunkedList<int> found;  // by contacts in lanes
+};
+
 /// A contact in a lane that wants more than its block can do for it.
 struct LaneNote {
     int block;
@@ -324,8 +330,7 @@ struct StepScratch {
     std::vector<Advance> advances;            // by row of the motions
     std::vector<int> fast;                    // bodies that could pass through others in this step
     ChunkedList<int> fast_found;
-    std::vector<int> pressed;  // bodies that others press deep into what cannot give way
-    ChunkedList<int> pressed_found;
+    std::unique_ptr<PressedScratch> pressed;      // none before the first step
     ChunkedList<int> untold_boxes;                // of shapes: written, but not known to the broad phase yet
     std::unique_ptr<ShiftedBoxes> shifted_boxes;  // none before many are told at once
     std::unique_ptr<WayScratch> ways;             // none before the first fast body
