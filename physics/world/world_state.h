@@ -299,7 +299,7 @@ struct BounceScratch {
 struct StepScratch {
     // Contacts that change their list are few in most steps, and may be many in one.
     StepScratch() {
-        for (std::vector<int>* list : {&met, &parted, &gone}) list->reserve(64);
+        for (std::vector<int>* list : {&met, &parted, &gone}) list->reserve(48);
     }
 
     Motions motions;  // row i + 1 is awake row i
