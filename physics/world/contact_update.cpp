@@ -392,7 +392,8 @@ class Update {
         for (; lanes != 0; lanes &= lanes - 1) {
             const int lane = std::countr_zero(lanes);
             const auto whirls = [&](int body) {
-                return (stores_.bodies.places[body].flags & place_flag::kWhirls) != 0;
+                constexpr std::uint32_t kInPlainForm = place_flag::kWhirls | place_flag::kSweeps;
+                return (stores_.bodies.places[body].flags & kInPlainForm) != 0;
             };
             if (whirls(pairs.body_a[lane]) || whirls(pairs.body_b[lane])) {
                 whirling |= 1u << lane;

@@ -17,6 +17,7 @@
 #include "world/filtering.h"
 #include "world/finalize.h"
 #include "world/special_contacts.h"
+#include "world/sweeping_contacts.h"
 
 namespace cairn::physics {
 namespace {
@@ -55,6 +56,9 @@ std::optional<LocalRayHit> cast_relative_way(const Stores& stores, int shape, Po
         return cast_ray(stores.shapes[shape].convex(), inverse_transform_point(now, from),
                         inverse_rotate(now.q, way));
     }
+    const BodyRecord& record = stores.bodies.slots[body];
+    // What a paddle swept over has been carried in front of it.
+    if ((place.flags & place_flag::kSweeps) != 0 && record.type == BodyType::Kinematic) return {};
     const BodyRows& awake = stores.bodies.rows(RowSet::Awake);
     const Vec2 moved = awake.moved[place.row - 1];
     // In the frame of what whirls nothing goes straight: it counts as having stood as it does now.
@@ -66,7 +70,6 @@ std::optional<LocalRayHit> cast_relative_way(const Stores& stores, int shape, Po
     const Vec2 seen = from - center;
     const Vec2 straight_way = way - moved;
     if (length(straight_way) + chord * length(seen) <= least_way) return {};
-    const BodyRecord& record = stores.bodies.slots[body];
     if (stays_outside(seen, straight_way, record.extent_m + chord * length(seen + straight_way))) return {};
     const Transform now = stores.bodies.transform(body);
     const Convex& convex = stores.shapes[shape].convex();
@@ -130,7 +133,7 @@ bool is_guarded(const Stores& stores, int body) {
 }
 
 // Written where it stays: put together elsewhere and copied it would wait for its own parts.
-void note_displacement(const Stores& stores, int row, Displacement& d) {
+void note_displacement(const Stores& stores, int row, Displacement& d, std::vector<int>& sweeping) {
     const BodyRows& awake = stores.bodies.rows(RowSet::Awake);
     const int body = awake.body[row];
     const BodyRecord& record = stores.bodies.slots[body];
@@ -142,16 +145,21 @@ void note_displacement(const Stores& stores, int row, Displacement& d) {
     d.extent_m = record.extent_m;
     d.arm_m = guarded ? record.center_arm_m : Displacement{}.arm_m;
     d.least_way_m = guarded ? kFastShare * record.inner_radius_m : Displacement{}.least_way_m;
+    if (guarded && sweeps(record, d.chord)) sweeping.push_back(body);
 }
 
-void note_displacements(const Stores& stores, std::vector<Displacement>& displacements, TaskPool& tasks) {
+void note_displacements(const Stores& stores, WayScratch& ways, TaskPool& tasks) {
     const std::vector<int>& bodies = stores.bodies.rows(RowSet::Awake).body;
+    std::vector<Displacement>& displacements = ways.displacements;
     resize_amply(displacements, bodies.size() + 1);
     displacements[kWorldRow] = {};
+    ways.sweeping.start(static_cast<int>(bodies.size()), kRowsPerChunk, tasks);
     tasks.parallel_for(static_cast<int>(bodies.size()), kRowsPerChunk, [&](const Chunk& chunk) {
+        ChunkedList<int>::Appender sweeping(ways.sweeping, chunk);
         for (int row = chunk.begin; row < chunk.end; ++row) {
             if (row + kRowsAhead < chunk.end) stores.bodies.ask_for(bodies[row + kRowsAhead]);
-            note_displacement(stores, row, displacements[static_cast<std::size_t>(row) + 1]);
+            note_displacement(stores, row, displacements[static_cast<std::size_t>(row) + 1],
+                              sweeping.items());
         }
     });
 }
@@ -375,19 +383,27 @@ bool takes_shapes_round(const BodyRecord& record) {
     return record.center_arm_m > tuning::kLinearSlop_m;
 }
 
-void put_back(Stores& stores, int body, float share) {
+}  // namespace
+
+void put_back(Stores& stores, int body, float share, bool turns) {
     BodyRows& awake = stores.bodies.rows(RowSet::Awake);
     const BodyRecord& record = stores.bodies.slots[body];
     const Vec2 moved = awake.moved[record.row];
     Place& place = stores.bodies.places[body];
     place.center = place.center + (share - 1) * moved;
     awake.moved[record.row] = share * moved;
-    if (takes_shapes_round(record)) {
+    if (turns) {
         const Rotation before = awake.rotation_before[record.row];
         const double turned_rad = (inverse(before) * place.rotation).angle_rad();
         place.rotation = normalized(Rotation::from_angle(share * turned_rad) * before);
     }
     update_boxes(stores, body);
+}
+
+namespace {
+
+void put_back(Stores& stores, int body, float share) {
+    put_back(stores, body, share, takes_shapes_round(stores.bodies.slots[body]));
 }
 
 // As far as it was free to go; false where that is all of its way.
@@ -428,7 +444,7 @@ void hold_fast_bodies(Stores& stores, StepScratch& scratch, TaskPool& tasks) {
     if (scratch.fast.empty()) return;
     if (!scratch.ways) scratch.ways = std::make_unique<WayScratch>();
     WayScratch& ways = *scratch.ways;
-    note_displacements(stores, ways.displacements, tasks);
+    note_displacements(stores, ways, tasks);
     Guard guard(stores, ways, tasks);
     guard.look_at_lost(scratch.fast);
     guard.look_at_blocks();

@@ -6,6 +6,9 @@
 
 namespace cairn::physics {
 
+/// As far as it was free to go of what it moved by in the last step, and of what it turned by if it `turns`.
+void put_back(Stores& stores, int body, float share, bool turns);
+
 /// Stage at the end of the step: a fast body whose centre passed into another shape is put back to where it
 /// met that shape. It keeps its velocity, so that the next step sees them meet.
 void hold_fast_bodies(Stores& stores, StepScratch& scratch, TaskPool& tasks);

@@ -7,6 +7,7 @@
 
 #include "resolve/deep_overlap.h"
 #include "world/awaited_contacts.h"
+#include "world/sweeping_contacts.h"
 
 namespace cairn::physics {
 namespace {
@@ -24,6 +25,7 @@ void PlainContacts::begin() {
     scratch_.scalar_contacts.clear();
     scratch_.deep.clear();
     scratch_.awaited.clear();
+    scratch_.sweeping.clear();
     mark_what_was_put_in();
 }
 
@@ -41,7 +43,11 @@ void PlainContacts::add_beside(const ContactConstraint& constraint, int lane, bo
         hide_overlap(lanes.block(lane / kLanes), lane % kLanes);
     }
     if (!is_loose) return;
-    solve_last();
+    if (sweeps(constraint)) {
+        add_sweeping(scratch_, 0);
+    } else {
+        solve_last();
+    }
     lanes.blank(lane);
 }
 
@@ -66,9 +72,11 @@ void PlainContacts::add(ContactInput input, const ContactMemory& memory) {
     scratch_.contacts.push_back(constraint);
     if (is_pushed_apart(constraint)) note_deep();
     const ContactRecord& c = stores_.contacts.slots[input.contact];
-    if (input.reached_s > 0 && !is_direct(c)) {
-        await_contact(input, stores_.bodies.center_offset(c.body_a, c.body_b), time_, scratch_);
-    } else {
+    const bool awaits = input.reached_s > 0 && !is_direct(c);
+    if (awaits) await_contact(input, stores_.bodies.center_offset(c.body_a, c.body_b), time_, scratch_);
+    if (sweeps(constraint)) {
+        add_sweeping(scratch_, awaits ? scratch_.awaited.back().substep + 1 : 0);
+    } else if (!awaits) {
         solve_last();
     }
 }
@@ -128,6 +136,11 @@ void PlainContacts::end() {
 
 bool PlainContacts::is_direct(const ContactRecord& record) const {
     return has_flag(record, place_flag::kDirect);
+}
+
+bool PlainContacts::sweeps(const ContactConstraint& c) const {
+    const ContactRecord& record = stores_.contacts.slots[c.contact];
+    return has_flag(record, place_flag::kSweeps) && c.unit == 1 && !is_direct(record);
 }
 
 bool PlainContacts::has_flag(const ContactRecord& record, std::uint32_t flag) const {

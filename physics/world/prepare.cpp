@@ -10,6 +10,7 @@
 #include "base/ample.h"
 #include "world/contact_events.h"
 #include "world/special_contacts.h"
+#include "world/sweeping_contacts.h"
 
 namespace cairn::physics {
 namespace {
@@ -50,26 +51,35 @@ void set_motions(BodyStore& bodies, Vec2 gravity_m_s2, float dt_s, int first, St
     scratch.noted_rows.start(awake.size() - first, kRowsPerChunk, tasks);
     std::atomic<bool> some_turn_far = false;
     tasks.parallel_for(awake.size() - first, kRowsPerChunk, [&](const Chunk& chunk) {
-        ChunkedList<int>::Appender locked(scratch.noted_rows, chunk);
+        ChunkedList<int>::Appender noted(scratch.noted_rows, chunk);
         for (int row = first + chunk.begin; row < first + chunk.end; ++row) {
             const BodyRecord& record = bodies.slots[awake.body[row]];
             motions.set_row(row + 1, awake.velocity[row], awake.spin[row], record.inverse_mass,
                             record.inverse_inertia, record.extent_m);
             scratch.drives[row + 1] = drive_of(record, gravity_m_s2, awake.force[row], awake.torque[row]);
-            if (locked_axes(record) != 0) locked.items().push_back(row);
             std::uint32_t& flags = bodies.places[awake.body[row]].flags;
-            flags &= ~(place_flag::kTurnsFar | place_flag::kWhirls);
+            flags &= ~(place_flag::kTurnsFar | place_flag::kWhirls | place_flag::kSweeps);
             const float turn = std::fabs(awake.spin[row]) * dt_s;
-            if (turn > kMaxTurn_rad) {
+            const bool is_swept = sweeps(record, turn);
+            if (turn > kMaxTurn_rad || is_swept) {
                 some_turn_far.store(true, std::memory_order_relaxed);
                 flags |= place_flag::kTurnsFar;
                 if (turn > kWhirl_rad) flags |= place_flag::kWhirls;
+                if (is_swept) flags |= place_flag::kSweeps;
             }
+            if (locked_axes(record) != 0 || (is_swept && record.type == BodyType::Kinematic))
+                noted.items().push_back(row);
         }
     });
     scratch.motions.some_turn_far |= some_turn_far;
-    scratch.noted_rows.for_each(
-        [&](int row) { motions.lock(row + 1, locked_axes(bodies.slots[awake.body[row]])); });
+    scratch.noted_rows.for_each([&](int row) {
+        const BodyRecord& record = bodies.slots[awake.body[row]];
+        if (record.type == BodyType::Kinematic) {
+            push_amply(scratch.paddles, awake.body[row]);
+        } else {
+            motions.lock(row + 1, locked_axes(record));
+        }
+    });
 }
 
 void mark_mover(Motions& motions, int row, MovedBy mover) {
@@ -95,6 +105,7 @@ StepTime make_step_time(float dt_s, int substeps, float previous_h_s) {
 void prepare_motions(BodyStore& bodies, Vec2 gravity_m_s2, float dt_s, StepScratch& scratch,
                      TaskPool& tasks) {
     scratch.motions.locked.clear();
+    scratch.paddles.clear();
     scratch.motions.some_turn_far = false;
     set_motions(bodies, gravity_m_s2, dt_s, 0, scratch, tasks);
     scratch.motions.set_row(kWorldRow, {}, 0, 0, 0);
@@ -124,6 +135,11 @@ void choose_movers(const Stores& stores, StepScratch& scratch) {
     for (const int i : scratch.scalar_contacts) {
         mark_mover(scratch.motions, scratch.contacts[i].a, MovedBy::Turning);
         mark_mover(scratch.motions, scratch.contacts[i].b, MovedBy::Turning);
+    }
+    for (const SweepingContact& sweeping : scratch.sweeping) {
+        const ContactConstraint& c = scratch.contacts[static_cast<std::size_t>(sweeping.contact)];
+        mark_mover(scratch.motions, c.a, MovedBy::Turning);
+        mark_mover(scratch.motions, c.b, MovedBy::Turning);
     }
     for (const AwaitedContact& awaited : scratch.awaited) {
         mark_mover(scratch.motions, awaited.input.a, MovedBy::Turning);

@@ -10,6 +10,7 @@
 #include "resolve/joints/joint_solver.h"
 #include "resolve/joints/laws.h"
 #include "world/prepare.h"
+#include "world/sweeping_contacts.h"
 
 namespace cairn::physics {
 
@@ -39,7 +40,8 @@ struct Acting {
 
 inline Acting what_acts(const Stores& stores, const StepScratch& scratch) {
     return {!scratch.joints.empty() || !stores.joints.lanes.empty(),
-            !scratch.scalar_contacts.empty() || !stores.contacts.lanes.blocks().empty()};
+            !scratch.scalar_contacts.empty() || !scratch.sweeping.empty() ||
+                !stores.contacts.lanes.blocks().empty()};
 }
 
 /// What nothing acts on flies in one stride, so a step may have no substep to make.
@@ -169,6 +171,7 @@ inline void solve_contacts(StepScratch& scratch, const ContactRules& rules, floa
 inline void solve(Stores& stores, StepScratch& scratch, const ContactRules& rules, float h_s, Acting acting,
                   Pass pass, int substep, TaskPool& tasks) {
     solve_joints(stores.joints.lanes, scratch, h_s, acting, pass, tasks);
+    solve_sweeping(stores, scratch, substep, rules, h_s, pass);
     solve_contacts(scratch, rules, h_s, pass, scope_of(substep), tasks);
 }
 

@@ -29,6 +29,8 @@
 #include "world/sleep.h"
 #include "world/solve.h"
 #include "world/statics.h"
+#include "world/sweep_guard.h"
+#include "world/sweeping_contacts.h"
 #include "world/tiny_contacts.h"
 
 namespace cairn::physics {
@@ -77,6 +79,7 @@ void step_world(WorldState& world, float dt_s) {
         solve_direct(world.direct, scratch, rules, time.h_s, acting, tasks);
         if (substep == 0) warm_start_contacts(scratch, time, tasks);
         reach_contacts(scratch, substep, rules, time);
+        collide_sweeping(stores, scratch, substep, rules, time.h_s);
         solve(stores, scratch, rules, time.h_s, acting, Pass::Biased, substep, tasks);
         integrate_positions(scratch, time.h_s, tasks);
         move_direct(world.direct, scratch, rules, time.h_s, acting, tasks);
@@ -103,7 +106,9 @@ void step_world(WorldState& world, float dt_s) {
     clock.enter(Stage::Finalize);
     finalize_bodies(stores, scratch, time.dt_s, def.enable_sleep, tasks);
     clock.enter(Stage::Continuous);
+    carry_swept_bodies(stores, scratch);
     hold_fast_bodies(stores, scratch, tasks);
+    hold_sweeping_bodies(stores, scratch);
     hold_pressed_bodies(stores, scratch);
     break_joints(stores, scratch, world.events);
     clock.enter(Stage::Sensors);

@@ -198,6 +198,7 @@ struct FreeShare {
 /// For the guard of fast bodies.
 struct WayScratch {
     std::vector<Displacement> displacements;  // by row of the motions
+    ChunkedList<int> sweeping;                // fast bodies that swept (world/sweeping_contacts.h)
     std::vector<std::uint8_t> strayed;        // by shape: the body went another way than was expected
     ChunkedList<FreeShare> found_shares;      // of ways that met something
     std::vector<float> free_shares;           // of all ways, by row: the least that was found
@@ -236,6 +237,12 @@ struct AwaitedContact {
     int substep;         ///< in which it is reached
     ContactInput input;  ///< with the arms of the impact
     Vec2 between;        ///< centre of b less centre of a, m, at the start of the step
+};
+
+/// A contact that is collided anew in each substep (world/sweeping_contacts.h).
+struct SweepingContact {
+    int contact;        ///< in the plain form
+    int first_substep;  ///< in which it is
 };
 
 /// What was found in a block of pairs that had no points, as bits by lane.
@@ -304,11 +311,12 @@ struct StepScratch {
 
     Motions motions;  // row i + 1 is awake row i
     std::vector<Drive> drives;
-    ChunkedList<int> noted_rows;  // of a loop: those that move along no axis or one, those that are lost
+    ChunkedList<int> noted_rows;  // of a loop: those that move along no axis or one or are paddles; are lost
     std::vector<ContactConstraint>
         contacts;  // in plain form: solved as scalars, or wanted for restitution or events
     std::vector<int> scalar_contacts;              // those of them
     std::vector<AwaitedContact> awaited;           // those that are reached in the course of the step
+    std::vector<SweepingContact> sweeping;         // those that are collided anew in each substep
     std::vector<DeepOverlap> deep;                 // those of them that overlap deeply
     std::unique_ptr<LaneOrderScratch> lane_order;  // none before the first sort
     std::unique_ptr<ContactBatches> batches;       // none before the first substep
@@ -329,6 +337,7 @@ struct StepScratch {
     std::unique_ptr<StaticsScratch> statics;  // none before the first estimate
     std::vector<Advance> advances;            // by row of the motions
     std::vector<int> fast;                    // bodies that could pass through others in this step
+    std::vector<int> paddles;                 // kinematic bodies that sweep in this step
     ChunkedList<int> fast_found;
     std::unique_ptr<PressedScratch> pressed;      // none before the first step
     ChunkedList<int> untold_boxes;                // of shapes: written, but not known to the broad phase yet

@@ -1,0 +1,18 @@
+// What swept over another body all the same is turned back. The guard of fast bodies follows the centres of
+// shapes; the centre of a rod passes nothing while its arms go through what stands beside it.
+#pragma once
+
+#include "world/world_state.h"
+
+namespace cairn::physics {
+
+/// Stage at the end of the step: a long body that turned far, and of which a shape got over the middle of
+/// another one, or another one over the middle of it, is put back to where the two met. It keeps its
+/// velocity, so that the next step sees them meet. Not where a joint holds it to something that moves.
+void hold_sweeping_bodies(Stores& stores, StepScratch& scratch);
+
+/// Stage before it: what a kinematic body swept over, which nothing turns back, is carried in front of it. It
+/// keeps its velocity, too.
+void carry_swept_bodies(Stores& stores, StepScratch& scratch);
+
+}  // namespace cairn::physics
