@@ -225,6 +225,7 @@ float free_share_of(const Stores& stores, int body) {
 
 // Moves a body on, as if it had gone there within the step: guarded as what is fast.
 void carry(Stores& stores, StepScratch& scratch, int body, Vec2 way) {
+    way = without_locked(way, locked_axes(stores.bodies.slots[body]));
     Place& place = stores.bodies.places[body];
     place.center = place.center + way;
     stores.bodies.rows(RowSet::Awake).moved[stores.bodies.slots[body].row] += way;

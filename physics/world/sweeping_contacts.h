@@ -13,8 +13,8 @@ namespace cairn::physics {
 inline bool is_long(const BodyRecord& body) {
     return body.turn_arm_m > 3 * body.inner_radius_m;
 }
-/// Whether it turns so far in a step, too, that it sweeps: that bends the ways of its points by more than a
-/// quarter of what is solid.
+/// Whether it turns so far in a step, too, that it sweeps: that bends the ways of its points by more than
+/// half of what is solid.
 inline bool sweeps(const BodyRecord& body, float turn_rad) {
     return is_long(body) && turn_rad * turn_rad * body.turn_arm_m > 0.5f * body.inner_radius_m;
 }

@@ -154,6 +154,20 @@ TEST_CASE("paddles that turn fast take along what they hit, with a motor or as k
     }
 }
 
+TEST_CASE("a paddle carries nothing off the axis along which it can move") {
+    for_each_meeting({30, 60}, [&](const Meeting& m) {
+        World world({.gravity_m_s2 = {}});
+        const BodyId bead =
+            add(world, {.position_m = {m.distance_m, 0}, .locks = {.x = true}, .allow_sleep = false},
+                Circle{{}, m.other_radius_m});
+        add_rod(
+            world, m.rod,
+            {.type = BodyType::Kinematic, .angle_rad = m.angle_rad, .angular_velocity_rad_s = -m.spin_rad_s});
+        run_for(world, 1);
+        REQUIRE(world.body(bead)->position().x == static_cast<double>(m.distance_m));
+    });
+}
+
 // With theta the angle of the rod, s how far the pin is from its middle, R half its thickness and the radius
 // of the pin, u = s' + R theta', the Lagrangian m (u^2 + s^2 theta'^2) / 2 + I theta'^2 / 2 gives
 //     u' = s theta'^2,    m R u + (m s^2 + I) theta' = constant
