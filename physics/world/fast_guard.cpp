@@ -17,6 +17,7 @@
 #include "world/filtering.h"
 #include "world/finalize.h"
 #include "world/special_contacts.h"
+#include "world/sweep_guard.h"
 #include "world/sweeping_contacts.h"
 
 namespace cairn::physics {
@@ -56,9 +57,6 @@ std::optional<LocalRayHit> cast_relative_way(const Stores& stores, int shape, Po
         return cast_ray(stores.shapes[shape].convex(), inverse_transform_point(now, from),
                         inverse_rotate(now.q, way));
     }
-    const BodyRecord& record = stores.bodies.slots[body];
-    // What a paddle swept over has been carried in front of it.
-    if ((place.flags & place_flag::kSweeps) != 0 && record.type == BodyType::Kinematic) return {};
     const BodyRows& awake = stores.bodies.rows(RowSet::Awake);
     const Vec2 moved = awake.moved[place.row - 1];
     // In the frame of what whirls nothing goes straight: it counts as having stood as it does now.
@@ -70,6 +68,7 @@ std::optional<LocalRayHit> cast_relative_way(const Stores& stores, int shape, Po
     const Vec2 seen = from - center;
     const Vec2 straight_way = way - moved;
     if (length(straight_way) + chord * length(seen) <= least_way) return {};
+    const BodyRecord& record = stores.bodies.slots[body];
     if (stays_outside(seen, straight_way, record.extent_m + chord * length(seen + straight_way))) return {};
     const Transform now = stores.bodies.transform(body);
     const Convex& convex = stores.shapes[shape].convex();
@@ -84,7 +83,7 @@ std::optional<LocalRayHit> cast_relative_way(const Stores& stores, int shape, Po
 class Way {
   public:
     Way(const Stores& stores, int shape, float fast_share = kFastShare)
-        : stores_(stores), convex_(stores.shapes[shape].convex()) {
+        : stores_(stores), shape_(shape), convex_(stores.shapes[shape].convex()) {
         const int body = stores.shapes[shape].body;
         const BodyRecord& record = stores.bodies.slots[body];
         const BodyRows& awake = stores.bodies.rows(RowSet::Awake);
@@ -105,13 +104,14 @@ class Way {
     [[nodiscard]] bool is_looked_at() const { return length_ > least_way_ && length_ <= farthest_way_; }
 
     [[nodiscard]] float free_share(int other) const {
-        if (!is_looked_at()) return 1;
+        if (!is_looked_at() || is_carried(stores_, shape_, other)) return 1;
         const auto hit = cast_relative_way(stores_, other, from_, way_, least_way_);
         return hit ? std::max(hit->fraction - inner_radius(convex_) / length_, 0.0f) : 1;
     }
 
   private:
     const Stores& stores_;
+    int shape_;
     const Convex& convex_;
     Position from_;
     Vec2 way_;
@@ -145,7 +145,8 @@ void note_displacement(const Stores& stores, int row, Displacement& d, std::vect
     d.extent_m = record.extent_m;
     d.arm_m = guarded ? record.center_arm_m : Displacement{}.arm_m;
     d.least_way_m = guarded ? kFastShare * record.inner_radius_m : Displacement{}.least_way_m;
-    if (guarded && sweeps(record, d.chord)) sweeping.push_back(body);
+    // Without mass nothing can stop it.
+    if (guarded && record.inverse_mass > 0 && sweeps(record, d.chord)) sweeping.push_back(body);
 }
 
 void note_displacements(const Stores& stores, WayScratch& ways, TaskPool& tasks) {

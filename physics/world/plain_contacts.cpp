@@ -38,12 +38,13 @@ ContactConstraint PlainContacts::form_of(ContactInput input, const ContactBlock&
 void PlainContacts::add_beside(const ContactConstraint& constraint, int lane, bool is_loose) {
     scratch_.contacts.push_back(constraint);
     ContactLanes& lanes = stores_.contacts.lanes;
-    if (is_pushed_apart(constraint)) {
+    const bool pushed_apart = is_pushed_apart(constraint);
+    if (pushed_apart) {
         note_deep();
         hide_overlap(lanes.block(lane / kLanes), lane % kLanes);
     }
     if (!is_loose) return;
-    if (sweeps(constraint)) {
+    if (!pushed_apart && sweeps(constraint)) {
         add_sweeping(scratch_, 0);
     } else {
         solve_last();
@@ -70,11 +71,12 @@ void PlainContacts::add(ContactInput input, const ContactMemory& memory) {
         if (!known[i] && rests) constraint.points[i].normal_impulse = kUnknownImpulse;
     }
     scratch_.contacts.push_back(constraint);
-    if (is_pushed_apart(constraint)) note_deep();
+    const bool pushed_apart = is_pushed_apart(constraint);
+    if (pushed_apart) note_deep();
     const ContactRecord& c = stores_.contacts.slots[input.contact];
     const bool awaits = input.reached_s > 0 && !is_direct(c);
     if (awaits) await_contact(input, stores_.bodies.center_offset(c.body_a, c.body_b), time_, scratch_);
-    if (sweeps(constraint)) {
+    if (!pushed_apart && sweeps(constraint)) {
         add_sweeping(scratch_, awaits ? scratch_.awaited.back().substep + 1 : 0);
     } else if (!awaits) {
         solve_last();

@@ -98,6 +98,7 @@ void step_world(WorldState& world, float dt_s) {
     close_tears(scratch.torn, scratch.motions);
 
     halt_lost_bodies(stores.bodies, scratch, world.events.quarantined, tasks);
+    turn_arms_back(scratch, acting_substeps);
     report_contacts(stores, scratch, def.hit_speed_m_s, world.events);
     find_overloads(stores, scratch, world.events);
     store_contact_impulses(stores.contacts, scratch);

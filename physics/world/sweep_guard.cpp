@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "world/contacts.h"
 #include "world/edge_list.h"
 #include "world/fast_guard.h"
 #include "world/finalize.h"
@@ -15,14 +16,16 @@
 namespace cairn::physics {
 namespace {
 
-// rad. The arc of a piece is off by an eighth of its square: 5 mm at 1 m.
-constexpr double kPiece_rad = 0.2;
-constexpr int kMostPieces = 32;
+// rad. The arc of a piece is off by an eighth of its square times the arm: of long blades pieces are shorter,
+// so that it is no more than a quarter of what is solid.
+constexpr float kLongestPiece_rad = 0.2f;
+constexpr int kMostPieces = 64;
 
 // How a body went through the last step.
 class Course {
   public:
     Course(const BodyStore& bodies, int body) : local_center_(bodies.slots[body].mass.center_m) {
+        const BodyRecord& record = bodies.slots[body];
         const Place& place = bodies.places[body];
         start_ = place.center;
         rotation_ = place.rotation;
@@ -33,9 +36,13 @@ class Course {
         rotation_ = awake.rotation_before[place.row - 1];
         if (rotation_ != place.rotation)
             turned_rad_ = static_cast<double>((inverse(rotation_) * place.rotation).angle_rad());
+        const float piece_rad =
+            std::min(kLongestPiece_rad, std::sqrt(2 * record.inner_radius_m / record.turn_arm_m));
+        pieces_ = std::fabs(static_cast<float>(turned_rad_)) / piece_rad;
     }
 
-    [[nodiscard]] double turned_rad() const { return turned_rad_; }
+    /// Of those that are short enough, how many it takes.
+    [[nodiscard]] float pieces() const { return pieces_; }
 
     /// After a share of the step.
     [[nodiscard]] Transform at(float share) const {
@@ -51,6 +58,7 @@ class Course {
     Vec2 moved_;
     Rotation rotation_;
     double turned_rad_ = 0;
+    float pieces_ = 0;
 };
 
 // The side of a shape on which a point lies: the line through the shape's middle, seen from there.
@@ -180,12 +188,21 @@ struct Encounter {
     [[nodiscard]] float free_share() const { return std::min(of_a.free_share(), of_b.free_share()); }
 };
 
+// Chains are solid from their front: what came from behind passes them.
+bool comes_from_behind(const Convex& chain, const Transform& chain_at, const Convex& other,
+                       const Transform& other_at) {
+    if (!chain.is_chained()) return false;
+    const Vec2 seen = inverse_transform_point(chain_at, transform_point(other_at, other.centroid));
+    return dot(chain.normals[0], seen - chain.point(0)) < 0;
+}
+
 Encounter follow(const Course& of_a, const Convex& a, const Course& of_b, const Convex& b) {
-    const double turned_rad = std::fabs(of_a.turned_rad()) + std::fabs(of_b.turned_rad());
-    const int pieces = std::clamp(static_cast<int>(std::ceil(turned_rad / kPiece_rad)), 1, kMostPieces);
+    const float wanted = std::min(std::ceil(of_a.pieces() + of_b.pieces()), float{kMostPieces});
+    int pieces = std::max(static_cast<int>(wanted), 1);
     const Transform start_a = of_a.at(0);
     const Transform start_b = of_b.at(0);
     Encounter encounter{{a, b, start_a, start_b}, {b, a, start_b, start_a}};
+    if (comes_from_behind(a, start_a, b, start_b) || comes_from_behind(b, start_b, a, start_a)) pieces = 0;
     float from = 0;
     for (int i = 1; i <= pieces; ++i) {
         const float to = static_cast<float>(i) / static_cast<float>(pieces);
@@ -212,10 +229,16 @@ void for_each_met(const Stores& stores, int body, const Visit& visit) {
     });
 }
 
+bool is_paddle(const Stores& stores, int body) {
+    return (stores.bodies.places[body].flags & place_flag::kSweeps) != 0 &&
+           stores.bodies.slots[body].type == BodyType::Kinematic;
+}
+
 float free_share_of(const Stores& stores, int body) {
     const Course course(stores.bodies, body);
     float free = 1;
     for_each_met(stores, body, [&](int shape, int other_body, int other) {
+        if (is_paddle(stores, other_body)) return;  // that carried the body with it
         const Encounter met = follow(course, stores.shapes[shape].convex(), {stores.bodies, other_body},
                                      stores.shapes[other].convex());
         free = std::min(free, met.free_share());
@@ -246,18 +269,25 @@ bool hangs_on_what_moves(const Stores& stores, int body) {
 
 }  // namespace
 
+bool is_carried(const Stores& stores, int shape, int paddle_shape) {
+    return is_paddle(stores, stores.shapes[paddle_shape].body) &&
+           !hangs_on_what_moves(stores, stores.shapes[shape].body) &&
+           has_contact(stores, shape, paddle_shape);
+}
+
 void carry_swept_bodies(Stores& stores, StepScratch& scratch) {
     for (const int paddle : scratch.paddles) {
         const Course course(stores.bodies, paddle);
         for_each_met(stores, paddle, [&](int shape, int body, int carried) {
             if (!stores.bodies.is_awake(body) || stores.bodies.slots[body].type != BodyType::Dynamic) return;
+            if (hangs_on_what_moves(stores, body)) return;
             const Course other(stores.bodies, body);
             const Encounter met =
                 follow(other, stores.shapes[carried].convex(), course, stores.shapes[shape].convex());
             if (met.free_share() == 1) return;
             // Seen from the paddle the body goes back, or seen from the body the paddle does.
-            const Vec2 way =
-                rotate(course.at(1).q, met.of_a.way_back()) - rotate(other.at(1).q, met.of_b.way_back());
+            const Vec2 way = met.of_a.free_share() < 1 ? rotate(course.at(1).q, met.of_a.way_back())
+                                                       : -rotate(other.at(1).q, met.of_b.way_back());
             carry(stores, scratch, body, way);
         });
     }
@@ -267,6 +297,7 @@ void hold_sweeping_bodies(Stores& stores, StepScratch& scratch) {
     if (scratch.fast.empty()) return;
     scratch.ways->sweeping.for_each([&](int body) {
         if (hangs_on_what_moves(stores, body)) return;
+        if (std::fabs(scratch.motions.angle(stores.bodies.places[body].row)) >= kPi) return;
         const float share = free_share_of(stores, body);
         if (share < 1) put_back(stores, body, share, true);
     });

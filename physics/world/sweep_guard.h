@@ -11,8 +11,12 @@ namespace cairn::physics {
 /// velocity, so that the next step sees them meet. Not where a joint holds it to something that moves.
 void hold_sweeping_bodies(Stores& stores, StepScratch& scratch);
 
+/// Whether a kinematic body that sweeps carries the other, which is dynamic, with it: by two shapes of
+/// theirs.
+bool is_carried(const Stores& stores, int shape, int paddle_shape);
+
 /// Stage before it: what a kinematic body swept over, which nothing turns back, is carried in front of it. It
-/// keeps its velocity, too.
+/// keeps its velocity, too. Not what a joint holds to something that moves either.
 void carry_swept_bodies(Stores& stores, StepScratch& scratch);
 
 }  // namespace cairn::physics

@@ -46,8 +46,37 @@ CoreArm core_arm(const Motion& motion, Vec2 now) {
     return {at_start, motion.dp + now - at_start};
 }
 
+// As if the two were apart by so much: what the contact did so far in the step stands for bounces and events.
+void set_apart(const Motion& a, const Motion& b, float distance_m, Pass pass, ContactConstraint& c) {
+    for (int i = 0; i < c.count; ++i) {
+        ContactPointConstraint& p = c.points[i];
+        const Vec2 moved_a = a.dp + rotate(a.dq, p.core_r_a) - p.core_r_a;
+        const Vec2 moved_b = b.dp + rotate(b.dq, p.core_r_b) - p.core_r_b;
+        p.separation = distance_m - dot(moved_b - moved_a, c.normal);
+        if (pass == Pass::Relax) p.total_normal_impulse += p.normal_impulse;
+        p.normal_impulse = 0;
+    }
+    c.friction_impulse = c.rolling_impulse = 0;
+}
+
+// Each point goes on with what the one of its feature did; what has no successor is the first one's.
+void carry_on(const ContactConstraint& before, Pass pass, ContactConstraint& c) {
+    const bool turned_round = dot(before.normal, c.normal) <= 0;
+    for (int i = 0; i < before.count; ++i) {
+        const ContactPointConstraint& from = before.points[i];
+        const bool is_second = c.count == 2 && c.points[1].feature == from.feature;
+        ContactPointConstraint& to = c.points[is_second ? 1 : 0];
+        to.total_normal_impulse += from.total_normal_impulse;
+        to.closing_velocity = std::min(to.closing_velocity, from.closing_velocity);
+        if (!turned_round) to.normal_impulse += std::max(from.normal_impulse, 0.0f);
+    }
+    c.friction_impulse = turned_round ? 0 : before.friction_impulse;
+    // At the start of a substep nothing applies it again.
+    c.rolling_impulse = pass == Pass::Relax ? before.rolling_impulse : 0;
+}
+
 void collide_anew(const Stores& stores, const Motions& motions, const ContactRules& rules, float h_s,
-                  ContactConstraint& c) {
+                  Pass pass, ContactConstraint& c) {
     const ContactRecord& record = stores.contacts.slots[c.contact];
     const Side a = side_of(stores, motions, record.body_a, record.shape_a, c.a);
     const Side b = side_of(stores, motions, record.body_b, record.shape_b, c.b);
@@ -56,13 +85,15 @@ void collide_anew(const Stores& stores, const Motions& motions, const ContactRul
     const Rotation turn = inverse(a.rotation) * b.rotation;
     const Vec2 origin =
         a.record.mass.center_m + inverse_rotate(a.rotation, between) - rotate(turn, b.record.mass.center_m);
-    const Manifold m = collide(a.shape, b.shape, {origin, turn}, reach_of(a, b, h_s));
+    const float reach = reach_of(a, b, h_s);
+    const Manifold m = collide(a.shape, b.shape, {origin, turn}, reach);
+    if (m.count == 0) return set_apart(a.motion, b.motion, reach, pass, c);
 
     ContactInput input{};
     input.a = c.a;
     input.b = c.b;
     input.contact = c.contact;
-    input.normal = m.count > 0 ? rotate(a.rotation, m.normal) : c.normal;
+    input.normal = rotate(a.rotation, m.normal);
     input.count = m.count;
     for (int i = 0; i < m.count; ++i) {
         const Vec2 r_a = rotate(a.rotation, m.points[i].point - a.record.mass.center_m);
@@ -78,8 +109,6 @@ void collide_anew(const Stores& stores, const Motions& motions, const ContactRul
     const ContactConstraint before = c;
     c = make_contact(input, motions, rules);
     c.in_lane = false;
-    float closing = 0;  // the fastest that any point had
-    for (int i = 0; i < before.count; ++i) closing = std::min(closing, before.points[i].closing_velocity);
     for (int i = 0; i < c.count; ++i) {
         ContactPointConstraint& p = c.points[i];
         const CoreArm of_a = core_arm(a.motion, p.core_r_a);
@@ -87,14 +116,8 @@ void collide_anew(const Stores& stores, const Motions& motions, const ContactRul
         p.core_r_a = of_a.at_start;
         p.core_r_b = of_b.at_start;
         p.separation -= dot(of_b.moved - of_a.moved, c.normal);
-        p.closing_velocity = std::min(p.closing_velocity, closing);
-        p.total_normal_impulse = before.points[i].total_normal_impulse;
-        p.normal_impulse = total_normal(before) / static_cast<float>(c.count);
     }
-    if (before.count == c.count) {
-        for (int i = 0; i < c.count; ++i) c.points[i].normal_impulse = before.points[i].normal_impulse;
-    }
-    c.friction_impulse = before.friction_impulse;
+    carry_on(before, pass, c);
 }
 
 // What acts between the two is not taken for impulses that are given again in the next substep.
@@ -117,7 +140,7 @@ void collide_sweeping(const Stores& stores, StepScratch& scratch, int substep, c
     for (const SweepingContact& sweeping : scratch.sweeping) {
         if (substep < sweeping.first_substep) continue;
         ContactConstraint& c = scratch.contacts[static_cast<std::size_t>(sweeping.contact)];
-        collide_anew(stores, scratch.motions, rules, h_s, c);
+        collide_anew(stores, scratch.motions, rules, h_s, Pass::Biased, c);
         with_both(c, scratch.motions, [&] { warm_start_contact(c, scratch.motions, 1, 1); });
     }
 }
@@ -128,8 +151,20 @@ void solve_sweeping(const Stores& stores, StepScratch& scratch, int substep, con
     for (const SweepingContact& sweeping : scratch.sweeping) {
         if (substep < sweeping.first_substep) continue;
         ContactConstraint& c = scratch.contacts[static_cast<std::size_t>(sweeping.contact)];
-        if (pass == Pass::Relax) collide_anew(stores, motions, rules, h_s, c);
+        if (pass == Pass::Relax) collide_anew(stores, motions, rules, h_s, pass, c);
         with_both(c, motions, [&] { solve_contact(c, motions, rules, h_s, pass); });
+    }
+}
+
+void turn_arms_back(StepScratch& scratch, int substeps) {
+    for (const SweepingContact& sweeping : scratch.sweeping) {
+        if (sweeping.first_substep >= substeps) continue;
+        ContactConstraint& c = scratch.contacts[static_cast<std::size_t>(sweeping.contact)];
+        for (int i = 0; i < c.count; ++i) {
+            ContactPointConstraint& p = c.points[i];
+            p.r_a = inverse_rotate(scratch.motions.turned[static_cast<std::size_t>(c.a)], p.r_a);
+            p.r_b = inverse_rotate(scratch.motions.turned[static_cast<std::size_t>(c.b)], p.r_b);
+        }
     }
 }
 

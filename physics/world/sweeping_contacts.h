@@ -1,8 +1,9 @@
 // Contacts of long bodies that turn far in a step, as a rod that pivots about a pin and slides along it: the
 // normal turns with the rod, and where the pin slides by 6 cm while the rod turns by 0.4 rad, the gap along
 // the normal of the start is wrong by 2 cm, as much as rods are thick. So what touches, or soon may, is
-// collided anew in each substep. Invariant: within a substep such a contact starts from no impulse, since the
-// one before pushed in another direction.
+// collided anew in each substep.
+// Invariant: its arms are of now, not of the start of the step as those of other contacts; what it did in the
+// last substep is applied along the normal of this one, and not with the sum that bodies go on with.
 #pragma once
 
 #include "world/prepare.h"
@@ -30,5 +31,8 @@ void collide_sweeping(const Stores& stores, StepScratch& scratch, int substep, c
 /// arms that do not end in one place would change angular momentum.
 void solve_sweeping(const Stores& stores, StepScratch& scratch, int substep, const ContactRules& rules,
                     float h_s, Pass pass);
+
+/// Stage after all impulses: arms are those of the start of the step, as of other contacts, for events.
+void turn_arms_back(StepScratch& scratch, int substeps);
 
 }  // namespace cairn::physics
