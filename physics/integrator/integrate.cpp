@@ -99,7 +99,8 @@ void prepare_kicks(Motions& motions, std::span<const Drive> drives, float h_s, i
 
 // The impulses that contacts gave in the last substep are what its constraints added to the velocity, less
 // what joints did; contacts keep their normals and arms within a step, so their sum per body can be applied
-// without visiting them. All four columns, so that each row is one SIMD operation.
+// without visiting them (those of what sweeps do not, and are left out as joints are). All four columns, so
+// that each row is one SIMD operation.
 void integrate_velocities(Motions& motions, bool afresh, int first, int last) {
     const bool damped = !motions.kept.empty();
     const bool some_stand = !motions.standing.empty();

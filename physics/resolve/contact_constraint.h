@@ -42,6 +42,8 @@ struct ContactInput {
 /// m/s. A new contact that closes slower than this is one of things put down, not of an impact.
 inline constexpr float kRestSpeed_m_s = 0.5f;
 
+/// Of contacts that are collided anew in each substep (world/sweeping_contacts.h) arms are those of now, and
+/// the closing velocity is the fastest so far.
 struct ContactPointConstraint {
     Vec2 r_a;  // from the centres of mass to the point, in world axes, at the start of the step
     Vec2 r_b;
