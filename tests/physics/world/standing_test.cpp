@@ -153,7 +153,7 @@ TEST_CASE("a blow goes through a pyramid that stands as through one that is solv
             steps_after += is_hit ? 1 : 0;
         }
         CHECK(steps_after == 8);
-        // Kicks below 1e-6 m/s are what may be left out.
+        // Kicks below kStillSpeed_m_s are what may be left out.
         CHECK(greatest_difference_of_speed(pyramid, in_full) < 1e-4 * static_cast<double>(speed_m_s));
     }
 }
