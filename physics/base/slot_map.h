@@ -16,6 +16,17 @@ namespace cairn::physics {
 
 inline constexpr int kNone = -1;  ///< "no such index", everywhere in the module
 
+/// How often a slot was used, and whether it is in use. A single word, as bit fields are not: a slot that goes
+/// is read right after it was written, which must not be in another size (docs/adr/023-stores-before-loads.md).
+struct SlotUse {
+    static constexpr std::uint32_t kAlive = 0x80000000u;
+
+    std::uint32_t word = 0;
+
+    [[nodiscard]] constexpr bool alive() const { return (word & kAlive) != 0; }
+    [[nodiscard]] constexpr std::uint32_t generation() const { return word & ~kAlive; }
+};
+
 template <class T, class Id>
 class SlotMap {
   public:
@@ -34,7 +45,7 @@ class SlotMap {
         CAIRN_ASSERT(!full(), "a world holds too many objects of one kind");
         ++size_;
         if (free_head_ == kNone) {
-            push_amply(slots_, Slot{0, 1, kNone, std::move(value)});
+            push_amply(slots_, Slot{{SlotUse::kAlive}, kNone, std::move(value)});
             return static_cast<int>(slots_.size()) - 1;
         }
         const int index = free_head_;
@@ -44,7 +55,7 @@ class SlotMap {
         if (free_head_ != kNone) ask_for(free_head_);
         --free_;
         slot.value = std::move(value);
-        slot.alive = 1;
+        slot.use.word |= SlotUse::kAlive;
         return index;
     }
 
@@ -57,18 +68,19 @@ class SlotMap {
     /// written just before.
     void erase_as_is(int index) {
         Slot& slot = slots_[index];
-        CAIRN_ASSERT(slot.alive, "an object was erased twice");
-        slot.alive = 0;
+        CAIRN_ASSERT(slot.use.alive(), "an object was erased twice");
+        const std::uint32_t generation = slot.use.generation();
+        const bool retires = generation == kMaxGeneration;
+        slot.use.word = retires ? generation : generation + 1;
         --size_;
-        if (slot.generation == kMaxGeneration) return;  // retired
-        ++slot.generation;
+        if (retires) return;
         slot.next_free = free_head_;
         free_head_ = index;
         ++free_;
     }
 
     [[nodiscard]] Id id(int index) const {
-        return Id::make(static_cast<std::uint64_t>(index) + 1, slots_[index].generation, world_tag_);
+        return Id::make(static_cast<std::uint64_t>(index) + 1, slots_[index].use.generation(), world_tag_);
     }
 
     /// The slot that the handle names, or kNone for a null, stale or foreign one.
@@ -76,7 +88,7 @@ class SlotMap {
         const std::size_t index = id.index1 - std::size_t{1};  // of the null handle beyond all slots
         if (id.world != world_tag_ || index >= slots_.size()) return kNone;
         const Slot& slot = slots_[index];
-        return slot.alive != 0 && slot.generation == id.generation ? static_cast<int>(index) : kNone;
+        return slot.use.alive() && slot.use.generation() == id.generation ? static_cast<int>(index) : kNone;
     }
 
     T& operator[](int index) { return slots_[index].value; }
@@ -85,7 +97,7 @@ class SlotMap {
     void ask_for(int index, std::size_t size = sizeof(T)) const {
         prefetch(&slots_[index], sizeof(Slot) - sizeof(T) + size);
     }
-    [[nodiscard]] bool alive(int index) const { return slots_[index].alive != 0; }
+    [[nodiscard]] bool alive(int index) const { return slots_[index].use.alive(); }
     /// One past the last slot in use; walk the slots with `alive`.
     [[nodiscard]] int end_index() const { return static_cast<int>(slots_.size()); }
     [[nodiscard]] int size() const { return size_; }
@@ -96,8 +108,7 @@ class SlotMap {
     friend class Lookup;
 
     struct Slot {
-        std::uint32_t generation : 24;
-        std::uint32_t alive : 1;  // ahead of the value: both are looked at together
+        SlotUse use;  // ahead of the value: both are looked at together
         int next_free;
         T value;
     };

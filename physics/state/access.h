@@ -97,7 +97,7 @@ void for_each_alive(Map& map, Visit&& visit) {
     StateAccess::slots(map, [&](auto& slots, auto&, auto&, auto&) {
         int index = 0;
         for (auto& slot : slots) {
-            if (slot.alive) visit(index, slot.value);
+            if (slot.use.alive()) visit(index, slot.value);
             ++index;
         }
     });

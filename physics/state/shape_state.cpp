@@ -50,7 +50,7 @@ bool is_sound(const Aabb& box, bool sensor) {
 }
 
 bool is_made_alike(const ShapeRecord& a, const ShapeRecord& b) {
-    return a.prototype == b.prototype && a.user_data == b.user_data &&
+    return a.prototype == b.prototype && a.user_data == b.user_data && a.group == b.group &&
            differing_bits(a.margin_m, b.margin_m) == 0;
 }
 
@@ -102,7 +102,8 @@ Expected load_records(Reader& in, Stores& stores) {
         } else {
             return;
         }
-        record = {.margin_m = make.margin_m, .prototype = prototype, .user_data = make.def.user_data};
+        record = {.margin_m = make.margin_m, .prototype = prototype};
+        record.take_own(make.def);
         Aabb& box = stores.fat_boxes[static_cast<std::size_t>(shape)];
         at = get_unchecked(at, box);
         if (!in.require(is_sound(box, make.def.sensor), "a shape has a box that is nowhere or everywhere"))

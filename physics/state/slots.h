@@ -15,16 +15,12 @@ inline bool is_within_reach(Vec2 point) {
     return std::fabs(point.x) <= kMostExtent_m && std::fabs(point.y) <= kMostExtent_m;
 }
 
-inline constexpr std::uint32_t kAliveBit = 0x80000000u;
-
 template <class Map>
 void save_slots(const Map& map, Writer& out) {
     StateAccess::slots(map, [&](const auto& slots, int free_head, std::size_t free, int) {
         std::byte* at = out.room(sizeof(std::uint32_t) * (2 + 2 * slots.size() + free));
         at = put(at, static_cast<std::uint32_t>(slots.size()));
-        const auto word = [&](std::size_t i) {
-            return slots[i].generation | (slots[i].alive != 0 ? kAliveBit : 0);
-        };
+        const auto word = [&](std::size_t i) { return slots[i].use.word; };
         for (std::size_t first = 0; first < slots.size();) {
             std::size_t end = first + 1;
             while (end < slots.size() && word(end) == word(first)) ++end;
@@ -52,19 +48,17 @@ void load_slots(Reader& in, Map& map) {
         const decltype(slots.front().value) gone{};
         for (auto slot = slots.begin(); slot != slots.end();) {
             std::uint32_t length = 0;
-            std::uint32_t word = 0;
+            SlotUse use;
             in.value(length);
-            in.value(word);
-            const bool alive = (word & kAliveBit) != 0;
-            const std::uint32_t generation = word & ~kAliveBit;
+            in.value(use.word);
+            const bool alive = use.alive();
             const bool fits = length > 0 && length <= static_cast<std::size_t>(slots.end() - slot);
-            if (!in.require(fits && generation <= Map::kMaxGeneration,
+            if (!in.require(fits && use.generation() <= Map::kMaxGeneration,
                             "slots are more than there are, or were used more often than slots are"))
                 return;
             const auto end = slot + length;
             for (; slot != end; ++slot) {
-                slot->alive = alive ? 1 : 0;
-                slot->generation = generation & Map::kMaxGeneration;
+                slot->use = use;
                 slot->next_free = kUnlisted;
                 if (!alive) slot->value = gone;
             }
@@ -77,7 +71,7 @@ void load_slots(Reader& in, Map& map) {
             int next = kNone;
             in.value(next);
             const bool is_free = next >= 0 && next < static_cast<int>(count) &&
-                                 !slots[static_cast<std::size_t>(next)].alive &&
+                                 !slots[static_cast<std::size_t>(next)].use.alive() &&
                                  slots[static_cast<std::size_t>(next)].next_free == kUnlisted;
             if (!in.require(is_free, "the list of free slots names one that is not free")) return;
             *link = next;
@@ -101,7 +95,7 @@ class Lookup {
     /// Null when there is no such object.
     [[nodiscard]] auto find(int index) const {
         const auto at = static_cast<std::size_t>(index);  // negative ones are beyond all
-        return at < count_ && slots_[at].alive ? &slots_[at].value : nullptr;
+        return at < count_ && slots_[at].use.alive() ? &slots_[at].value : nullptr;
     }
 
   private:

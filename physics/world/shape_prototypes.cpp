@@ -76,6 +76,7 @@ class Words {
 ShapePrototype* ShapePrototypes::take(const Convex& convex, const ShapeDef& def) {
     ShapePrototype wanted{convex, def};
     wanted.def.user_data = 0;
+    wanted.def.filter.group = 0;
     const Words words(wanted);
     wanted.digest = words.digest();
     if (2 * (size() + 1) > slots_.size()) grow_table();

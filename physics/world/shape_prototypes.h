@@ -17,7 +17,7 @@ namespace cairn::physics {
 
 struct ShapePrototype {
     Convex convex;
-    ShapeDef def;              // without user_data: each shape has its own
+    ShapeDef def;              // without user_data and group: each shape has its own
     int users = 0;             // shapes that are made of it
     std::uint32_t place = 0;   // among all; of one that went, the place of the next such
     std::uint32_t digest = 0;  // of all bits of the first two

@@ -25,12 +25,24 @@ struct ShapeRecord {
     float margin_m = 0;  // of the fat box
     ShapePrototype* prototype = nullptr;
     std::uint64_t user_data = 0;
+    std::int32_t group = 0;  // of its filter: each ragdoll has its own, so it is no part of a prototype
 
     [[nodiscard]] const Convex& convex() const { return prototype->convex; }
     [[nodiscard]] ShapeDef def() const {
         ShapeDef def = prototype->def;
         def.user_data = user_data;
+        def.filter.group = group;
         return def;
+    }
+    /// Has it made of a prototype, which it does not release from the one before.
+    void make_of(ShapePrototypes& prototypes, const Convex& convex, const ShapeDef& def) {
+        prototype = prototypes.take(convex, def);
+        take_own(def);
+    }
+    /// What each shape has for itself of its definition.
+    void take_own(const ShapeDef& def) {
+        user_data = def.user_data;
+        group = def.filter.group;
     }
 };
 

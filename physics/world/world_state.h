@@ -92,12 +92,11 @@ inline void erase_shape(Stores& stores, int shape) {
     stores.shapes.erase(shape);
 }
 
-/// Makes the shape of something else; `def` holds its user data too.
+/// Makes the shape of something else; `def` holds what is its own too.
 inline void remake_shape(Stores& stores, int shape, const Convex& convex, const ShapeDef& def) {
     ShapeRecord& record = stores.shapes[shape];
     ShapePrototype* const before = record.prototype;
-    record.prototype = stores.prototypes.take(convex, def);
-    record.user_data = def.user_data;
+    record.make_of(stores.prototypes, convex, def);
     stores.prototypes.release(before);
 }
 
