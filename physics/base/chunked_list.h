@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "base/ample.h"
@@ -53,18 +54,16 @@ class ChunkedList {
     /// Calls visit(item) for all, in the order of the chunks.
     template <class Visit>
     void for_each(Visit&& visit) const {
-        for_parts(0, parts(), visit);
+        for (int p = 0; p < parts(); ++p) {
+            for (const T& item : part(p)) visit(item);
+        }
     }
 
     /// How many chunks it has parts of, for loops over them on several threads.
     [[nodiscard]] int parts() const { return static_cast<int>(parts_.size()); }
-    /// Calls visit(item) for those of some parts, in their order.
-    template <class Visit>
-    void for_parts(int first, int last, Visit&& visit) const {
-        for (int p = first; p < last; ++p) {
-            const Part& part = parts_[static_cast<std::size_t>(p)];
-            for (std::size_t i = part.begin; i < part.end; ++i) visit(lists_[part.worker].items[i]);
-        }
+    [[nodiscard]] std::span<const T> part(int p) const {
+        const Part& part = parts_[static_cast<std::size_t>(p)];
+        return std::span(lists_[part.worker].items).subspan(part.begin, part.end - part.begin);
     }
 
     /// How many stand in it.

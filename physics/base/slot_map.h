@@ -16,8 +16,9 @@ namespace cairn::physics {
 
 inline constexpr int kNone = -1;  ///< "no such index", everywhere in the module
 
-/// How often a slot was used, and whether it is in use. A single word, as bit fields are not: a slot that goes
-/// is read right after it was written, which must not be in another size (docs/adr/023-stores-before-loads.md).
+/// How often a slot was used, and whether it is in use. A single word, as bit fields are not: a slot that
+/// goes is read right after it was written, which must not be in another size
+/// (docs/adr/023-stores-before-loads.md).
 struct SlotUse {
     static constexpr std::uint32_t kAlive = 0x80000000u;
 

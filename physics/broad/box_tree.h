@@ -17,6 +17,7 @@
 #include <span>
 #include <vector>
 
+#include "base/prefetch.h"
 #include "base/slot_map.h"
 #include "broad/box_cast.h"
 #include "broad/box_group.h"
@@ -54,6 +55,8 @@ class BoxTree {
         levels_[0][places_[item] / kGroupSize].set_box(places_[item] % kGroupSize, box);
     }
     void refit();
+    /// Asks for the memory of a box that will be looked at or shifted soon.
+    void ask_for(int item) const { prefetch(&levels_[0][places_[item] / kGroupSize], sizeof(BoxGroup)); }
     /// Puts all boxes in order and drops the places of those that went.
     void rebuild(OrderScratch& scratch);
     /// Whether so much came, went or moved that searching costs more than a rebuild.

@@ -33,6 +33,12 @@ class BroadPhase {
         bool had_way = false;   // and has none any more
     };
     Shifted shift(int item, const Aabb& box);
+    /// Asks for what shifting the item will read.
+    void ask_for_shift(int item) const {
+        prefetch(&states_[item], sizeof(State));
+        prefetch(&box_before_[item], sizeof(Aabb));
+        trees_[index(Layer::Awake)].ask_for(item);
+    }
     void end_shifts(const ChunkedList<int>& first_moves, int dropped_ways);
     /// What the box holds moves by so much (m) in the next step, within the box all along. Pairs that keep
     /// apart on their ways (broad/box_way.h) count as if their boxes did not overlap. The box has just been

@@ -106,8 +106,8 @@ struct ShapeMake {
 /// Of a shape: its neighbours on the body follow from the links, its chain and its place among the sensors
 /// from those.
 inline ShapeMake make_of(const ShapeRecord& record) {
-    const auto& [body, previous_of_body, next_of_body, chain, sensor, margin_m, prototype, user_data,
-                 group] = record;
+    const auto& [body, previous_of_body, next_of_body, chain, sensor, margin_m, prototype, user_data, group] =
+        record;
     return {record.convex(), record.def(), margin_m};
 }
 

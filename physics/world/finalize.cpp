@@ -128,13 +128,16 @@ void tell_fat_boxes(Stores& stores, StepScratch& scratch, TaskPool& tasks) {
         ChunkedList<int>::Appender first_moves(shifted.first_moves, chunk);
         ChunkedList<int>::Appender without_way(shifted.without_way, chunk);
         ChunkedList<int>::Appender bodies(shifted.bodies, chunk);
-        shapes.for_parts(chunk.begin, chunk.end, [&](int shape) {
+        const auto ask = [&](int shape) { stores.broad.ask_for_shift(shape); };
+        const auto shift = [&](int shape) {
             const BroadPhase::Shifted s = stores.broad.shift(shape, stores.fat_boxes[shape]);
             if (s.is_first) first_moves.items().push_back(shape);
             if (s.had_way) without_way.items().push_back(shape);
             const int body = stores.shapes[shape].body;
             if (mark_moved_boxes(stores, body)) bodies.items().push_back(body);
-        });
+        };
+        for (int p = chunk.begin; p < chunk.end; ++p)
+            visit_asking_ahead(shapes.part(p), kRecordsAhead, ask, shift);
     });
     shifted.bodies.for_each([&](int body) { stores.boxes_moved.push_back(body); });
     stores.broad.end_shifts(shifted.first_moves, static_cast<int>(shifted.without_way.size()));

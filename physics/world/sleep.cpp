@@ -79,10 +79,16 @@ class Linking {
             const ContactRecord& c = stores_.contacts.slots[contact];
             link_any(c.body_a, c.body_b);
         }
-        for (const int joint : stores_.joints.active) {
-            const JointRecord& j = stores_.joints.slots[joint];
-            link_any(j.body_a, j.body_b);
-        }
+        visit_asking_ahead(
+            std::span(stores_.joints.active.begin(), stores_.joints.active.end()), kRecordsAhead,
+            [&](int joint) {
+                const JointRecord& j = stores_.joints.slots[joint];
+                prefetch(&j.body_a, sizeof j.body_a + sizeof j.body_b);
+            },
+            [&](int joint) {
+                const JointRecord& j = stores_.joints.slots[joint];
+                link_any(j.body_a, j.body_b);
+            });
     }
 
   private:

@@ -207,7 +207,8 @@ struct WayScratch {
 /// Bodies that others press deep into what cannot give way (world/pressed_bodies.h).
 struct PressedScratch {
     std::vector<int> bodies;
-    ChunkedList<int> found;  // by contacts in lanes
+    std::vector<float> free_shares;  // of their ways
+    ChunkedList<int> found;          // by contacts in lanes
 };
 
 /// A contact in a lane that wants more than its block can do for it.
