@@ -28,6 +28,7 @@ namespace {
 
 // What a thread takes at once.
 constexpr int kBlocksPerChunk = 8;
+constexpr int kBodiesPerChunk = 512;
 
 // Blocks ahead of which bodies and shapes are asked for.
 constexpr std::size_t kPairsAhead = 2;
@@ -79,7 +80,6 @@ class Update {
         visit_contacts(stores_.contacts, scratch_.met, [&](int contact) { color_contact(stores_, contact); });
         scratch_.met.clear();
         update_uncolored();  // those that found no colour
-        remove_gone(stores_, world_.events, scratch_);
         stores_.contacts.lanes.arrange();
         update_blocks();
         visit_contacts(stores_.contacts, scratch_.parted,
@@ -88,8 +88,11 @@ class Update {
         plain_.end();
         remove_gone(stores_, world_.events, scratch_);
         stores_.contacts.lanes.arrange();
-        for (const int body : stores_.boxes_moved)
-            stores_.bodies.places[body].flags &= ~place_flag::kBoxesMoved;
+        const std::span<const int> moved = stores_.boxes_moved;
+        world_.tasks.parallel_for(static_cast<int>(moved.size()), kBodiesPerChunk, [&](const Chunk& chunk) {
+            for (int i = chunk.begin; i < chunk.end; ++i)
+                stores_.bodies.places[moved[i]].flags &= ~place_flag::kBoxesMoved;
+        });
         stores_.boxes_moved.clear();
         for (int g = 0; g < kPairGeometries; ++g)
             stores_.contacts.lanes.shrink_near(static_cast<PairGeometry>(g), near_before[g]);
@@ -232,10 +235,12 @@ class Update {
     }
 
     // All blocks, on several threads and as they stand in memory; then what they found that touches more than
-    // the block itself, in the order of the colours.
+    // the block itself, in the order of the colours. Contacts that are gone stand in none, so they are removed
+    // meanwhile.
     void update_blocks() {
         const std::span<const int> blocks = stores_.contacts.lanes.blocks_in_memory();
         const int count = static_cast<int>(blocks.size());
+        if (count == 0) return remove_gone(stores_, world_.events, scratch_);
         resize_amply(scratch_.block_findings, static_cast<std::size_t>(stores_.contacts.lanes.pool_size()));
         scratch_.notes.start(count, kBlocksPerChunk, world_.tasks);
         scratch_.pressed->found.start(count, kBlocksPerChunk, world_.tasks);
@@ -248,6 +253,7 @@ class Update {
             ChunkedList<LaneNote>::Appender notes(scratch_.notes, chunk);
             ChunkedList<int>::Appender pressed(scratch_.pressed->found, chunk);
             int known_here = 0;
+            if (chunk.index == 0) remove_gone(stores_, world_.events, scratch_);
             for (int i = chunk.begin; i < chunk.end; ++i) {
                 fetch_ahead(blocks, i);
                 BlockFindings& found = scratch_.block_findings[blocks[i]];
