@@ -240,7 +240,7 @@ class Update {
     void update_blocks() {
         const std::span<const int> blocks = stores_.contacts.lanes.blocks_in_memory();
         const int count = static_cast<int>(blocks.size());
-        if (count == 0) return remove_gone(stores_, world_.events, scratch_);
+        if (count == 0) remove_gone(stores_, world_.events, scratch_);
         resize_amply(scratch_.block_findings, static_cast<std::size_t>(stores_.contacts.lanes.pool_size()));
         scratch_.notes.start(count, kBlocksPerChunk, world_.tasks);
         scratch_.pressed->found.start(count, kBlocksPerChunk, world_.tasks);
