@@ -235,8 +235,8 @@ class Update {
     }
 
     // All blocks, on several threads and as they stand in memory; then what they found that touches more than
-    // the block itself, in the order of the colours. Contacts that are gone stand in none, so they are removed
-    // meanwhile.
+    // the block itself, in the order of the colours. Contacts that are gone stand in none, so they are
+    // removed meanwhile.
     void update_blocks() {
         const std::span<const int> blocks = stores_.contacts.lanes.blocks_in_memory();
         const int count = static_cast<int>(blocks.size());
