@@ -118,7 +118,7 @@ int add_shape(Stores& stores, int body, const Convex& convex, const ShapeDef& de
 
     ShapeDef made_of = def;
     made_of.one_way_normal = unit_or_zero(def.one_way_normal);
-    record.make_of(stores.prototypes, convex, made_of);
+    record.take_prototype(stores.prototypes, convex, made_of);
     const int shape = insert_shape(stores, record, grown(box, record.margin_m));
     stores.broad.add(shape, layer_of(owner.set), stores.fat_boxes[shape]);
     (owner.last_shape == kNone ? owner.first_shape : stores.shapes[owner.last_shape].next_of_body) = shape;

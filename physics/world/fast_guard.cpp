@@ -430,27 +430,14 @@ float free_share_of_pressed(const Stores& stores, int body) {
 
 }  // namespace
 
-void hold_pressed_bodies(Stores& stores, StepScratch& scratch, TaskPool& tasks) {
+void hold_pressed_bodies(Stores& stores, StepScratch& scratch) {
     std::vector<int>& pressed = scratch.pressed->bodies;
     std::sort(pressed.begin(), pressed.end());
     pressed.erase(std::unique(pressed.begin(), pressed.end()), pressed.end());
-    // What a body is pressed into is no such body, so none waits for another to be put back.
-    std::vector<float>& shares = scratch.pressed->free_shares;
-    resize_amply(shares, pressed.size());
-    const auto ask = [&](int body) { stores.bodies.slots.ask_for(body); };
-    const auto ask_for_contacts = [&](int body) {
-        const int first = stores.bodies.slots[body].first_contact;
-        if (first != kNone) stores.contacts.slots.ask_for(edge_record(first));
-    };
-    tasks.parallel_for(static_cast<int>(pressed.size()), kBodiesPerChunk, [&](const Chunk& chunk) {
-        const std::span<const int> bodies = std::span(pressed).subspan(chunk.begin, chunk.end - chunk.begin);
-        float* share = &shares[chunk.begin];
-        visit_asking_ahead(bodies, kRecordsAhead, ask, ask_for_contacts, [&](int body) {
-            *share++ = stores.bodies.is_awake(body) ? free_share_of_pressed(stores, body) : 1;
-        });
-    });
-    for (std::size_t i = 0; i < pressed.size(); ++i) {
-        if (shares[i] < 1) put_back(stores, pressed[i], shares[i]);
+    for (const int body : pressed) {
+        if (!stores.bodies.is_awake(body)) continue;
+        const float share = free_share_of_pressed(stores, body);
+        if (share < 1) put_back(stores, body, share);
     }
 }
 

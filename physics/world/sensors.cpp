@@ -168,7 +168,7 @@ void report_changes(const Stores& stores, const Sensor& before, const Sensor& no
 int create_sensor(Stores& stores, int body, const Convex& convex, const ShapeDef& def) {
     ShapeRecord record;
     record.body = body;
-    record.make_of(stores.prototypes, convex, def);
+    record.take_prototype(stores.prototypes, convex, def);
     record.sensor = static_cast<int>(stores.sensors.all.size());
     const int shape = insert_shape(stores, record, Aabb{});
     stores.sensors.all.push_back({shape, {}, {}});

@@ -34,8 +34,8 @@ struct ShapeRecord {
         def.filter.group = group;
         return def;
     }
-    /// Has it made of a prototype, which it does not release from the one before.
-    void make_of(ShapePrototypes& prototypes, const Convex& convex, const ShapeDef& def) {
+    /// The prototype that it had before, if any, is not released.
+    void take_prototype(ShapePrototypes& prototypes, const Convex& convex, const ShapeDef& def) {
         prototype = prototypes.take(convex, def);
         take_own(def);
     }

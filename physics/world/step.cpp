@@ -110,7 +110,7 @@ void step_world(WorldState& world, float dt_s) {
     carry_swept_bodies(stores, scratch);
     hold_fast_bodies(stores, scratch, tasks);
     hold_sweeping_bodies(stores, scratch);
-    hold_pressed_bodies(stores, scratch, tasks);
+    hold_pressed_bodies(stores, scratch);
     break_joints(stores, scratch, world.events);
     clock.enter(Stage::Sensors);
     update_sensors(stores, scratch.fast, world.events);

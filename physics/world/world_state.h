@@ -96,7 +96,7 @@ inline void erase_shape(Stores& stores, int shape) {
 inline void remake_shape(Stores& stores, int shape, const Convex& convex, const ShapeDef& def) {
     ShapeRecord& record = stores.shapes[shape];
     ShapePrototype* const before = record.prototype;
-    record.make_of(stores.prototypes, convex, def);
+    record.take_prototype(stores.prototypes, convex, def);
     stores.prototypes.release(before);
 }
 
@@ -207,8 +207,7 @@ struct WayScratch {
 /// Bodies that others press deep into what cannot give way (world/pressed_bodies.h).
 struct PressedScratch {
     std::vector<int> bodies;
-    std::vector<float> free_shares;  // of their ways
-    ChunkedList<int> found;          // by contacts in lanes
+    ChunkedList<int> found;  // by contacts in lanes
 };
 
 /// A contact in a lane that wants more than its block can do for it.

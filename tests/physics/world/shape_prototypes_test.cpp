@@ -88,6 +88,27 @@ TEST_CASE("prototypes that come and go are those that shapes are made of") {
     CHECK(prototypes.take(box(1), {})->users == 1);
 }
 
+TEST_CASE("shapes of one prototype keep their groups, through a snapshot, too") {
+    World world;
+    // The first two follow one another in a snapshot, and so do the last two, which are alike.
+    const std::vector<std::int32_t> groups{-1, -2, 0, 3, 3};
+    std::vector<ShapeId> ids;
+    for (const std::int32_t group : groups) {
+        const BodyId body = world.create_body({.type = BodyType::Dynamic}).value();
+        ids.push_back(world.create_shape(body, Box{}, {.filter = {.group = group}}).value());
+    }
+    World restored;
+    restored.restore(world.snapshot().value().bytes()).value();
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+        CHECK(world.shape(ids[i])->filter().group == groups[i]);
+        CHECK(restored.shape(restored.own(ids[i]))->filter().group == groups[i]);
+    }
+    Shape changed = *world.shape(ids[3]);
+    changed.set_filter({.group = 7});
+    CHECK(changed.filter().group == 7);
+    CHECK(world.shape(ids[4])->filter().group == 3);
+}
+
 TEST_CASE("a change of one shape changes no other that was made alike") {
     World world;
     const BodyId body = world.create_body({.type = BodyType::Dynamic}).value();
