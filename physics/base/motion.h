@@ -42,6 +42,11 @@ enum class MovedBy : std::uint8_t {
 inline constexpr std::uint8_t kMoves = 0;
 inline constexpr std::uint8_t kStands = 1;
 inline constexpr std::uint8_t kMovesAnyway = 2;
+inline constexpr std::uint8_t kRests = 4 | kStands;
+
+inline bool stands(std::uint8_t standing) {
+    return (standing & kStands) != 0;
+}
 
 /// Axes along which a body does not move, as bits.
 inline constexpr std::uint8_t kLockedX = 1;
@@ -105,6 +110,9 @@ struct Motions {
     // From the second substep on: which rows stand (base/standing.h), as the world's always does. Empty where
     // too few are still.
     std::vector<std::uint8_t> standing;
+    // Beside them: how much of what the first substep does to the row's velocity is rounding, m/s of its
+    // farthest point; less than 0 where a force acts, so that all of it counts (world/resting.h).
+    std::vector<float> rounding_m_s;
     std::vector<std::uint8_t> locked;  // axes of each row; empty while no body has any
     bool some_turn_far = false;        // in a step, so that separations are not linear in their angles
 

@@ -3,6 +3,9 @@
 // where it was, and the passes of the other substeps leave out contacts between such bodies, until something
 // disturbs one of them (docs/adr/021-rest.md). Invariant: whether a contact is left out depends on its two
 // bodies alone.
+// What stands rests if the first substep did nothing to its velocity but to round it. It is stopped
+// altogether, and contacts between such bodies take back the impulses that they had, so that a step leaves
+// all of it to the bit as it was.
 #pragma once
 
 #include "base/motion.h"
@@ -42,11 +45,18 @@ inline void keep_moving(Motions& motions, int row) {
     if (row != kWorldRow) motions.standing[row] = kMovesAnyway;
 }
 
+/// Of rows on which anything acts: how many do not stand, and how many rest.
+struct Standing {
+    int moving = 0;
+    int resting = 0;
+};
+
 /// After the first substep, of h_s: notes who stands, of the rows from first up to, and without, last, and
 /// puts it back to where it was. That is who was still before, is still after it and has not been moved
 /// either, as what is pushed out of an overlap is; and on whom nothing but contacts in lanes acts. Bodies of
-/// infinite mass only when they do not move at all. The result is how many of those on whom anything acts do
-/// not stand.
-int note_standing(Motions& motions, float h_s, int first, int last);
+/// infinite mass only when they do not move at all.
+Standing note_standing(Motions& motions, float h_s, int first, int last);
+/// When it is known which of them rest.
+void stop_resting(Motions& motions, int first, int last);
 
 }  // namespace cairn::physics

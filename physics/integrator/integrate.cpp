@@ -112,7 +112,7 @@ void integrate_velocities(Motions& motions, bool afresh, int first, int last) {
     const std::uint8_t* const standing = motions.standing.data();
     for (int i = first; i < last; ++i) {
         // What stands is pulled and held alike, as in the first substep.
-        if (some_stand && standing[i] == kStands) continue;
+        if (some_stand && stands(standing[i])) continue;
         const VelocityRow row = velocity[i];
         const VelocityRow without = without_contacts[i];
         VelocityRow next = sum(row, kick[i]);
@@ -145,7 +145,7 @@ void integrate_positions(Motions& motions, float h_s, int first, int last) {
     const MovedBy* const mover = motions.mover.data();
     const std::uint8_t* const standing = motions.standing.data();
     for (int i = first; i < last; ++i) {
-        if (some_stand && standing[i] == kStands) continue;
+        if (some_stand && stands(standing[i])) continue;
         if (mover[i] == MovedBy::Flight || mover[i] == MovedBy::Direct) continue;
         const VelocityRow row = velocity[i];
         PoseRow& at = pose[i];

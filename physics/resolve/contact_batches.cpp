@@ -109,6 +109,20 @@ std::span<const ContactRun> ContactBatches::runs_of(int group) const {
     return std::span(runs_).subspan(first_run_[at], first_run_[at + 1] - first_run_[at]);
 }
 
+// Runs of a group follow one another.
+std::span<ContactBlock* const> ContactBatches::blocks_of(int group) const {
+    const std::span<const ContactRun> runs = runs_of(group);
+    if (runs.empty()) return {};
+    ContactBlock* const* const first = runs.front().blocks.data();
+    return {first, runs.back().blocks.data() + runs.back().blocks.size()};
+}
+
+std::span<KeptImpulses> ContactBatches::kept_of(int group) {
+    const std::span<ContactBlock* const> blocks = blocks_of(group);
+    if (blocks.empty()) return {};
+    return std::span(kept_).subspan(static_cast<std::size_t>(blocks.data() - blocks_.data()), blocks.size());
+}
+
 void ContactBatches::find_islands(int rows) {
     islands_.reset(rows);
     for (const int i : seen_.lanes->blocks_in_memory()) {

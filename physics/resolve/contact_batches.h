@@ -11,11 +11,13 @@
 #include <span>
 #include <vector>
 
+#include "base/ample.h"
 #include "base/grouped.h"
 #include "base/motion.h"
 #include "base/union_find.h"
 #include "resolve/contact_lanes.h"
 #include "resolve/contact_passes.h"
+#include "resolve/kept_impulses.h"
 
 namespace cairn::physics {
 
@@ -43,6 +45,13 @@ class ContactBatches {
     [[nodiscard]] std::span<const ContactRun> runs(int batch) const { return runs_of(batch + 1); }
     /// Each of one colour.
     [[nodiscard]] std::span<const ContactRun> rest_runs() const { return runs_of(kRest); }
+
+    /// All of them together, and room beside them to keep their impulses, once that was made.
+    [[nodiscard]] std::span<ContactBlock* const> blocks(int batch) const { return blocks_of(batch + 1); }
+    [[nodiscard]] std::span<ContactBlock* const> rest_blocks() const { return blocks_of(kRest); }
+    void make_room_to_keep() { resize_amply(kept_, blocks_.size()); }
+    [[nodiscard]] std::span<KeptImpulses> kept(int batch) { return kept_of(batch + 1); }
+    [[nodiscard]] std::span<KeptImpulses> rest_kept() { return kept_of(kRest); }
 
     // Blocks of which some lanes are another batch's are copied, each batch its lanes. Before the first pass
     // and after the last one.
@@ -79,6 +88,8 @@ class ContactBatches {
     };
 
     [[nodiscard]] std::span<const ContactRun> runs_of(int group) const;
+    [[nodiscard]] std::span<ContactBlock* const> blocks_of(int group) const;
+    [[nodiscard]] std::span<KeptImpulses> kept_of(int group);
     bool same_rows(const Motions& motions, std::span<const int> bodies) const;
     void note_rows(const Motions& motions, std::span<const int> bodies);
     bool list_known();
@@ -111,6 +122,7 @@ class ContactBatches {
     int copies_used_ = 0;
     std::vector<OpenCopy> open_copies_;   // by group
     std::vector<ContactBlock*> blocks_;   // beside the sorted entries
+    std::vector<KeptImpulses> kept_;      // beside them, where they are kept
     std::vector<ContactRun> runs_;        // group by group
     std::vector<std::size_t> first_run_;  // by group
 };

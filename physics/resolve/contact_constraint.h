@@ -94,6 +94,8 @@ struct ContactRules {
     Softness static_softness;
     float max_push_out_speed_m_s = 0;
     float restitution_speed_m_s = 0;
+
+    bool operator==(const ContactRules&) const = default;
 };
 
 ContactRules make_contact_rules(float h_s, float max_push_out_speed_m_s, float restitution_speed_m_s);

@@ -16,6 +16,8 @@ struct Softness {
     float bias_rate = 0;  // 1/s
     float mass_scale = 1;
     float impulse_scale = 0;
+
+    bool operator==(const Softness&) const = default;
 };
 
 inline constexpr Softness kRigid{0, 1, 0};

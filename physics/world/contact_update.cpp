@@ -238,13 +238,14 @@ class Update {
     // the block itself, in the order of the colours. Contacts that are gone stand in none, so they are
     // removed meanwhile.
     void update_blocks() {
-        const std::span<const int> blocks = stores_.contacts.lanes.blocks_in_memory();
+        find_unmoved();
+        const std::span<const int> blocks =
+            knows_all() ? std::span<const int>() : stores_.contacts.lanes.blocks_in_memory();
         const int count = static_cast<int>(blocks.size());
         if (count == 0) remove_gone(stores_, world_.events, scratch_);
         resize_amply(scratch_.block_findings, static_cast<std::size_t>(stores_.contacts.lanes.pool_size()));
         scratch_.notes.start(count, kBlocksPerChunk, world_.tasks);
         scratch_.pressed->found.start(count, kBlocksPerChunk, world_.tasks);
-        find_unmoved();
         if (scratch_.motions.some_turn_far) stores_.contacts.lanes.make_room_for_turns();
         std::atomic<int> known = 0;
         world_.tasks.parallel_for(count, kBlocksPerChunk, [&](const Chunk& chunk) {
@@ -275,6 +276,7 @@ class Update {
         scratch_.pressed->found.for_each([&](int body) { push_amply(scratch_.pressed->bodies, body); });
         int all_notes = 0;
         scratch_.some_bounce_in_lanes = false;
+        if (count == 0) return scratch_.notes_in_order.clear();
         for (const int block : stores_.contacts.lanes.blocks()) {
             BlockFindings& found = scratch_.block_findings[block];
             for (unsigned gone = found.gone; gone != 0; gone &= gone - 1)
@@ -305,6 +307,12 @@ class Update {
             return unmoved.forget();
         unmoved.compare(stores_.bodies.places, stores_.bodies.rows(RowSet::Awake).body, scratch_.motions,
                         {stores_.contacts.lanes.version(), world_.def.gravity_m_s2}, world_.tasks);
+    }
+
+    // Whether all blocks are known, and as they were when the last step began.
+    [[nodiscard]] bool knows_all() const {
+        const StandingScratch& standing = *scratch_.standing;
+        return standing.unmoved.all() && standing.all_blocks_known && standing.none_solved;
     }
 
     // Whether looking at the block would find what it found in the last step: nothing to be noted.

@@ -5,11 +5,11 @@
 #include <atomic>
 
 #include "base/ample.h"
-#include "base/standing.h"
 #include "integrator/integrate.h"
 #include "resolve/joints/joint_solver.h"
 #include "resolve/joints/laws.h"
 #include "world/prepare.h"
+#include "world/standing.h"
 #include "world/sweeping_contacts.h"
 
 namespace cairn::physics {
@@ -52,7 +52,8 @@ inline int substeps_of(const StepTime& time, Acting acting, const StepScratch& s
     return something_acts ? time.substeps : 0;
 }
 
-inline void prepare_kicks(StepScratch& scratch, float h_s, TaskPool& tasks) {
+inline void prepare_kicks(Vec2 gravity_m_s2, const StepTime& time, const ContactRules& rules,
+                          StepScratch& scratch, TaskPool& tasks) {
     Motions& motions = scratch.motions;
     const auto is_damped = [](const Drive& d) { return d.linear_damping != 0 || d.angular_damping != 0; };
     const auto size = static_cast<std::size_t>(motions.size());
@@ -62,18 +63,12 @@ inline void prepare_kicks(StepScratch& scratch, float h_s, TaskPool& tasks) {
     std::atomic<int> still = 0;
     std::atomic<bool> creeps = false;
     tasks.parallel_for(motions.size(), kRowsPerChunk, [&](const Chunk& rows) {
-        prepare_kicks(motions, scratch.drives, h_s, rows.begin, rows.end);
+        prepare_kicks(motions, scratch.drives, time.h_s, rows.begin, rows.end);
         const Stillness found = note_still(motions, rows.begin, rows.end);
         still.fetch_add(found.still, std::memory_order_relaxed);
         if (found.creeps) creeps.store(true, std::memory_order_relaxed);
     });
-    begin_standing(motions, {still, creeps});
-    scratch.all_stand = false;
-    if (motions.standing.empty()) return;
-    for (const ContactConstraint& c : scratch.contacts) {
-        keep_moving(motions, c.a);
-        keep_moving(motions, c.b);
-    }
+    begin_standing({still, creeps}, gravity_m_s2, time, rules, scratch, tasks);
 }
 
 /// In the first substep all contacts act.
@@ -92,14 +87,57 @@ inline void integrate_positions(StepScratch& scratch, float h_s, TaskPool& tasks
                   [&](int first, int last) { integrate_positions(scratch.motions, h_s, first, last); });
 }
 
+/// Calls work(blocks, what is kept of them) for all blocks that are in no batch.
+template <class Work>
+void for_rest_blocks(ContactBatches& batches, TaskPool& tasks, const Work& work) {
+    constexpr int kBlocksPerChunk = 128;
+    const std::span<ContactBlock* const> blocks = batches.rest_blocks();
+    const std::span<KeptImpulses> kept = batches.rest_kept();
+    tasks.parallel_for(static_cast<int>(blocks.size()), kBlocksPerChunk, [&](const Chunk& chunk) {
+        const auto first = static_cast<std::size_t>(chunk.begin);
+        const auto count = static_cast<std::size_t>(chunk.end - chunk.begin);
+        work(blocks.subspan(first, count), kept.subspan(first, count));
+    });
+}
+
+/// Before the first substep, where something may come to rest in it.
+inline void keep_impulses(StepScratch& scratch, int substeps, TaskPool& tasks) {
+    if (substeps == 0 || scratch.motions.standing.empty() || scratch.all_stand) return;
+    for_rest_blocks(*scratch.batches, tasks,
+                    [](auto blocks, auto kept) { physics::keep_impulses(blocks, kept); });
+}
+
 /// After the first substep: who stands, of what is in no batch.
 inline void note_standing(StepScratch& scratch, int substep, float h_s, TaskPool& tasks) {
     if (substep != 0 || scratch.motions.standing.empty()) return;
     std::atomic<int> moving = 0;
+    std::atomic<int> resting = 0;
     for_rest_rows(*scratch.batches, tasks, [&](int first, int last) {
-        moving.fetch_add(note_standing(scratch.motions, h_s, first, last), std::memory_order_relaxed);
+        const Standing found = note_standing(scratch.motions, h_s, first, last);
+        moving.fetch_add(found.moving, std::memory_order_relaxed);
+        resting.fetch_add(found.resting, std::memory_order_relaxed);
     });
     scratch.all_stand = moving == 0;
+    if (resting == 0) return;
+    Motions& motions = scratch.motions;
+    for_rest_blocks(*scratch.batches, tasks,
+                    [&](auto blocks, auto kept) { rouse_shifting(blocks, kept, motions); });
+    for_rest_blocks(*scratch.batches, tasks,
+                    [&](auto blocks, auto kept) { put_impulses_back(blocks, kept, motions); });
+    for_rest_rows(*scratch.batches, tasks, [&](int first, int last) { stop_resting(motions, first, last); });
+}
+
+/// Where all rests of what is in no batch, and all that acts on it is contacts in lanes, no substep is made.
+inline void leave_resting(StepScratch& scratch, int substeps, Acting acting, const DirectGroups& direct) {
+    if (substeps == 0 || scratch.motions.standing.empty()) return;
+    if (acting.joints || direct.count > 0 || !scratch.awaited.empty() || !scratch.scalar_contacts.empty() ||
+        !scratch.sweeping.empty())
+        return;
+    const std::span<const RowRange> rows = scratch.batches->rest_rows();
+    if (!scratch.standing->resting.all_of(rows)) return;
+    leave_resting(scratch.motions, rows);
+    scratch.all_stand = true;
+    scratch.standing->none_solved = scratch.standing->all_rest;
 }
 
 /// Where all stands, the first substep was the last.

@@ -70,9 +70,11 @@ void step_world(WorldState& world, float dt_s) {
     clock.enter(Stage::Solve);
     const Acting acting = what_acts(stores, scratch);
     const int acting_substeps = substeps_of(time, acting, scratch, world.direct);
-    if (acting_substeps > 0) prepare_kicks(scratch, time.h_s, tasks);
+    if (acting_substeps > 0) prepare_kicks(def.gravity_m_s2, time, rules, scratch, tasks);
     cut_into_batches(stores, acting_substeps, scratch);
     solve_batches(scratch, acting_substeps, rules, time, tasks);
+    leave_resting(scratch, acting_substeps, acting, world.direct);
+    keep_impulses(scratch, acting_substeps, tasks);
     for (int substep = 0; is_made(scratch, substep, acting_substeps); ++substep) {
         note_spring_speeds(stores.joints.lanes, scratch, tasks);
         integrate_velocities(scratch, acting, substep, tasks);
@@ -87,6 +89,7 @@ void step_world(WorldState& world, float dt_s) {
         note_standing(scratch, substep, time.h_s, tasks);
     }
     return_rest(scratch, acting_substeps);
+    note_resting(acting_substeps, scratch);
     clock.enter(Stage::Store);
     fly_freely(scratch, def.gravity_m_s2, time.dt_s, world.step_count, tasks);
     bounce_in_lanes(stores.contacts, scratch, time, rules, tasks);

@@ -33,9 +33,9 @@ void Unmoved::compare(std::span<const Place> places, std::span<const int> bodies
         resize_amply(rows_, count);
     }
     rows_[kWorldRow] = 1;
-    std::atomic<bool> some = false;
+    std::atomic<int> unmoved = 0;
     tasks.parallel_for(static_cast<int>(bodies.size()), kRowsPerChunk, [&](const Chunk& chunk) {
-        bool found = false;
+        int found = 0;
         for (int i = chunk.begin; i < chunk.end; ++i) {
             const Place& place = places[bodies[i]];
             const int row = i + 1;
@@ -45,11 +45,12 @@ void Unmoved::compare(std::span<const Place> places, std::span<const int> bodies
                                 seen.rotation == place.rotation && is_still(motions, row);
             seen = {place.center, place.rotation};
             rows_[row] = stands ? 1 : 0;
-            found = found || stands;
+            found += stands ? 1 : 0;
         }
-        if (found) some.store(true, std::memory_order_relaxed);
+        unmoved.fetch_add(found, std::memory_order_relaxed);
     });
-    some_ = some;
+    some_ = unmoved > 0;
+    all_ = some_ && unmoved == static_cast<int>(bodies.size());
     is_known_ = true;
     seen_ = now;
 }

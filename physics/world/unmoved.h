@@ -34,10 +34,13 @@ class Unmoved {
     void forget() {
         is_known_ = false;
         some_ = false;
+        all_ = false;
     }
 
-    /// Whether some body is unmoved.
+    /// Whether some body is unmoved, and whether all are.
     [[nodiscard]] bool some() const { return some_; }
+    [[nodiscard]] bool all() const { return all_; }
+    [[nodiscard]] bool is(int row) const { return rows_[row] != 0; }
     /// Of the bodies of a block, by their rows of this step; the world itself is unmoved.
     [[nodiscard]] bool all_of(const ContactBlock& block) const {
         unsigned all = 1;
@@ -54,6 +57,7 @@ class Unmoved {
 
     bool is_known_ = false;
     bool some_ = false;
+    bool all_ = false;
     Surroundings seen_;
     std::vector<int> bodies_;
     std::vector<Seen> places_;        // by row

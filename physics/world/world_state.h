@@ -36,6 +36,7 @@
 #include "world/direct_structures.h"
 #include "world/joint_store.h"
 #include "world/material_mixing.h"
+#include "world/resting.h"
 #include "world/sensors.h"
 #include "world/shape_store.h"
 #include "world/unmoved.h"
@@ -175,7 +176,10 @@ struct StaticsScratch {
 /// What is known of things that stand (docs/adr/021-rest.md).
 struct StandingScratch {
     Unmoved unmoved;
+    Resting resting;
     bool all_blocks_known = false;  // none of them was looked at in this step, since all would be the same
+    bool all_rest = false;          // and would be left by the passes as they are
+    bool none_solved = false;       // no pass went over any block in the last step
     // For what the statics estimate was made last, if that was noted.
     Vec2 weight_ns_kg;
     std::vector<float> gravity_scales;  // by row; empty where not

@@ -23,13 +23,23 @@ struct Rows {
     }
 
     Stillness begin() {
-        motions.standing.resize(static_cast<std::size_t>(motions.size()));
+        const auto rows = static_cast<std::size_t>(motions.size());
+        motions.standing.resize(rows);
+        motions.kick.assign(rows, {});
+        motions.rounding_m_s.assign(rows, -1);
         const Stillness all = note_still(motions, 0, motions.size());
         begin_standing(motions, all);
         return all;
     }
-    int note() { return note_standing(motions, kH_s, 0, motions.size()); }
-    [[nodiscard]] bool stands(int row) const { return motions.standing[row] == kStands; }
+    // As integrate_velocities and contacts leave a row that is kicked and held, but for what is left over.
+    void hold(int row, Vec2 kick_m_s, Vec2 left_over_m_s, float left_over_w = 0) {
+        motions.kick[row] = {kick_m_s, 0, 0};
+        motions.without_contacts[row] = {kick_m_s, 0, 1};
+        motions.velocity[row] = {left_over_m_s, left_over_w, 1};
+    }
+
+    int note() { return note_standing(motions, kH_s, 0, motions.size()).moving; }
+    [[nodiscard]] bool stands(int row) const { return physics::stands(motions.standing[row]); }
 };
 
 }  // namespace
@@ -53,6 +63,52 @@ TEST_CASE("what is still before and after the first substep, and has not been mo
     CHECK(rows.note() == 8);  // 2 to 7, 9 and 11: what flies is not asked
     for (const int row : {kWorldRow, 1, 8, 12}) CHECK(rows.stands(row));
     for (const int row : {2, 3, 4, 5, 6, 7, 9, 10, 11}) CHECK_FALSE(rows.stands(row));
+}
+
+TEST_CASE("what stands rests if nothing is left over of a substep but rounding, and is stopped") {
+    constexpr float kRounding_m_s = 1e-7f;
+    Rows rows(6);
+    Motions& m = rows.motions;
+    rows.begin();
+    m.rounding_m_s.assign(7, kRounding_m_s);
+    m.rounding_m_s[4] = -1;
+    const Vec2 kick_m_s{0, -0.0625f};
+    rows.hold(1, kick_m_s, {0, 0.9f * kRounding_m_s});
+    rows.hold(2, kick_m_s, {1.1f * kRounding_m_s, 0});
+    rows.hold(3, kick_m_s, {0, 0.6f * kRounding_m_s}, 0.6f * kRounding_m_s);
+    rows.hold(4, kick_m_s, {});
+    rows.hold(5, kick_m_s, {0, kFast_m_s});
+    m.rounding_m_s[5] = 1;
+    rows.hold(6, kick_m_s, {-0.5f * kRounding_m_s, 0}, -0.4f * kRounding_m_s);
+    const Standing found = note_standing(m, kH_s, 0, m.size());
+    CHECK(found.moving == 1);
+    CHECK(found.resting == 2);
+    stop_resting(m, 0, m.size());
+    for (const int row : {1, 6}) {
+        CHECK(m.standing[row] == kRests);
+        CHECK(m.velocity[row].v == Vec2{});
+        CHECK(m.velocity[row].w == 0);
+        CHECK(m.velocity[row].inverse_mass == 1);
+    }
+    for (const int row : {2, 3, 4}) {
+        CHECK(m.standing[row] == kStands);
+        CHECK((m.velocity[row].v != Vec2{} || row == 4));
+    }
+    CHECK(m.standing[5] == kMoves);
+}
+
+TEST_CASE("what a damped body keeps of a kick is what must be held of it") {
+    Rows rows(1);
+    Motions& m = rows.motions;
+    rows.begin();
+    m.kept.assign(2, {{0.5f, 0.5f}, 1, 1});
+    m.kick[1] = {{0, -0.25f}, 0, 0};
+    m.rounding_m_s[1] = 1e-7f;
+    m.without_contacts[1] = {{0, -0.125f}, 0, 1};
+    CHECK(note_standing(m, kH_s, 0, 2).resting == 1);
+    m.kept.clear();
+    m.standing[1] = kMoves;
+    CHECK(note_standing(m, kH_s, 0, 2).resting == 0);
 }
 
 TEST_CASE("what stands is where it was, and all that moves is where the substep left it") {

@@ -27,12 +27,12 @@ void add_drifters(World& world, int count) {
     }
 }
 
-// The boxes of a pyramid, and a ball that comes to it along the ground after half a second.
+// The boxes of a pyramid, and a ball that comes to it along the ground half a second after the first steps.
 struct Pyramid {
     World world{WorldDef{.enable_sleep = false}};
     std::vector<BodyId> bodies;
 
-    explicit Pyramid(bool leaves_out, float ball_speed_m_s = 0) {
+    explicit Pyramid(bool leaves_out, float ball_speed_m_s = 0, int steps_before = 0) {
         add_ground(world);
         for (int row = 0; row < kBase; ++row) {
             for (int i = 0; i < kBase - row; ++i) {
@@ -40,12 +40,13 @@ struct Pyramid {
                 bodies.push_back(add(world, {.position_m = at}, Box{0.5f, 0.5f}));
             }
         }
+        if (!leaves_out) add_drifters(world, 2 * kBoxes);
+        step_times(world, steps_before);
         if (ball_speed_m_s > 0) {
             const double x = -1 - 0.5 * static_cast<double>(ball_speed_m_s);
             bodies.push_back(add(world, {.position_m = {x, 0.5}, .linear_velocity_m_s = {ball_speed_m_s, 0}},
                                  Circle{{}, 0.5f}, {.density_kg_m2 = 3, .material = {.friction = 0}}));
         }
-        if (!leaves_out) add_drifters(world, 2 * kBoxes);
     }
 
     [[nodiscard]] std::vector<Position> positions() const {
@@ -139,7 +140,7 @@ TEST_CASE("worlds in which much stands go on from a snapshot to the bit, whateve
 }
 
 TEST_CASE("a blow goes through a pyramid that stands as through one that is solved in full") {
-    for (const float speed_m_s : {0.1f, 1.0f, 10.0f}) {
+    for (const float speed_m_s : {0.1f, 1.0f}) {
         INFO("a ball of " << speed_m_s << " m/s");
         Pyramid pyramid(true, speed_m_s);
         Pyramid in_full(false, speed_m_s);
@@ -156,6 +157,78 @@ TEST_CASE("a blow goes through a pyramid that stands as through one that is solv
         // Kicks below kStillSpeed_m_s are what may be left out.
         CHECK(greatest_difference_of_speed(pyramid, in_full) < 1e-4 * static_cast<double>(speed_m_s));
     }
+}
+
+// Such a blow multiplies last digits by ten thousand in its first step.
+TEST_CASE("a hard blow through a pyramid that stands is one of those through pyramids solved in full") {
+    std::vector<Pyramid> in_full;
+    for (const int steps_before : {0, 1, 2, 3, 7, 20}) in_full.emplace_back(false, 10.0f, steps_before);
+    Pyramid pyramid(true, 10.0f);
+    for (int step = 0; step < 38; ++step) {
+        step_times(pyramid.world, 1);
+        for (Pyramid& other : in_full) step_times(other.world, 1);
+        if (step < 30) continue;
+        double among_full = 0;
+        double to_nearest = 1e9;
+        for (const Pyramid& a : in_full) {
+            for (const Pyramid& b : in_full)
+                among_full = std::max(among_full, greatest_difference_of_speed(a, b));
+            to_nearest = std::min(to_nearest, greatest_difference_of_speed(pyramid, a));
+        }
+        INFO("step " << step << ", hit at " << 30);
+        CHECK(among_full > 0.01);
+        CHECK(to_nearest < among_full);
+    }
+}
+
+TEST_CASE("what rests is left to the bit as it was, and its velocity is none") {
+    Pyramid pyramid(true);
+    step_times(pyramid.world, 5);
+    const auto impulses = [&] {
+        std::vector<float> all;
+        for (const DebugContact& contact : pyramid.world.debug_contacts()) {
+            for (const auto& point : contact.points) all.push_back(point.impulse_ns);
+            all.push_back(contact.friction_impulse_ns);
+        }
+        return all;
+    };
+    const std::vector<float> before = impulses();
+    CHECK(before.size() > 2 * kBoxes);
+    run_for(pyramid.world, 10);
+    CHECK(impulses() == before);
+    for (const BodyId body : pyramid.bodies) {
+        CHECK(pyramid.world.body(body)->linear_velocity() == Vec2{});
+        CHECK(pyramid.world.body(body)->angular_velocity() == 0);
+    }
+}
+
+TEST_CASE(
+    "what weight alone moves by five millionths of it slides as it should, on ice and beside what rests") {
+    const double tilt_rad = 5e-6;
+    World world(WorldDef{.enable_sleep = false});
+    add(world, {.type = BodyType::Static, .angle_rad = -tilt_rad}, Box{100, 1},
+        {.material = {.friction = 0}});
+    const BodyId box = add(world, {.position_m = {0, 1.5}, .angle_rad = -tilt_rad}, Box{0.5f, 0.5f},
+                           {.material = {.friction = 0}});
+    for (int i = 0; i < 5; ++i)
+        add(world, {.position_m = {-50 + 0.8 * i, 1.5}, .angle_rad = -tilt_rad}, Box{0.5f, 0.5f});
+    const double time_s = 60;
+    run_for(world, time_s);
+    const double expected_m = 0.5 * 10 * tilt_rad * time_s * time_s;
+    CHECK(world.body(box)->position().x == Approx(expected_m).epsilon(0.05));
+}
+
+TEST_CASE("a force of a millionth of the weight moves what lies on ice") {
+    World world(WorldDef{.enable_sleep = false});
+    add_ground(world, {.material = {.friction = 0}});
+    const BodyId box = add(world, {.position_m = {0, 0.5}}, Box{0.5f, 0.5f}, {.material = {.friction = 0}});
+    const double time_s = 60;
+    const float force_n = 1e-5f * world.body(box)->mass_data().mass_kg;
+    for (int step = 0; step < 60 * 60; ++step) {
+        world.body(box)->apply_force_to_center({force_n, 0}).value();
+        step_times(world, 1);
+    }
+    CHECK(world.body(box)->position().x == Approx(0.5 * 1e-5 * time_s * time_s).epsilon(0.1));
 }
 
 }  // namespace cairn::physics

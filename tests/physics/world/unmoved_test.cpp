@@ -106,6 +106,12 @@ const std::vector<Edit> kEdits{
      [](Yard& y) {
          y.world.body(y.bricks[30])->apply_impulse_to_center({1, 0}).value();
      }},
+    {"a box is damped", [](Yard& y) { y.world.body(y.on_ledge)->set_linear_damping(100).value(); }},
+    {"a step takes half the time", [](Yard& y) { step_times(y.world, 1, 0.5f * kStep_s); }},
+    {"a tiny push",
+     [](Yard& y) {
+         y.world.body(y.on_ledge)->set_linear_velocity({1e-6f, 0}).value();
+     }},
     {"a force that is held",
      [](Yard& y) {
          y.world.body(y.bricks[30])->apply_force_to_center({0.5f, 0}).value();
