@@ -32,16 +32,20 @@ constexpr int run_of(int bucket) {
 
 }  // namespace
 
-void ContactBatches::cut(ContactLanes& lanes, const Motions& motions, std::span<const int> bodies) {
+void ContactBatches::cut(ContactLanes& lanes, const Motions& motions, std::span<const int> bodies,
+                         bool some_rest) {
     const bool knows_rows = seen_.lanes == &lanes && same_rows(motions, bodies);
     if (wait_ > 0) --wait_;
-    if (knows_rows && seen_.version == lanes.version() && (is_settled_ || wait_ > 0)) return;
+    if (knows_rows && seen_.version == lanes.version() && seen_.some_rest == some_rest &&
+        (is_settled_ || wait_ > 0))
+        return;
     seen_.lanes = &lanes;
+    seen_.some_rest = some_rest;
     seen_.version = lanes.version();
     if (!knows_rows) note_rows(motions, bodies);
     const int rows = motions.size();
     is_settled_ = wait_ == 0;
-    const bool is_cut = wait_ == 0 && lanes.blocks().size() >= kFewestBlocks &&
+    const bool is_cut = wait_ == 0 && (some_rest || lanes.blocks().size() >= kFewestBlocks) &&
                         ((knows_rows && list_known()) || list_anew(rows));
     if (!is_cut) keep_whole(rows);
 }

@@ -33,8 +33,9 @@ class ContactBatches {
     static constexpr int kRowsPerRange = 1024;
 
     /// Of blocks that are arranged; `bodies` are those of the rows from 1 on. Tells from the movers what else
-    /// acts on them. What nothing has changed since the last time is taken from there.
-    void cut(ContactLanes& lanes, const Motions& motions, std::span<const int> bodies);
+    /// acts on them. What nothing has changed since the last time is taken from there. Few contacts are cut
+    /// only if `some_rest`, so that what rests can be left alone.
+    void cut(ContactLanes& lanes, const Motions& motions, std::span<const int> bodies, bool some_rest);
     /// To be told when the lanes are others, though of the same version.
     void forget() { seen_.lanes = nullptr; }
 
@@ -83,6 +84,7 @@ class ContactBatches {
     struct Seen {
         ContactLanes* lanes = nullptr;
         std::uint64_t version = 0;
+        bool some_rest = false;
         std::vector<int> bodies;         // by row, from 1 on
         std::vector<std::uint8_t> held;  // by row: something else acts on it
     };

@@ -2,7 +2,9 @@
 #include "world/direct_structures.h"
 
 #include <algorithm>
+#include <span>
 
+#include "base/prefetch.h"
 #include "world/joint_lists.h"
 #include "world/world_state.h"
 
@@ -40,6 +42,17 @@ void for_each_body(const Stores& stores, int joint, Visit&& visit) {
     }
 }
 
+// Calls visit(joint) for active joints, and asks for their records ahead.
+template <class Visit>
+void for_each_active(const Stores& stores, const Visit& visit) {
+    const auto ask = [&](int joint) {
+        const JointRecord& record = stores.joints.slots[joint];
+        prefetch(&record.def, sizeof record.def + sizeof record.body_a + sizeof record.body_b);
+    };
+    visit_asking_ahead(std::span(stores.joints.active.begin(), stores.joints.active.end()), kRecordsAhead,
+                       ask, visit);
+}
+
 bool is_uneven(float least_inverse_mass, float most_inverse_mass) {
     return least_inverse_mass > 0 && most_inverse_mass / least_inverse_mass > kMassRatio;
 }
@@ -59,16 +72,18 @@ void StructureSearch::find(const Stores& stores, JointSolver solver, std::vector
 
 void StructureSearch::note_movers(const Stores& stores) {
     moves_.assign(at(stores.bodies.slots.end_index()), 0);
+    inverse_mass_.resize(moves_.size());
     for (const int body : stores.bodies.rows(RowSet::Awake).body) {
         const BodyRecord& record = stores.bodies.slots[body];
         moves_[at(body)] = record.inverse_mass > 0 || record.inverse_inertia > 0 ? 1 : 0;
+        inverse_mass_[at(body)] = record.inverse_mass;
     }
 }
 
 void StructureSearch::join(const Stores& stores) {
     sets_.reset(static_cast<int>(moves_.size()));
     first_.clear();
-    for (const int joint : stores.joints.active) {
+    for_each_active(stores, [&](int joint) {
         int first = kNone;
         for_each_body(stores, joint, [&](int body) {
             if (!moves(body)) return;
@@ -79,7 +94,7 @@ void StructureSearch::join(const Stores& stores) {
             }
         });
         first_.push_back(first);
-    }
+    });
 }
 
 // In the order of their first joints.
@@ -87,31 +102,33 @@ void StructureSearch::sum_up(const Stores& stores) {
     summaries_.clear();
     of_root_.assign(moves_.size(), kNone);
     seen_.assign(moves_.size(), 0);
-    for (int i = 0; i < stores.joints.active.size(); ++i) {
-        if (first_[at(i)] == kNone) continue;
-        int& of_root = of_root_[at(sets_.find(first_[at(i)]))];
+    std::size_t next = 0;
+    for_each_active(stores, [&](int joint) {
+        const int first = first_[next++];
+        if (first == kNone) return;
+        int& of_root = of_root_[at(sets_.find(first))];
         if (of_root == kNone) {
             of_root = static_cast<int>(summaries_.size());
             summaries_.push_back({});
         }
         Summary& s = summaries_[at(of_root)];
         ++s.joints;
-        const JointRecord& record = stores.joints.slots[stores.joints.active[i]];
+        const JointRecord& record = stores.joints.slots[joint];
         const auto* pin = std::get_if<RevoluteJointDef>(&record.def);
         s.plain_pins = s.plain_pins && pin != nullptr && is_plain_pin(*pin);
         s.lacks_load = s.lacks_load || !record.load_known;
-        for_each_body(stores, stores.joints.active[i], [&](int body) {
+        for_each_body(stores, joint, [&](int body) {
             if (!moves(body)) s.is_held = true;
             if (!moves(body) || seen_[at(body)]) return;
             seen_[at(body)] = 1;
             ++s.bodies;
-            const float inverse_mass = stores.bodies.slots[body].inverse_mass;
+            const float inverse_mass = inverse_mass_[at(body)];
             if (inverse_mass <= 0) return;
             if (s.least_inverse_mass == 0 || inverse_mass < s.least_inverse_mass)
                 s.least_inverse_mass = inverse_mass;
             s.most_inverse_mass = std::max(s.most_inverse_mass, inverse_mass);
         });
-    }
+    });
 }
 
 bool StructureSearch::is_pendulum(const Summary& s) {

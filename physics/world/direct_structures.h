@@ -58,9 +58,10 @@ class StructureSearch {
     [[nodiscard]] int depth_of(const DirectStructure& s, const Stores& stores);
     [[nodiscard]] double products_per_joint(const DirectStructure& s, const Stores& stores);
 
-    std::vector<char> moves_;  // by body
-    UnionFind sets_;           // of bodies
-    std::vector<int> first_;   // by place among the active joints: a body that moves, or kNone
+    std::vector<char> moves_;          // by body
+    std::vector<float> inverse_mass_;  // by body, of awake ones
+    UnionFind sets_;                   // of bodies
+    std::vector<int> first_;           // by place among the active joints: a body that moves, or kNone
     std::vector<int> of_root_;
     std::vector<char> seen_;
     std::vector<Summary> summaries_;

@@ -209,7 +209,7 @@ void prepare_joints(Stores& stores, const StepTime& time, StepScratch& scratch, 
     lanes.add_spring_loads(scratch.motions, scratch.spring_loads);
     make_springs(joints, time.h_s, scratch.spring_loads);
     start_springs(joints, scratch.joint_places, time.h_s, scratch.motions);
-    lanes.settle_springs(scratch.spring_loads, springs);
+    lanes.settle_springs(scratch.spring_loads, springs, tasks);
 }
 
 void store_joint_impulses(JointStore& joints, const StepTime& time, const StepScratch& scratch) {

@@ -48,7 +48,7 @@ void begin_standing(const Stillness& all, Vec2 gravity_m_s2, const StepTime& tim
     Motions& motions = scratch.motions;
     begin_standing(motions, all);
     scratch.all_stand = false;
-    scratch.standing->all_rest = false;
+    scratch.standing->all_rest = scratch.standing->most_rest = false;
     scratch.standing->none_solved = false;
     if (motions.standing.empty()) return;
     for (const ContactConstraint& c : scratch.contacts) {
@@ -65,6 +65,7 @@ void begin_standing(const Stillness& all, Vec2 gravity_m_s2, const StepTime& tim
                         std::memory_order_relaxed);
     });
     standing.all_rest = known == motions.size();
+    standing.most_rest = 2 * known > motions.size();
 }
 
 void leave_resting(Motions& motions, std::span<const RowRange> ranges) {

@@ -179,6 +179,7 @@ struct StandingScratch {
     Resting resting;
     bool all_blocks_known = false;  // none of them was looked at in this step, since all would be the same
     bool all_rest = false;          // and would be left by the passes as they are
+    bool most_rest = false;         // or most would be
     bool none_solved = false;       // no pass went over any block in the last step
     // For what the statics estimate was made last, if that was noted.
     Vec2 weight_ns_kg;

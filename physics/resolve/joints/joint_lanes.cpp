@@ -339,20 +339,28 @@ void JointLanes::add_spring_loads(const Motions& motions, std::vector<double>& t
     });
 }
 
-void JointLanes::settle_springs(const std::vector<double>& together, bool others) {
+void JointLanes::settle_springs(const std::vector<double>& together, bool others, TaskPool& tasks) {
     springs_changed_ = others;  // theirs may be gone in the next step
-    for_each_drive([&](int, int lane) {
-        DriveBlock& block = drives_.block(lane / kLanes);
-        const std::size_t at = place_in(lane);
-        const auto w = static_cast<double>(block.frequency[at]);
+    const std::span<const int> blocks = drives_.blocks();
+    const auto settle = [&](DriveBlock& block, std::size_t lane) {
+        const auto w = static_cast<double>(block.frequency[lane]);
         if (w == 0) return;
-        const double sum = together[static_cast<std::size_t>(block.pin.a[at])] +
-                           together[static_cast<std::size_t>(block.pin.b[at])];
-        const ExactSpring own{block.own_d1[at], block.own_d0[at], 0, true};
+        const double sum = together[static_cast<std::size_t>(block.pin.a[lane])] +
+                           together[static_cast<std::size_t>(block.pin.b[lane])];
+        const ExactSpring own{block.own_d1[lane], block.own_d0[lane], 0, true};
         const ExactSpring calm =
-            calmed(own, static_cast<double>(block.square[at]), std::max(sum / (w * w), 1.0));
-        block.spring_d1[at] = calm.d1;
-        block.spring_d0[at] = calm.d0;
+            calmed(own, static_cast<double>(block.square[lane]), std::max(sum / (w * w), 1.0));
+        block.spring_d1[lane] = calm.d1;
+        block.spring_d0[lane] = calm.d0;
+    };
+    tasks.parallel_for(static_cast<int>(blocks.size()), kBlocksPerChunk, [&](const Chunk& chunk) {
+        for (int i = chunk.begin; i < chunk.end; ++i) {
+            const int block = blocks[static_cast<std::size_t>(i)];
+            const AnchorBlock& anchors = drives_.anchors(block);
+            for (std::size_t lane = 0; lane < kLanes; ++lane) {
+                if (anchors.joint[lane] != kNone) settle(drives_.block(block), lane);
+            }
+        }
     });
 }
 

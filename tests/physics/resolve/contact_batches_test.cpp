@@ -67,7 +67,7 @@ void take_step_whole(Heap& heap) {
 
 void take_step_in_batches(Heap& heap, ContactBatches& batches) {
     heap.lanes.arrange();
-    batches.cut(heap.lanes, heap.motions, numbered(heap.motions.size()));
+    batches.cut(heap.lanes, heap.motions, numbered(heap.motions.size()), false);
     batches.fetch_rest();
     // The last one first: nothing may depend on the order.
     take_step(heap.motions, [&](const auto& work) {
@@ -211,7 +211,7 @@ TEST_CASE("no contact joins two batches, and what else is acted on is in the res
     give_movers(heap.motions, random, 0.02);
     heap.lanes.arrange();
     ContactBatches batches;
-    batches.cut(heap.lanes, heap.motions, numbered(heap.motions.size()));
+    batches.cut(heap.lanes, heap.motions, numbered(heap.motions.size()), false);
     const std::vector<int> batch = batch_of_rows(batches, heap.motions.size());
     for (int row = 1; row < heap.motions.size(); ++row) {
         if (heap.motions.mover[row] == MovedBy::Turning) REQUIRE(batch[row] == -1);
@@ -228,9 +228,21 @@ TEST_CASE("where all hangs together there are no batches") {
     give_movers(heap.motions, random, 0);
     heap.lanes.arrange();
     ContactBatches batches;
-    batches.cut(heap.lanes, heap.motions, numbered(heap.motions.size()));
+    batches.cut(heap.lanes, heap.motions, numbered(heap.motions.size()), false);
     CHECK(batches.count() == 0);
     CHECK(batch_of_rows(batches, heap.motions.size())[1] == -1);
+}
+
+TEST_CASE("few contacts are cut only where something rests") {
+    Heap heap = make_heap(8, kSmallIslands, 2000, 1000);
+    Random random(8);
+    give_movers(heap.motions, random, 0);
+    heap.lanes.arrange();
+    ContactBatches batches;
+    for (const bool some_rest : {false, true, false, true}) {
+        batches.cut(heap.lanes, heap.motions, numbered(heap.motions.size()), some_rest);
+        CHECK((batches.count() > 0) == some_rest);
+    }
 }
 
 TEST_CASE("rows that changed their bodies are looked at again") {
@@ -240,7 +252,7 @@ TEST_CASE("rows that changed their bodies are looked at again") {
     heap.lanes.arrange();
     ContactBatches batches;
     std::vector<int> bodies = numbered(heap.motions.size());
-    batches.cut(heap.lanes, heap.motions, bodies);
+    batches.cut(heap.lanes, heap.motions, bodies, false);
     REQUIRE(batches.count() > 3);
     // Two rows change places, in the lanes too, which are the same otherwise.
     const std::vector<int> before = batch_of_rows(batches, heap.motions.size());
@@ -260,7 +272,7 @@ TEST_CASE("rows that changed their bodies are looked at again") {
             }
         }
     }
-    batches.cut(heap.lanes, heap.motions, bodies);
+    batches.cut(heap.lanes, heap.motions, bodies, false);
     const std::vector<int> batch = batch_of_rows(batches, heap.motions.size());
     for (const int i : heap.lanes.blocks()) {
         const ContactBlock& block = heap.lanes.block(i);

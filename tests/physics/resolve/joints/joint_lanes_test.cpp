@@ -46,7 +46,7 @@ struct Twins {
         place_joints(constraints, swept, joint_places);
         add_spring_loads(constraints, joint_places, swept, together);
         make_springs(constraints, kSubstep_s, together);
-        lanes.settle_springs(together, false);
+        lanes.settle_springs(together, false, tasks);
     }
 
     void add_body(Random& random, bool pushed) {
