@@ -111,7 +111,7 @@ struct Motions {
     // too few are still.
     std::vector<std::uint8_t> standing;
     // Beside them: how much of what the first substep does to the row's velocity is rounding, m/s of its
-    // farthest point; less than 0 where a force acts, so that all of it counts (world/resting.h).
+    // farthest point; less than 0 where a force acts, so that all of it counts (world/standing.cpp).
     std::vector<float> rounding_m_s;
     std::vector<std::uint8_t> locked;  // axes of each row; empty while no body has any
     bool some_turn_far = false;        // in a step, so that separations are not linear in their angles
