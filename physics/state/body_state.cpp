@@ -131,8 +131,9 @@ bool is_sound(const BodyRecord& body) {
         sound &= (x >= 0) & (x <= kMost);
     sound &= std::fabs(body.gravity_scale) <= kMost;
     sound &= (body.extent_m >= 0) & (body.extent_m <= kMostExtent_m);
-    sound &= (body.turn_arm_m <= kMostExtent_m) & (body.center_arm_m <= kMostExtent_m) &
-             (body.inner_radius_m >= 0);
+    sound &= (body.turn_arm_m <= kMostExtent_m) & (body.center_arm_m <= kMostExtent_m);
+    sound &=
+        (body.inner_radius_m >= 0) & !std::signbit(body.inner_radius_m);  // which would divide to -infinity
     sound &= (body.type == BodyType::Dynamic) | ((body.inverse_mass == 0) & (body.inverse_inertia == 0));
     return sound && is_within_reach(body.mass.center_m);
 }

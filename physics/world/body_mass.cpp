@@ -65,9 +65,10 @@ void measure_extent(Stores& stores, int body) {
         record.turn_arm_m = std::max(record.turn_arm_m, farthest - shape.convex().radius());
         record.center_arm_m =
             std::max(record.center_arm_m, length(shape.convex().centroid - record.mass.center_m));
-        // A line has no inside, but its contacts hold from the speculative distance on.
-        const float solid =
-            shape.convex().is_line() ? tuning::kSpeculativeDistance_m : inner_radius(shape.convex());
+        // A line has no inside, but its contacts hold from the speculative distance on. Of a sliver far from
+        // its body's origin, rounding may leave nothing.
+        const float solid = shape.convex().is_line() ? tuning::kSpeculativeDistance_m
+                                                     : std::max(0.0f, inner_radius(shape.convex()));
         record.inner_radius_m = std::min(record.inner_radius_m, solid);
     });
 }

@@ -36,6 +36,7 @@ class Course {
         rotation_ = awake.rotation_before[place.row - 1];
         if (rotation_ != place.rotation)
             turned_rad_ = static_cast<double>((inverse(rotation_) * place.rotation).angle_rad());
+        if (turned_rad_ == 0) return;
         const float piece_rad =
             std::min(kLongestPiece_rad, std::sqrt(2 * record.inner_radius_m / record.turn_arm_m));
         pieces_ = std::fabs(static_cast<float>(turned_rad_)) / piece_rad;

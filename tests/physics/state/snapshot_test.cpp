@@ -1,7 +1,9 @@
 // A restored world goes on as the one that the snapshot was taken from: compared by the bytes of the
 // snapshots of both, step for step, which is more than their hashes.
 #include <algorithm>
+#include <array>
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <cstring>
 #include <vector>
 
@@ -232,6 +234,49 @@ TEST_CASE("a snapshot with a shape of which something does not follow from its p
         CHECK(world.counts().touching <= 1);
     }
     CHECK(refused == 5);  // of the box: two corners, two normals and half the height
+}
+
+// A negative zero is no less than zero, and what is divided by it is minus infinity.
+TEST_CASE("a snapshot with a body whose inner radius is a negative zero is refused") {
+    constexpr float kInner_m = 0.37f;
+    World world;
+    add(world, {.position_m = {}}, Box{.half_width_m = 5, .half_height_m = kInner_m});
+    run_for(world, 0.1);
+    const Bytes good = bytes_of(world);
+    int refused = 0;
+    for (std::size_t at = kFrame; at + sizeof kInner_m <= good.size(); ++at) {
+        if (std::memcmp(good.data() + at, &kInner_m, sizeof kInner_m) != 0) continue;
+        Bytes bad = good;
+        const float zero = -0.0f;
+        std::memcpy(bad.data() + at, &zero, sizeof zero);
+        fit_checksum(bad);
+        const Result<void> restored = world.restore(bad);
+        if (!restored) refused += restored.error().message.find("a mass or an extent") != std::string::npos;
+    }
+    CHECK(refused == 1);
+}
+
+// Rounding may leave them no inside at all, by their own sides.
+TEST_CASE("slivers far from the origins of their bodies go through snapshots") {
+    Random random(7);
+    int made = 0;
+    for (int i = 0; i < 2000; ++i) {
+        const float far_m = std::pow(10.0f, random.real_f(4, 6));
+        const float length_m = std::pow(10.0f, random.real_f(0, 2));
+        const float width_m = length_m * std::pow(10.0f, random.real_f(-4, -2));
+        const Rotation turn = Rotation::from_angle(random.real(0, 6));
+        std::array<Vec2, 3> points{Vec2{}, Vec2{length_m, 0}, Vec2{length_m / 2, width_m}};
+        for (Vec2& p : points) p = Vec2{far_m, far_m / 3} + rotate(turn, p);
+        World world({.gravity_m_s2 = {}});
+        const BodyId body = world.create_body({.angular_velocity_rad_s = 1}).value();
+        if (!world.create_shape(body, Polygon{.points_m = points})) continue;  // rounding made it a line
+        ++made;
+        world.step(kStep_s).value();
+        const Result<void> restored = World().restore(bytes_of(world));
+        INFO((restored ? std::string() : restored.error().message));
+        REQUIRE(restored);
+    }
+    CHECK(made > 1000);
 }
 
 // Passes go over all eight lanes of a block. One box on the ground is in the first: behind it stand seven
