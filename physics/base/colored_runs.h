@@ -21,8 +21,8 @@ struct ColoredRun {
 };
 
 /// Calls pass(run, first, count) for parts of all runs: those of a colour after all of the colours before it,
-/// and otherwise in any order and at once. A thread takes `grain` blocks at once; colours of less than four
-/// times that are not shared.
+/// and otherwise in any order and at once. A thread takes up to `grain` blocks at once; small colours are not
+/// shared.
 template <std::size_t kMostRuns, class RunPass>
 void for_colored_runs(std::span<const ColoredRun> runs, int grain, TaskPool& tasks, const RunPass& pass) {
     struct Part {
@@ -42,7 +42,8 @@ void for_colored_runs(std::span<const ColoredRun> runs, int grain, TaskPool& tas
             ++run;
         }
     };
-    constexpr int kFewestGrains = 4;
+    // Of blocks, some 0.2 us each.
+    constexpr int kFewestShared = 32;
     CAIRN_ASSERT(runs.size() <= kMostRuns, "no more runs than there is room for");
     std::array<Part, kMostRuns> parts;
     std::array<ParallelLoop, kMostRuns> loops;
@@ -52,7 +53,7 @@ void for_colored_runs(std::span<const ColoredRun> runs, int grain, TaskPool& tas
         std::size_t last = first;
         int count = 0;
         for (; last < runs.size() && runs[last].color == runs[first].color; ++last) count += runs[last].count;
-        const bool is_small = count < kFewestGrains * grain;
+        const bool is_small = count < kFewestShared;
         if (is_small && last_is_small) {
             const auto begin = static_cast<std::size_t>(parts[loop - 1].first_run);
             parts[loop - 1].runs = runs.subspan(begin, last - begin);
@@ -60,7 +61,8 @@ void for_colored_runs(std::span<const ColoredRun> runs, int grain, TaskPool& tas
             loops[loop - 1].grain = std::max(loops[loop - 1].count, 1);
         } else {
             parts[loop] = {&pass, runs.subspan(first, last - first), static_cast<int>(first)};
-            loops[loop] = {body, &parts[loop], count, is_small ? std::max(count, 1) : grain};
+            loops[loop] = {body, &parts[loop], count,
+                           is_small ? std::max(count, 1) : std::min(grain, (count + 1) / 2)};
             ++loop;
         }
         last_is_small = is_small;

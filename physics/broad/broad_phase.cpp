@@ -127,6 +127,7 @@ const std::vector<ItemPair>& BroadPhase::find_new_pairs(TaskPool& tasks) {
 int BroadPhase::start_search(TaskPool& tasks) {
     moved_groups_.clear();
     group_ways_.clear();
+    group_items_.clear();
     if (moved_items_.empty()) return 0;
     for (BoxTree& tree : trees_) {
         if (tree.is_worn()) tree.rebuild(order_scratch_);
@@ -146,7 +147,10 @@ void BroadPhase::collect_moved_groups(TaskPool& tasks) {
             if (moved != 0) push_amply(moved_groups_, MovedGroup{layer, static_cast<int>(group), moved, {}});
         }
     }
-    if (had_ways_) assign_amply(group_ways_, 2 * moved_groups_.size(), GroupWays{});
+    if (had_ways_) {
+        assign_amply(group_ways_, 2 * moved_groups_.size(), GroupWays{});
+        resize_amply(group_items_, moved_groups_.size());
+    }
     [[maybe_unused]] std::atomic<int> with_ways = 0;
     tasks.parallel_for(static_cast<int>(moved_groups_.size()), kGroupsPerChunk, [&](const Chunk& chunk) {
         int found = 0;
@@ -192,6 +196,8 @@ int BroadPhase::fill_moved_group(std::size_t at) {
     MovedGroup& moved = moved_groups_[at];
     const BoxTree& tree = this->tree(moved.layer);
     moved.before = tree.level(0)[moved.group];
+    if (had_ways_)
+        std::copy_n(tree.items().begin() + kGroupSize * moved.group, kGroupSize, group_items_[at].begin());
     int with_ways = 0;
     for (LaneMask lanes = moved.lanes; lanes != 0; lanes &= lanes - 1) {
         const int lane = std::countr_zero(lanes);

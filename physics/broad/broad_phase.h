@@ -69,6 +69,9 @@ class BroadPhase {
     int start_search(TaskPool& tasks);
     void search(int first_group, int last_group, const FoundPairs& found) const;
     void end_search(std::vector<ItemPair>& pairs);
+    /// As of the last search, where some had ways: the items of each group in which something moved, by lane.
+    using GroupItems = std::array<int, kGroupSize>;
+    [[nodiscard]] std::span<const GroupItems> moved_groups() const { return group_items_; }
 
   private:
     friend struct StateAccess;
@@ -111,9 +114,10 @@ class BroadPhase {
     // Of the search that is under way.
     std::vector<MovedGroup> moved_groups_;
     std::vector<GroupWays> group_ways_;
+    std::vector<GroupItems> group_items_;
     std::array<std::vector<int>, kLayers.size()> moved_index_;
     std::vector<ItemPair> pairs_;
-    std::vector<ItemPair> beside_;
+    std::vector<PairsBeside> beside_;
 
     OrderScratch order_scratch_;
     RadixSort radix_;

@@ -120,7 +120,7 @@ class GroupSearch {
                 compare_ways(searched, group, lane, found);
             } else {
                 found &= ~overlapping_lanes(own_.before, before.box(lane));
-                tell(found, searched.tree->items()[kGroupSize * group + lane], found_.fresh);
+                tell(found, searched.tree->items()[kGroupSize * group + lane]);
             }
         }
     }
@@ -133,14 +133,14 @@ class GroupSearch {
         const int item = searched.tree->items()[kGroupSize * group + lane];
         const LaneMask apart =
             found & lanes_apart(now_, ways_of(own_.ways), now, way_of(other, &MovedGroup::ways, lane));
-        tell(apart, item, found_.beside);
+        if (apart != 0) push_amply(found_.beside, PairsBeside{index_, item, apart});
         const LaneMask meeting = found & ~apart;
         if (meeting == 0) return;
         const Aabb before = other == nullptr ? now : other->before.box(lane);
         const LaneMask known = overlapping_lanes(own_.before, before) &
                                ~lanes_apart(own_.before, ways_of(own_.ways_before), before,
                                             way_of(other, &MovedGroup::ways_before, lane));
-        tell(meeting & ~known, item, found_.fresh);
+        tell(meeting & ~known, item);
     }
     [[nodiscard]] bool has_ways(int moved) const {
         return moved != kNone && (moved_[moved].ways != kNone || moved_[moved].ways_before != kNone);
@@ -153,10 +153,10 @@ class GroupSearch {
         return group == nullptr ? Vec2{} : ways_of(group->*ways).way(lane);
     }
 
-    HWY_INLINE void tell(LaneMask lanes, int item, std::vector<ItemPair>& pairs) const {
+    HWY_INLINE void tell(LaneMask lanes, int item) const {
         for (; lanes != 0; lanes &= lanes - 1) {
             const int own = tree_.items()[kGroupSize * own_.group + std::countr_zero(lanes)];
-            push_amply(pairs, ItemPair{std::min(own, item), std::max(own, item)});
+            push_amply(found_.fresh, ItemPair{std::min(own, item), std::max(own, item)});
         }
     }
 

@@ -47,10 +47,17 @@ struct MovedGroup {
     int ways_before = kNone;  // the same, as of the last search
 };
 
+/// Pairs of an item with items of a group.
+struct PairsBeside {
+    int group;  ///< among those in which something moved
+    int item;
+    LaneMask lanes;
+};
+
 /// What a search finds.
 struct FoundPairs {
-    std::vector<ItemPair>& fresh;   ///< new pairs
-    std::vector<ItemPair>& beside;  ///< pairs of which one moved, that overlap now, but keep apart
+    std::vector<ItemPair>& fresh;      ///< new pairs
+    std::vector<PairsBeside>& beside;  ///< pairs of which one moved, that overlap now, but keep apart
 };
 
 /// What a search looks at. Nothing in it changes while searches run.

@@ -39,7 +39,7 @@ struct StateAccess {
     template <class Phase, class Use>
     static auto broad(Phase& broad, Use&& use) {
         auto& [trees, states, box_before, ways, way_before, with_ways, had_ways, moved_items, moved_groups,
-               group_ways, moved_index, pairs, beside, order_scratch, radix, pair_keys] = broad;
+               group_ways, group_items, moved_index, pairs, beside, order_scratch, radix, pair_keys] = broad;
         return use(trees, states, box_before, ways, way_before, with_ways, had_ways, moved_items);
     }
 

@@ -78,7 +78,7 @@ void find_new_pairs(Stores& stores, StepScratch& scratch, TaskPool& tasks) {
     scratch.beside.start(groups, kGroupsPerChunk, tasks);
     tasks.parallel_for(groups, kGroupsPerChunk, [&](const Chunk& chunk) {
         ChunkedList<ItemPair>::Appender found(scratch.found_pairs, chunk);
-        ChunkedList<ItemPair>::Appender beside(scratch.beside, chunk);
+        ChunkedList<PairsBeside>::Appender beside(scratch.beside, chunk);
         stores.broad.search(chunk.begin, chunk.end, {found.items(), beside.items()});
     });
     scratch.found_pairs.copy_to(scratch.pairs);

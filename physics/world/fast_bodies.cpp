@@ -2,6 +2,7 @@
 #include "world/fast_bodies.h"
 
 #include <algorithm>
+#include <limits>
 
 #include <cairn/physics/tuning.h>
 
@@ -118,13 +119,16 @@ void cover_fast_ways(Stores& stores, Vec2 gravity_m_s2, float dt_s, StepScratch&
     });
     tell_fat_boxes(stores, scratch, tasks);
     scratch.fast_found.copy_to(scratch.fast);
+    float thinnest_m = std::numeric_limits<float>::infinity();
     for (const int body : scratch.fast) {
         const Place& place = stores.bodies.places[body];
+        thinnest_m = std::min(thinnest_m, stores.bodies.slots[body].inner_radius_m);
         if ((place.flags & place_flag::kHasWay) == 0) continue;
         const Vec2 way = dt_s * scratch.advances[place.row].velocity_m_s;
         for (int s = stores.bodies.slots[body].first_shape; s != kNone; s = stores.shapes[s].next_of_body)
             stores.broad.set_way(s, way);
     }
+    scratch.stray_m = 0.5f * thinnest_m;
 }
 
 void extend_advances(Stores& stores, Vec2 gravity_m_s2, float dt_s, StepScratch& scratch) {

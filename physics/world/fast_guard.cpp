@@ -246,7 +246,7 @@ class Guard {
 
     // Pairs that kept apart by what was expected of them: those of which a body strayed from that, and which
     // may have met then.
-    void look_beside(std::span<const int> fast, const ChunkedList<ItemPair>& beside) {
+    void look_beside(std::span<const int> fast, const ChunkedList<PairsBeside>& beside) {
         if (beside.size() == 0 || !note_strayed(fast)) return;
         look(beside.parts(), 1, [&](int part, std::vector<FreeShare>& found) {
             Pack pack;
@@ -254,9 +254,15 @@ class Guard {
                 if (can_meet(pair))
                     follow_both({pack.body_a[lane], pair.a}, {pack.body_b[lane], pair.b}, found);
             };
-            for (const ItemPair& pair : beside.part(part)) {
-                if (ways_.strayed[pair.a] == 0 && ways_.strayed[pair.b] == 0) continue;
-                if (add(pair, pack)) for_passed(pack, follow);
+            for (const PairsBeside& pairs : beside.part(part)) {
+                const auto group = static_cast<std::size_t>(pairs.group);
+                LaneMask lanes = pairs.lanes;
+                if (ways_.strayed[pairs.item] == 0) lanes &= ways_.strayed_lanes[group];
+                for (; lanes != 0; lanes &= lanes - 1) {
+                    const int other = stores_.broad.moved_groups()[group][std::countr_zero(lanes)];
+                    if (add({std::min(pairs.item, other), std::max(pairs.item, other)}, pack))
+                        for_passed(pack, follow);
+                }
             }
             for_passed(pack, follow);
         });
@@ -359,7 +365,7 @@ class Guard {
         if (share < 1) found.push_back({places_[side.body].row, share});
     }
 
-    // By shape; whether there are any.
+    // By shape, and by lane of the groups; whether there are any.
     bool note_strayed(std::span<const int> fast) {
         bool some = false;
         assign_amply(ways_.strayed, stores_.fat_boxes.size(), std::uint8_t{0});
@@ -370,7 +376,21 @@ class Guard {
                  s = stores_.shapes[s].next_of_body)
                 ways_.strayed[s] = 1;
         }
+        if (some) note_strayed_lanes();
         return some;
+    }
+
+    void note_strayed_lanes() {
+        const std::span<const BroadPhase::GroupItems> groups = stores_.broad.moved_groups();
+        resize_amply(ways_.strayed_lanes, groups.size());
+        for (std::size_t g = 0; g < groups.size(); ++g) {
+            LaneMask strayed = 0;
+            for (int lane = 0; lane < kGroupSize; ++lane) {
+                const int item = groups[g][lane];
+                if (item != kNone && ways_.strayed[item] != 0) strayed |= 1u << lane;
+            }
+            ways_.strayed_lanes[g] = strayed;
+        }
     }
 
     const Stores& stores_;
@@ -405,6 +425,18 @@ namespace {
 
 void put_back(Stores& stores, int body, float share) {
     put_back(stores, body, share, takes_shapes_round(stores.bodies.slots[body]));
+}
+
+void find_held(const Stores& stores, std::span<const int> fast, WayScratch& ways, TaskPool& tasks) {
+    resize_amply(ways.held, fast.size());
+    tasks.parallel_for(static_cast<int>(fast.size()), kRowsPerChunk, [&](const Chunk& chunk) {
+        for (int i = chunk.begin; i < chunk.end; ++i) {
+            const int body = fast[static_cast<std::size_t>(i)];
+            const bool held =
+                is_guarded(stores, body) && ways.free_shares[stores.bodies.places[body].row] < 1;
+            ways.held[static_cast<std::size_t>(i)] = held ? 1 : 0;
+        }
+    });
 }
 
 // As far as it was free to go; false where that is all of its way.
@@ -453,9 +485,10 @@ void hold_fast_bodies(Stores& stores, StepScratch& scratch, TaskPool& tasks) {
     guard.look_at_loose();
     std::vector<int>& turned_back = ways.turned_back;
     turned_back.clear();
-    for (const int body : scratch.fast) {
-        if (is_guarded(stores, body) && hold(stores, ways, body) &&
-            takes_shapes_round(stores.bodies.slots[body]))
+    find_held(stores, scratch.fast, ways, tasks);
+    for (std::size_t i = 0; i < scratch.fast.size(); ++i) {
+        const int body = scratch.fast[i];
+        if (ways.held[i] != 0 && hold(stores, ways, body) && takes_shapes_round(stores.bodies.slots[body]))
             turned_back.push_back(body);
     }
     for (int round = 0; round < kMostRounds && !turned_back.empty(); ++round) {

@@ -202,7 +202,8 @@ void finalize_bodies(Stores& stores, StepScratch& scratch, float dt_s, bool slee
                 const int lane = std::countr_zero(left);
                 std::uint32_t& flags = lanes.places[lane]->flags;
                 const int body = awake.body[row + lane];
-                if ((flags & place_flag::kHasWay) != 0) flags |= place_flag::kStrayed;
+                const bool keeps_near = -awake.box_slack[row + lane] <= scratch.stray_m;
+                if ((flags & place_flag::kHasWay) != 0 && !keeps_near) flags |= place_flag::kStrayed;
                 if ((flags & place_flag::kFast) != 0 && has_lost_its_boxes(stores, body))
                     flags |= place_flag::kLost;
                 boxes.add(body);

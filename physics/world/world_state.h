@@ -204,8 +204,10 @@ struct WayScratch {
     std::vector<Displacement> displacements;  // by row of the motions
     ChunkedList<int> sweeping;                // fast bodies that swept (world/sweeping_contacts.h)
     std::vector<std::uint8_t> strayed;        // by shape: the body went another way than was expected
+    std::vector<LaneMask> strayed_lanes;      // the same, by group of the broad phase
     ChunkedList<FreeShare> found_shares;      // of ways that met something
     std::vector<float> free_shares;           // of all ways, by row: the least that was found
+    std::vector<std::uint8_t> held;           // beside the fast bodies: it was not free to go all of it
     std::vector<int> turned_back;             // bodies, of which the shapes are to be looked at again
 };
 
@@ -341,7 +343,10 @@ struct StepScratch {
     std::unique_ptr<StaticsScratch> statics;  // none before the first estimate
     std::vector<Advance> advances;            // by row of the motions
     std::vector<int> fast;                    // bodies that could pass through others in this step
-    std::vector<int> paddles;                 // kinematic bodies that sweep in this step
+    // m. By no more than this they may leave their boxes: half the least inner radius, so that of two whose
+    // boxes keep apart no centre has met the other then.
+    float stray_m = 0;
+    std::vector<int> paddles;  // kinematic bodies that sweep in this step
     ChunkedList<int> fast_found;
     std::unique_ptr<PressedScratch> pressed;      // none before the first step
     ChunkedList<int> untold_boxes;                // of shapes: written, but not known to the broad phase yet
@@ -358,7 +363,7 @@ struct StepScratch {
     std::vector<NearAhead> near_ahead;  // in the order of their lanes
     ChunkedList<ItemPair> found_pairs;
     std::vector<ItemPair> pairs;
-    ChunkedList<ItemPair> beside;  // shapes that keep apart unless one goes another way than is expected
+    ChunkedList<PairsBeside> beside;  // shapes that keep apart unless one goes another way than is expected
 };
 
 /// What is solved directly (world/direct_groups.h).

@@ -320,22 +320,31 @@ void JointLanes::hide_tears(float rigid_rate, std::vector<TornJoint>& torn) {
     });
 }
 
-void JointLanes::add_spring_loads(const Motions& motions, std::vector<double>& together) const {
+void JointLanes::add_spring_loads(const Motions& motions, std::vector<double>& together,
+                                  TaskPool& tasks) const {
     const auto response = [&](std::size_t row) {
         const auto k = static_cast<double>(motions.pose[row].k);
         return motions.velocity[row].inverse_mass > 0 ? k * k : 0.0;
     };
-    for_each_drive([&](int, int lane) {
-        const DriveBlock& block = drives_.block(lane / kLanes);
-        const std::size_t at = place_in(lane);
-        const auto w = static_cast<double>(block.frequency[at]);
+    const auto add = [&](const DriveBlock& block, std::size_t lane) {
+        const auto w = static_cast<double>(block.frequency[lane]);
         if (w == 0) return;
-        const auto a = static_cast<std::size_t>(block.pin.a[at]);
-        const auto b = static_cast<std::size_t>(block.pin.b[at]);
-        const double sum = response(a) + response(b);
-        if (sum == 0) return;
-        together[a] += w * w * response(a) / sum;
-        together[b] += w * w * response(b) / sum;
+        const auto a = static_cast<std::size_t>(block.pin.a[lane]);
+        const auto b = static_cast<std::size_t>(block.pin.b[lane]);
+        const double of_a = response(a);
+        const double of_b = response(b);
+        const double sum = of_a + of_b;
+        // What cannot be moved may stand in several lanes of a colour.
+        if (of_a > 0) together[a] += w * w * of_a / sum;
+        if (of_b > 0) together[b] += w * w * of_b / sum;
+    };
+    drives_.for_each_bucket(tasks, [&](std::span<const int> blocks, JointBlockKind) {
+        for (const int block : blocks) {
+            const AnchorBlock& anchors = drives_.anchors(block);
+            for (std::size_t lane = 0; lane < kLanes; ++lane) {
+                if (anchors.joint[lane] != kNone) add(drives_.block(block), lane);
+            }
+        }
     });
 }
 

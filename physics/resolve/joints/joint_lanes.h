@@ -176,7 +176,7 @@ class JointLanes {
     /// Whether springs came, went or changed since `settle_springs` was last told of none that are swept.
     [[nodiscard]] bool springs_changed() const { return springs_changed_; }
     /// As prepare_springs, in two halves: what each row has of springs, and what comes of it.
-    void add_spring_loads(const Motions& motions, std::vector<double>& together) const;
+    void add_spring_loads(const Motions& motions, std::vector<double>& together, TaskPool& tasks) const;
     void settle_springs(const std::vector<double>& together, bool others, TaskPool& tasks);
     void note_spring_speeds(const Motions& motions, TaskPool& tasks);
     void warm_start(Motions& motions, TaskPool& tasks);

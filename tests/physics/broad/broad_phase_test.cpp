@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <catch2/catch.hpp>
 #include <limits>
 #include <map>
@@ -112,13 +113,20 @@ class Model {
         const Overlaps overlaps = find_overlaps(entries);
         const Pairs& expected = overlaps.pairs;
         std::vector<ItemPair> fresh;
-        std::vector<ItemPair> beside;
+        std::vector<PairsBeside> beside;
         broad.search(0, broad.start_search(tasks), {fresh, beside});
         broad.end_search(fresh);
         Pairs found_beside;
-        for (const ItemPair& pair : beside) REQUIRE(found_beside.emplace(pair.a, pair.b).second);
+        for (const PairsBeside& pairs : beside) {
+            for (LaneMask lanes = pairs.lanes; lanes != 0; lanes &= lanes - 1) {
+                const int other =
+                    broad.moved_groups()[static_cast<std::size_t>(pairs.group)][std::countr_zero(lanes)];
+                REQUIRE(
+                    found_beside.emplace(std::min(pairs.item, other), std::max(pairs.item, other)).second);
+            }
+        }
         REQUIRE(found_beside == overlaps.beside);
-        beside_ += beside.size();
+        beside_ += found_beside.size();
         Pairs reported;
         for (const ItemPair& pair : fresh) {
             REQUIRE(pair.a < pair.b);
@@ -409,7 +417,7 @@ TEST_CASE("searching in parts gives what the whole gives") {
         BroadPhase broad;
         std::vector<ItemPair> all;
         std::vector<ItemPair> found_now;
-        std::vector<ItemPair> beside;
+        std::vector<PairsBeside> beside;
         for (int i = 0; i < 400; ++i) broad.add(i, random_layer(random), random_box(random, 10));
         for (int round = 0; round < 30; ++round) {
             const int groups = broad.start_search(tasks);
