@@ -71,7 +71,7 @@ class BroadPhase {
     void end_search(std::vector<ItemPair>& pairs);
     /// As of the last search, where some had ways: the items of each group in which something moved, by lane.
     using GroupItems = std::array<int, kGroupSize>;
-    [[nodiscard]] std::span<const GroupItems> moved_groups() const { return group_items_; }
+    [[nodiscard]] std::span<const GroupItems> group_items() const { return group_items_; }
 
   private:
     friend struct StateAccess;

@@ -259,7 +259,7 @@ class Guard {
                 LaneMask lanes = pairs.lanes;
                 if (ways_.strayed[pairs.item] == 0) lanes &= ways_.strayed_lanes[group];
                 for (; lanes != 0; lanes &= lanes - 1) {
-                    const int other = stores_.broad.moved_groups()[group][std::countr_zero(lanes)];
+                    const int other = stores_.broad.group_items()[group][std::countr_zero(lanes)];
                     if (add({std::min(pairs.item, other), std::max(pairs.item, other)}, pack))
                         for_passed(pack, follow);
                 }
@@ -381,7 +381,7 @@ class Guard {
     }
 
     void note_strayed_lanes() {
-        const std::span<const BroadPhase::GroupItems> groups = stores_.broad.moved_groups();
+        const std::span<const BroadPhase::GroupItems> groups = stores_.broad.group_items();
         resize_amply(ways_.strayed_lanes, groups.size());
         for (std::size_t g = 0; g < groups.size(); ++g) {
             LaneMask strayed = 0;

@@ -120,7 +120,7 @@ class Model {
         for (const PairsBeside& pairs : beside) {
             for (LaneMask lanes = pairs.lanes; lanes != 0; lanes &= lanes - 1) {
                 const int other =
-                    broad.moved_groups()[static_cast<std::size_t>(pairs.group)][std::countr_zero(lanes)];
+                    broad.group_items()[static_cast<std::size_t>(pairs.group)][std::countr_zero(lanes)];
                 REQUIRE(
                     found_beside.emplace(std::min(pairs.item, other), std::max(pairs.item, other)).second);
             }
