@@ -214,65 +214,42 @@ void ContactLanes::arrange() {
     }
 }
 
-void ContactLanes::make_room(LaneOrderScratch& scratch) const {
-    reserve_amply(scratch.blocks, pairs_.size());
-    reserve_amply(scratch.keys, kLanes * pairs_.size());
-}
-
 // False where they are in order already.
-bool ContactLanes::sort_keys(int bucket, std::span<const Place> places, LaneOrderScratch& scratch) const {
-    auto& [blocks, keys] = scratch;
-    blocks.clear();
-    keys.clear();
+bool ContactLanes::find_order(int bucket, std::span<const Place> places, LaneOrder& order) const {
+    const auto row = [&](int body) { return places[static_cast<std::size_t>(body)].row; };
+    order.clear();
     for (int block = chains_[bucket].first; block != kNone; block = links_[block].next) {
         const PairBlock& pairs = pairs_[block];
-        blocks.push_back(block);
+        order.add_block(block);
         for (int lane = 0; lane < links_[block].used; ++lane) {
-            const auto row = [&](int body) { return places[static_cast<std::size_t>(body)].row; };
             const int row_b = row(pairs.body_b[lane]);
             const int row_a = kind_of(bucket) == BlockKind::OneBody ? row_b : row(pairs.body_a[lane]);
-            keys.push_back(static_cast<std::uint64_t>(1 + row_a + row_b) << 32 | keys.size());
+            order.add_lane(row_a + row_b);
         }
     }
-    if (std::is_sorted(keys.begin(), keys.end())) return false;
-    std::sort(keys.begin(), keys.end());
-    return true;
+    return order.sort();
 }
 
-// Along the cycles of the permutation. A key whose upper half is gone has been dealt with.
-void ContactLanes::take_order(LaneOrderScratch& scratch) {
-    struct At {
-        int block;
-        int lane;
-    };
-    const auto at = [&](std::size_t i) {
-        return At{scratch.blocks[i / kLanes], static_cast<int>(i % kLanes)};
-    };
-    constexpr std::uint64_t kLower = 0xffffffffu;
-    PairBlock first_pair;
-    ContactBlock first_block;
-    ImpactLanes first_impact;
-    for (std::size_t first = 0; first < scratch.keys.size(); ++first) {
-        if (scratch.keys[first] <= kLower || (scratch.keys[first] & kLower) == first) continue;
-        copy_pair(first_pair, 0, pairs_[at(first).block], at(first).lane);
-        copy_lane(first_block, 0, blocks_[at(first).block], at(first).lane);
-        if (!impacts_.empty()) copy_lane(first_impact, 0, impacts_[at(first).block], at(first).lane);
-        for (std::size_t i = first;;) {
-            const std::size_t next = scratch.keys[i] &= kLower;
-            const auto [block, lane] = at(i);
-            const auto [from_block, from_lane] = at(next);
-            const bool closes = next == first;
-            copy_pair(pairs_[block], lane, closes ? first_pair : pairs_[from_block], closes ? 0 : from_lane);
-            copy_lane(blocks_[block], lane, closes ? first_block : blocks_[from_block],
-                      closes ? 0 : from_lane);
-            if (!impacts_.empty()) {
-                copy_lane(impacts_[block], lane, closes ? first_impact : impacts_[from_block],
-                          closes ? 0 : from_lane);
-            }
-            if (closes) break;
-            i = next;
-        }
-    }
+void ContactLanes::take_order(LaneOrder& order) {
+    PairBlock kept_pair;
+    ContactBlock kept_block;
+    ImpactLanes kept_impact;
+    order.apply(
+        [&](LaneAt from) {
+            copy_pair(kept_pair, 0, pairs_[from.block], from.lane);
+            copy_lane(kept_block, 0, blocks_[from.block], from.lane);
+            if (!impacts_.empty()) copy_lane(kept_impact, 0, impacts_[from.block], from.lane);
+        },
+        [&](LaneAt to, LaneAt from) {
+            copy_pair(pairs_[to.block], to.lane, pairs_[from.block], from.lane);
+            copy_lane(blocks_[to.block], to.lane, blocks_[from.block], from.lane);
+            if (!impacts_.empty()) copy_lane(impacts_[to.block], to.lane, impacts_[from.block], from.lane);
+        },
+        [&](LaneAt to) {
+            copy_pair(pairs_[to.block], to.lane, kept_pair, 0);
+            copy_lane(blocks_[to.block], to.lane, kept_block, 0);
+            if (!impacts_.empty()) copy_lane(impacts_[to.block], to.lane, kept_impact, 0);
+        });
 }
 
 ContactMemory ContactLanes::memory(int lane) const {

@@ -11,6 +11,7 @@
 #include <span>
 #include <vector>
 
+#include "base/lane_order.h"
 #include "base/place.h"
 #include "base/slot_map.h"
 #include "collide/box_lanes.h"
@@ -110,12 +111,6 @@ constexpr PairGeometry geometry_of(int bucket) {
     return static_cast<PairGeometry>(bucket % kPairGeometries);
 }
 
-/// What ContactLanes::sort works on, of one bucket.
-struct LaneOrderScratch {
-    std::vector<int> blocks;
-    std::vector<std::uint64_t> keys;  // by lane: where it belongs << 32 | the lane that goes there
-};
-
 class ContactLanes {
   public:
     /// Before so many contacts more come into colours: room for them, at once.
@@ -129,8 +124,8 @@ class ContactLanes {
     /// bodies. Calls tell(contact, lane) for each that changed its lane. Allocates nothing after `make_room`,
     /// until a bucket opens a block.
     template <class Tell>
-    void sort(std::span<const Place> places, LaneOrderScratch& scratch, const Tell& tell);
-    void make_room(LaneOrderScratch& scratch) const;
+    void sort(std::span<const Place> places, LaneOrder& order, const Tell& tell);
+    void make_room(LaneOrder& order) const { order.make_room(pairs_.size()); }
 
     /// Blocks of near pairs are numbered on their own, from 0 in each of their buckets.
     [[nodiscard]] std::vector<PairBlock>& near_pairs(PairGeometry geometry) { return near_[index(geometry)]; }
@@ -211,8 +206,8 @@ class ContactLanes {
     void make_room_for_impacts();
     void move_turn(int block, int lane, int from_block, int from_lane);
     void close_block(int bucket);
-    bool sort_keys(int bucket, std::span<const Place> places, LaneOrderScratch& scratch) const;
-    void take_order(LaneOrderScratch& scratch);
+    bool find_order(int bucket, std::span<const Place> places, LaneOrder& order) const;
+    void take_order(LaneOrder& order);
 
     std::array<std::vector<PairBlock>, kPairGeometries> near_;
     std::array<std::vector<NearReaches>, kPairGeometries> near_reaches_;  // beside the pairs
@@ -235,17 +230,13 @@ class ContactLanes {
 };
 
 template <class Tell>
-void ContactLanes::sort(std::span<const Place> places, LaneOrderScratch& scratch, const Tell& tell) {
+void ContactLanes::sort(std::span<const Place> places, LaneOrder& order, const Tell& tell) {
     for (int bucket = kFirstColored; bucket < kBuckets; ++bucket) {
-        if (chains_[bucket].first == kNone || !sort_keys(bucket, places, scratch)) continue;
-        take_order(scratch);
+        if (chains_[bucket].first == kNone || !find_order(bucket, places, order)) continue;
+        take_order(order);
         ++version_;
-        for (std::size_t i = 0; i < scratch.keys.size(); ++i) {
-            const int block = scratch.blocks[i / kLanes];
-            const int lane = static_cast<int>(i % kLanes);
-            if (static_cast<std::uint32_t>(scratch.keys[i]) != i)
-                tell(pairs_[block].contact[lane], block * kLanes + lane);
-        }
+        order.for_each_changed(
+            [&](LaneAt at) { tell(pairs_[at.block].contact[at.lane], at.block * kLanes + at.lane); });
     }
 }
 

@@ -6,10 +6,6 @@
 namespace cairn::physics {
 namespace {
 
-// Steps from one sort to the next. Sorting takes 1 % of a step of the washer; in 16 steps twice that, for a
-// gain of two more in a hundred.
-constexpr std::uint64_t kInterval = 32;
-
 // Fewer blocks are no work for several threads.
 constexpr std::size_t kLeastBlocks = 128;
 
@@ -19,12 +15,11 @@ void order_contacts(Stores& stores, std::uint64_t step_count, StepScratch& scrat
     ContactStore& contacts = stores.contacts;
     if (static_cast<std::size_t>(contacts.lanes.pool_size()) < kLeastBlocks) return;
     // Not only when it is needed: a step that has warmed up allocates nothing.
-    if (!scratch.lane_order) scratch.lane_order = std::make_unique<LaneOrderScratch>();
-    contacts.lanes.make_room(*scratch.lane_order);
-    if (step_count % kInterval != 0) return;
+    contacts.lanes.make_room(scratch.lane_order);
+    if (step_count % kOrderInterval != 0) return;
     contacts.lanes.arrange();
     if (contacts.lanes.blocks().size() < kLeastBlocks) return;
-    contacts.lanes.sort(stores.bodies.places, *scratch.lane_order,
+    contacts.lanes.sort(stores.bodies.places, scratch.lane_order,
                         [&](int contact, int lane) { contacts.slots[contact].lane = lane; });
 }
 

@@ -7,6 +7,10 @@
 
 namespace cairn::physics {
 
+/// Steps from one sort to the next. Sorting contacts takes 1 % of a step of the washer; in 16 steps twice
+/// that, for a gain of two more in a hundred.
+inline constexpr std::uint64_t kOrderInterval = 32;
+
 /// Stage: now and then the contacts of each colour are put in the order of the rows of their bodies. Threads
 /// share a colour by its blocks, each taking the same part of all colours: sorted like this, most bodies are
 /// met by one thread alone, and their velocities stay in its cache. The order is part of the state, so it is

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "resolve/joints/laws.h"
+#include "world/contact_order.h"
 #include "world/joint_frames.h"
 #include "world/joint_rules.h"
 #include "world/joints.h"
@@ -178,6 +179,18 @@ void seat_joints(Stores& stores, const StepTime& time, StepScratch& scratch) {
         if (try_to_seat(stores, joint, time.h_s)) joints.swept.remove(joints.slots, joint);
     }
     joints.lanes.arrange();
+}
+
+void order_joints(Stores& stores, std::uint64_t step_count, StepScratch& scratch) {
+    // Fewer blocks are no work for several threads.
+    constexpr std::size_t kLeastBlocks = 128;
+    JointStore& joints = stores.joints;
+    if (joints.lanes.block_count() < kLeastBlocks) return;
+    // Not only when it is needed: a step that has warmed up allocates nothing.
+    joints.lanes.make_room(scratch.lane_order);
+    if (step_count % kOrderInterval != 0) return;
+    joints.lanes.sort(stores.bodies.places, scratch.lane_order,
+                      [&](int joint, int lane) { joints.slots[joint].seat.lane = lane; });
 }
 
 JointMemory memory_of(const JointStore& joints, int joint) {

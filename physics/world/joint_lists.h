@@ -22,6 +22,10 @@ void leave_lane(Stores& stores, int joint);
 /// Stage: lanes for joints that fit into them and have none.
 void seat_joints(Stores& stores, const StepTime& time, StepScratch& scratch);
 
+/// Stage: now and then joints in lanes are put in the order of the rows of their bodies, as contacts are
+/// (world/contact_order.h), so that threads meet in few of them.
+void order_joints(Stores& stores, std::uint64_t step_count, StepScratch& scratch);
+
 /// Two points held together as firmly as by default, and nothing else.
 bool is_plain_pin(const RevoluteJointDef& def);
 

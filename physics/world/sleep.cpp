@@ -79,16 +79,13 @@ class Linking {
             const ContactRecord& c = stores_.contacts.slots[contact];
             link_any(c.body_a, c.body_b);
         }
-        visit_asking_ahead(
-            std::span(stores_.joints.active.begin(), stores_.joints.active.end()), kRecordsAhead,
-            [&](int joint) {
-                const JointRecord& j = stores_.joints.slots[joint];
-                prefetch(&j.body_a, sizeof j.body_a + sizeof j.body_b);
-            },
-            [&](int joint) {
-                const JointRecord& j = stores_.joints.slots[joint];
-                link_any(j.body_a, j.body_b);
-            });
+        stores_.joints.lanes.arrange();
+        stores_.joints.lanes.for_each_block([&](const AnchorBlock& anchors, const PinBlock& pins,
+                                                JointBlockKind kind) { link_block(anchors, pins, kind); });
+        for (const int joint : stores_.joints.swept) {
+            const JointRecord& j = stores_.joints.slots[joint];
+            link_any(j.body_a, j.body_b);
+        }
     }
 
   private:
@@ -113,6 +110,15 @@ class Linking {
                 link_rows(row_of(pairs.body_a[lane]), row_of(pairs.body_b[lane]));
             }
         }
+    }
+
+    void link_block(const AnchorBlock& anchors, const PinBlock& pins, JointBlockKind kind) {
+        if (kind == JointBlockKind::TwoBodies && blocks_know_rows_) {
+            for (std::size_t lane = 0; lane < kLanes; ++lane) link_rows(pins.a[lane], pins.b[lane]);
+            return;
+        }
+        for (std::size_t lane = 0; lane < kLanes && anchors.joint[lane] != kNone; ++lane)
+            link_any(anchors.body_a[lane], anchors.body_b[lane]);
     }
 
     [[nodiscard]] int row_of(int body) const { return stores_.bodies.places[body].row; }

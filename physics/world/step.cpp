@@ -61,6 +61,7 @@ void step_world(WorldState& world, float dt_s) {
 
     clock.enter(Stage::Prepare);
     seat_joints(stores, time, scratch);
+    order_joints(stores, world.step_count, scratch);
     estimate_pin_loads(stores, def.gravity_m_s2, time, world.direct);
     choose_movers(stores, scratch);
     prepare_joints(stores, time, scratch, tasks);

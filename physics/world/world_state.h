@@ -320,14 +320,14 @@ struct StepScratch {
     ChunkedList<int> noted_rows;  // of a loop: those that move along no axis or one or are paddles; are lost
     std::vector<ContactConstraint>
         contacts;  // in plain form: solved as scalars, or wanted for restitution or events
-    std::vector<int> scalar_contacts;              // those of them
-    std::vector<AwaitedContact> awaited;           // those that are reached in the course of the step
-    std::vector<SweepingContact> sweeping;         // those that are collided anew in each substep
-    std::vector<DeepOverlap> deep;                 // those of them that overlap deeply
-    std::unique_ptr<LaneOrderScratch> lane_order;  // none before the first sort
-    std::unique_ptr<ContactBatches> batches;       // none before the first substep
-    bool all_stand = false;                        // of what is in no batch, since the first substep
-    std::vector<int> pushed;                       // bodies that were moved out of others in the last step
+    std::vector<int> scalar_contacts;       // those of them
+    std::vector<AwaitedContact> awaited;    // those that are reached in the course of the step
+    std::vector<SweepingContact> sweeping;  // those that are collided anew in each substep
+    std::vector<DeepOverlap> deep;          // those of them that overlap deeply
+    LaneOrder lane_order;
+    std::unique_ptr<ContactBatches> batches;  // none before the first substep
+    bool all_stand = false;                   // of what is in no batch, since the first substep
+    std::vector<int> pushed;                  // bodies that were moved out of others in the last step
     ImpactScratch impacts;
     std::unique_ptr<BounceScratch> bouncing;  // none before the first bounce
     std::vector<JointConstraint> joints;      // the swept ones, in their order

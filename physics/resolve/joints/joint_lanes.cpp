@@ -128,6 +128,45 @@ int JointPool<Block>::open_block(int bucket) {
     return block;
 }
 
+// False where they are in order already.
+template <class Block>
+bool JointPool<Block>::find_order(int bucket, std::span<const Place> places, LaneOrder& order) const {
+    const auto row = [&](int body) { return places[static_cast<std::size_t>(body)].row; };
+    order.clear();
+    for (int block = chains_[static_cast<std::size_t>(bucket)].first; block != kNone;) {
+        const auto i = static_cast<std::size_t>(block);
+        order.add_block(block);
+        for (std::size_t lane = 0; lane < static_cast<std::size_t>(links_[i].used); ++lane) {
+            const int row_b = row(anchors_[i].body_b[lane]);
+            const bool anchored = joint_block_kind(bucket) == JointBlockKind::Anchored;
+            order.add_lane(row_b + (anchored ? row_b : row(anchors_[i].body_a[lane])));
+        }
+        block = links_[i].next;
+    }
+    return order.sort();
+}
+
+template <class Block>
+void JointPool<Block>::take_order(LaneOrder& order) {
+    Block kept{};
+    AnchorLane kept_anchor;
+    const auto copy = [&](LaneAt to, const Block& from, int lane, const AnchorLane& anchor) {
+        const auto block = static_cast<std::size_t>(to.block);
+        copy_lane(blocks_[block], static_cast<std::size_t>(to.lane), from, static_cast<std::size_t>(lane));
+        write_anchor(anchors_[block], static_cast<std::size_t>(to.lane), anchor);
+    };
+    const auto anchor_at = [&](LaneAt at) {
+        return read_anchor(anchors_[static_cast<std::size_t>(at.block)], static_cast<std::size_t>(at.lane));
+    };
+    order.apply(
+        [&](LaneAt from) {
+            copy_lane(kept, 0, block(from.block), static_cast<std::size_t>(from.lane));
+            kept_anchor = anchor_at(from);
+        },
+        [&](LaneAt to, LaneAt from) { copy(to, block(from.block), from.lane, anchor_at(from)); },
+        [&](LaneAt to) { copy(to, kept, 0, kept_anchor); });
+}
+
 template <class Block>
 void JointPool<Block>::arrange() {
     if (is_arranged_) return;

@@ -5,13 +5,16 @@
 // solved in any order with the same result.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "base/lane_order.h"
 #include "base/motion.h"
 #include "base/place.h"
+#include "base/prefetch.h"
 #include "base/slot_map.h"
 #include "base/task_pool.h"
 #include "resolve/joints/joint_block.h"
@@ -89,6 +92,13 @@ class JointPool {
         return anchors_[static_cast<std::size_t>(block)];
     }
 
+    /// Puts the joints of each bucket in the order of the rows that `places` tells of their bodies. Calls
+    /// tell(joint, lane) for each that changed its lane. Allocates nothing after order.make_room(size()).
+    template <class Tell>
+    void sort(std::span<const Place> places, LaneOrder& order, const Tell& tell);
+    /// Of blocks, in use and free.
+    [[nodiscard]] std::size_t size() const { return blocks_.size(); }
+
     /// Lists the blocks of all buckets. Adding and removing ends that.
     void arrange();
     /// As of the last `arrange`: the buckets that hold joints, and the blocks, bucket by bucket.
@@ -120,6 +130,8 @@ class JointPool {
     };
 
     int open_block(int bucket);
+    bool find_order(int bucket, std::span<const Place> places, LaneOrder& order) const;
+    void take_order(LaneOrder& order);
 
     std::vector<Block> blocks_;
     std::vector<AnchorBlock> anchors_;  // beside the blocks
@@ -133,6 +145,19 @@ class JointPool {
     std::size_t used_count_ = 0;
 };
 
+template <class Block>
+template <class Tell>
+void JointPool<Block>::sort(std::span<const Place> places, LaneOrder& order, const Tell& tell) {
+    for (int bucket = 0; bucket < kJointBuckets; ++bucket) {
+        if (!find_order(bucket, places, order)) continue;
+        take_order(order);
+        order.for_each_changed([&](LaneAt at) {
+            tell(anchors_[static_cast<std::size_t>(at.block)].joint[static_cast<std::size_t>(at.lane)],
+                 at.block * kLanes + at.lane);
+        });
+    }
+}
+
 class JointLanes {
   public:
     JointSeat add_pin(int bucket, const AnchorLane& lane);
@@ -145,10 +170,23 @@ class JointLanes {
     [[nodiscard]] JointMemory memory(const JointSeat& seat) const;
     void set_impulses(const JointSeat& seat, const JointImpulses& impulse);
 
+    /// As of the last `arrange`: blocks in use.
+    [[nodiscard]] std::size_t block_count() const { return pins_.blocks().size() + drives_.blocks().size(); }
+    void make_room(LaneOrder& order) const { order.make_room(std::max(pins_.size(), drives_.size())); }
+    /// As JointPool::sort, of pins and drives.
+    template <class Tell>
+    void sort(std::span<const Place> places, LaneOrder& order, const Tell& tell) {
+        pins_.sort(places, order, tell);
+        drives_.sort(places, order, tell);
+    }
+
     [[nodiscard]] bool empty() const { return pins_.blocks().empty() && drives_.blocks().empty(); }
     /// Calls visit(joint, lane) for each joint with a drive.
     template <class Visit>
     void for_each_drive(Visit&& visit) const;
+    /// Calls visit(anchors, pins, kind) for each block, and asks for the rows of pins ahead.
+    template <class Visit>
+    void for_each_block(Visit&& visit) const;
     /// Calls visit(joint) for each joint that can break.
     template <class Visit>
     void for_each_breakable(Visit&& visit) const;
@@ -216,6 +254,20 @@ void JointLanes::for_each_breakable(Visit&& visit) const {
     };
     visit_all(pins_);
     visit_all(drives_);
+}
+
+template <class Visit>
+void JointLanes::for_each_block(Visit&& visit) const {
+    const auto visit_pool = [&](const auto& pool, const auto& pins_of) {
+        for (const int bucket : pool.buckets()) {
+            visit_asking_ahead(
+                pool.blocks(bucket), kBlocksAhead,
+                [&](int block) { prefetch(&pins_of(block), sizeof(PinBlock::a) + sizeof(PinBlock::b)); },
+                [&](int block) { visit(pool.anchors(block), pins_of(block), joint_block_kind(bucket)); });
+        }
+    };
+    visit_pool(pins_, [&](int block) -> const PinBlock& { return pins_.block(block); });
+    visit_pool(drives_, [&](int block) -> const PinBlock& { return drives_.block(block).pin; });
 }
 
 }  // namespace cairn::physics

@@ -48,6 +48,7 @@ JointErrors measure_joints(const Stores&) {
 // Stages and passes.
 
 void seat_joints(Stores&, const StepTime&, StepScratch&) {}
+void order_joints(Stores&, std::uint64_t, StepScratch&) {}
 void prepare_joints(Stores&, const StepTime&, StepScratch&, TaskPool&) {}
 void store_joint_impulses(JointStore&, const StepTime&, const StepScratch&) {}
 void break_joints(Stores&, StepScratch&, Events&) {}
@@ -59,6 +60,7 @@ void note_spring_speeds(std::span<JointConstraint>, std::span<const JointPlace>,
 void warm_start_joints(std::span<JointConstraint>, std::span<const JointPlace>, Motions&) {}
 void solve_joints(std::span<JointConstraint>, std::span<JointPlace>, Motions&, float, Pass) {}
 void close_tears(std::span<const TornJoint>, Motions&) {}
+void JointLanes::arrange() {}
 void JointLanes::note_spring_speeds(const Motions&, TaskPool&) {}
 void JointLanes::warm_start(Motions&, TaskPool&) {}
 void JointLanes::solve(Motions&, const JointPassTime&, TaskPool&) {}

@@ -179,10 +179,10 @@ void change(Random& random, ContactLanes& lanes, Model& model) {
     block.tangent_arm_b[kept.lane % kLanes] = random.real_f(-1, 1);
 }
 
-void sort(Random& random, ContactLanes& lanes, Model& model, LaneOrderScratch& scratch) {
+void sort(Random& random, ContactLanes& lanes, Model& model, LaneOrder& order) {
     std::vector<Place> places(1000);
     for (Place& place : places) place.row = random.below(500);
-    lanes.sort(places, scratch, [&](int contact, int lane) { model.at(contact).lane = lane; });
+    lanes.sort(places, order, [&](int contact, int lane) { model.at(contact).lane = lane; });
     for (const int bucket : kSomeBuckets) {
         if (!is_colored(bucket)) continue;
         int last = 0;
@@ -197,7 +197,7 @@ void sort(Random& random, ContactLanes& lanes, Model& model, LaneOrderScratch& s
         }
     }
     const std::uint64_t version = lanes.version();
-    lanes.sort(places, scratch, [](int, int) { FAIL("they are in order already"); });
+    lanes.sort(places, order, [](int, int) { FAIL("they are in order already"); });
     CHECK(lanes.version() == version);
 }
 
@@ -209,7 +209,7 @@ TEST_CASE("lanes stay dense, and contacts keep what is theirs, whatever comes an
     Random random(1);
     ContactLanes lanes;
     Model model;
-    LaneOrderScratch order;
+    LaneOrder order;
     for (int round = 0; round < 3000; ++round) {
         // It grows and shrinks in turn.
         const bool grows = round / 500 % 2 == 0;

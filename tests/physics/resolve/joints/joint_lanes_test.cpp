@@ -2,6 +2,9 @@
 #include "resolve/joints/joint_lanes.h"
 
 #include <catch2/catch.hpp>
+#include <iterator>
+#include <map>
+#include <utility>
 #include <vector>
 
 #include <cairn/physics/simd.h>
@@ -274,6 +277,77 @@ TEST_CASE("a lane that another takes keeps its impulses, and the rest stay dense
         CHECK(lanes.memory(seats[joint]).impulse[0] == static_cast<float>(joint));
     }
     CHECK(kept == 17);
+}
+
+TEST_CASE("joints keep what is theirs when lanes are put in order, and stand in the order of their rows") {
+    constexpr int kBodies = 200;
+    Random random(11);
+    JointLanes lanes;
+    std::map<int, JointSeat> seats;
+    std::map<int, AnchorLane> anchors;
+    LaneOrder order;
+    for (int joint = 0; joint < 400; ++joint) {
+        const auto kind = random.chance(0.3) ? JointBlockKind::Anchored : JointBlockKind::TwoBodies;
+        const int bucket = joint_bucket(random.below(3), kind);
+        anchors[joint] = {joint,
+                          random.below(kBodies),
+                          random.below(kBodies),
+                          random.vector(-1, 1),
+                          random.vector(-1, 1),
+                          Rotation::from_angle(random.real(-3, 3)),
+                          static_cast<float>(random.below(5)),
+                          random.chance(0.2)};
+        seats[joint] = random.chance(0.5) ? lanes.add_pin(bucket, anchors[joint])
+                                          : lanes.add_drive(bucket, anchors[joint], {.motor_limit = 1});
+        JointImpulses impulse{};
+        impulse[impulse_index(0, Role::HoldOrSpring)] = static_cast<float>(joint);
+        impulse[impulse_index(2, Role::Motor)] = static_cast<float>(-joint);
+        lanes.set_impulses(seats[joint], impulse);
+        lanes.set_load(seats[joint], {0, static_cast<float>(joint)});
+        if (!random.chance(0.3)) continue;
+        const int gone = std::next(seats.begin(), random.below(static_cast<int>(seats.size())))->first;
+        const JointSeat seat = seats.extract(gone).mapped();
+        if (const int moved = lanes.remove(seat); moved != kNone) seats[moved].lane = seat.lane;
+    }
+    std::vector<Place> places(kBodies);
+    for (Place& place : places) place.row = random.below(kBodies);
+    lanes.make_room(order);
+    lanes.sort(places, order, [&](int joint, int lane) { seats[joint].lane = lane; });
+    lanes.arrange();
+
+    for (const auto& [joint, seat] : seats) {
+        INFO("joint " << joint);
+        const JointMemory memory = lanes.memory(seat);
+        CHECK(memory.impulse[impulse_index(0, Role::HoldOrSpring)] == static_cast<float>(joint));
+        if (seat.drives) CHECK(memory.impulse[impulse_index(2, Role::Motor)] == static_cast<float>(-joint));
+        if (!seat.drives) CHECK(lanes.load(seat) == Vec2{0, static_cast<float>(joint)});
+    }
+    std::size_t met = 0;
+    std::map<std::pair<bool, int>, int> last;  // sum of rows, by pool and bucket
+    lanes.for_each_block([&](const AnchorBlock& block, const PinBlock&, JointBlockKind kind) {
+        for (std::size_t lane = 0; lane < kLanes && block.joint[lane] != kNone; ++lane) {
+            ++met;
+            const int joint = block.joint[lane];
+            const AnchorLane& a = anchors[joint];
+            CHECK(block.body_a[lane] == a.body_a);
+            CHECK(block.body_b[lane] == a.body_b);
+            CHECK(Vec2{block.local_ax[lane], block.local_by[lane]} == Vec2{a.local_a.x, a.local_b.y});
+            CHECK(Rotation{block.cosine[lane], block.sine[lane]} == a.turn);
+            CHECK(block.turns[lane] == a.turns);
+            CHECK((block.breakable >> lane & 1) == (a.breakable ? 1 : 0));
+            const JointSeat& seat = seats.at(joint);
+            CHECK(static_cast<std::size_t>(seat.lane % kLanes) == lane);
+            CHECK(joint_block_kind(seat.bucket) == kind);
+            const int row_b = places[static_cast<std::size_t>(a.body_b)].row;
+            const int row_a = places[static_cast<std::size_t>(a.body_a)].row;
+            const int sum = row_b + (kind == JointBlockKind::Anchored ? row_b : row_a);
+            int& before = last[{seat.drives, seat.bucket}];
+            CHECK(before <= sum);
+            before = sum;
+        }
+    });
+    CHECK(met == seats.size());
+    lanes.sort(places, order, [](int, int) { FAIL("they are in order already"); });
 }
 
 }  // namespace cairn::physics
