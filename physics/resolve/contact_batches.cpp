@@ -25,15 +25,15 @@ constexpr int kMostPatience = 64;
 // Steps after which islands that contacts have left are looked for again: they may have fallen apart.
 constexpr int kMostAge = 32;
 
-// A number for the colour and the kind.
+// A number for the domain, the colour and the kind.
 constexpr int run_of(int bucket) {
-    return color_of(bucket) * kBlockKinds + static_cast<int>(kind_of(bucket));
+    return (domain_of(bucket) * kColors + color_of(bucket)) * kBlockKinds + static_cast<int>(kind_of(bucket));
 }
 
 }  // namespace
 
 void ContactBatches::cut(ContactLanes& lanes, const Motions& motions, std::span<const int> bodies,
-                         bool some_rest) {
+                         bool some_rest, std::span<const int> domain_rows) {
     const bool knows_rows = seen_.lanes == &lanes && same_rows(motions, bodies);
     if (wait_ > 0) --wait_;
     if (knows_rows && seen_.version == lanes.version() && seen_.some_rest == some_rest &&
@@ -47,7 +47,7 @@ void ContactBatches::cut(ContactLanes& lanes, const Motions& motions, std::span<
     is_settled_ = wait_ == 0;
     const bool is_cut = wait_ == 0 && (some_rest || lanes.blocks().size() >= kFewestBlocks) &&
                         ((knows_rows && list_known()) || list_anew(rows));
-    if (!is_cut) keep_whole(rows);
+    if (!is_cut) keep_whole(rows, domain_rows);
 }
 
 bool ContactBatches::same_rows(const Motions& motions, std::span<const int> bodies) const {
@@ -87,11 +87,19 @@ bool ContactBatches::list_anew(int rows) {
     return true;
 }
 
-void ContactBatches::keep_whole(int rows) {
+void ContactBatches::keep_whole(int rows, std::span<const int> domain_rows) {
     count_ = 0;
     ranges_.clear();
-    for (int row = 0; row < rows; row += kRowsPerRange)
-        ranges_.add(kRest, {row, std::min(row + kRowsPerRange, rows)});
+    if (domain_rows.empty()) {
+        for (int row = 0; row < rows; row += kRowsPerRange)
+            ranges_.add(kRest, {row, std::min(row + kRowsPerRange, rows)});
+    }
+    // The last domain has the rows that came since.
+    for (std::size_t i = 0; i < domain_rows.size(); ++i) {
+        const bool is_last = i + 1 == domain_rows.size();
+        const int first = std::min(domain_rows[i], rows);
+        ranges_.add(kRest, {first, is_last ? rows : std::min(domain_rows[i + 1], rows)});
+    }
     ranges_.sort(1);
     entries_.clear();
     entries_.sort(1);
@@ -236,8 +244,10 @@ void ContactBatches::split(int block, int bucket) {
 // `run` is that of the block before, which is followed by another.
 void ContactBatches::extend_runs(int& run, int next, std::size_t block) {
     if (next != run)
-        runs_.push_back(
-            {static_cast<BlockKind>(next % kBlockKinds), {&blocks_[block], 0}, next / kBlockKinds});
+        runs_.push_back({static_cast<BlockKind>(next % kBlockKinds),
+                         {&blocks_[block], 0},
+                         next / kBlockKinds % kColors,
+                         next / kBlockKinds / kColors});
     run = next;
     runs_.back().blocks = {runs_.back().blocks.data(), runs_.back().blocks.size() + 1};
 }

@@ -29,22 +29,24 @@ struct RowRange {
 
 class ContactBatches {
   public:
-    /// Rows of the rest come in ranges of at most this many.
+    /// Rows of the rest come in ranges of at most this many, or one for each domain.
     static constexpr int kRowsPerRange = 1024;
 
     /// Of blocks that are arranged; `bodies` are those of the rows from 1 on. Tells from the movers what else
     /// acts on them. What nothing has changed since the last time is taken from there. Few contacts are cut
-    /// only if `some_rest`, so that what rests can be left alone.
-    void cut(ContactLanes& lanes, const Motions& motions, std::span<const int> bodies, bool some_rest);
+    /// only if `some_rest`, so that what rests can be left alone. `domain_rows` are the first rows of the
+    /// domains, the first of them 0; the threads that take a domain take its rows.
+    void cut(ContactLanes& lanes, const Motions& motions, std::span<const int> bodies, bool some_rest,
+             std::span<const int> domain_rows = {});
     /// To be told when the lanes are others, though of the same version.
     void forget() { seen_.lanes = nullptr; }
 
     [[nodiscard]] int count() const { return count_; }
     [[nodiscard]] std::span<const RowRange> rows(int batch) const { return ranges_.of(batch + 1); }
     [[nodiscard]] std::span<const RowRange> rest_rows() const { return ranges_.of(kRest); }
-    /// In the order of the colours.
+    /// In the order of the domains, the interface last, and of the colours.
     [[nodiscard]] std::span<const ContactRun> runs(int batch) const { return runs_of(batch + 1); }
-    /// Each of one colour.
+    /// Each of one domain and colour.
     [[nodiscard]] std::span<const ContactRun> rest_runs() const { return runs_of(kRest); }
 
     /// All of them together, and room beside them to keep their impulses, once that was made.
@@ -96,7 +98,7 @@ class ContactBatches {
     void note_rows(const Motions& motions, std::span<const int> bodies);
     bool list_known();
     bool list_anew(int rows);
-    void keep_whole(int rows);
+    void keep_whole(int rows, std::span<const int> domain_rows);
     void find_islands(int rows);
     int choose_groups(int rows);
     void list_rows(int rows);

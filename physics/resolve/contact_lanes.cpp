@@ -85,12 +85,20 @@ void ContactLanes::make_room(std::size_t contacts) {
 
 int ContactLanes::add(int bucket, const PairLane& pair) {
     if (!is_colored(bucket)) return add_near(geometry_of(bucket), pair);
+    const int lane = open_lane(bucket);
+    write_pair(pairs_[lane / kLanes], lane % kLanes, pair);
+    return lane;
+}
+
+int ContactLanes::open_lane(int bucket) {
     ++version_;
+    if (bucket >= bucket_end()) {
+        const int domains = domain_of(bucket) + 1;
+        chains_.resize(static_cast<std::size_t>(kFirstColored + domains * kBucketsOfDomain));
+    }
     int block = chains_[bucket].last;
     if (block == kNone || links_[block].used == kLanes) block = open_block(bucket);
-    const int lane = links_[block].used++;
-    write_pair(pairs_[block], lane, pair);
-    return block * kLanes + lane;
+    return block * kLanes + links_[block].used++;
 }
 
 int ContactLanes::remove(int bucket, int lane) {
@@ -112,6 +120,16 @@ int ContactLanes::remove(int bucket, int lane) {
     const int moved = last_block * kLanes + last == lane ? kNone : to.contact[lane % kLanes];
     if (last == 0) close_block(bucket);
     return moved;
+}
+
+ContactLanes::Moved ContactLanes::move(int bucket, int lane, int to_bucket) {
+    const int to = open_lane(to_bucket);
+    const int block = lane / kLanes;
+    const int to_block = to / kLanes;
+    copy_pair(pairs_[to_block], to % kLanes, pairs_[block], lane % kLanes);
+    copy_lane(blocks_[to_block], to % kLanes, blocks_[block], lane % kLanes);
+    if (!impacts_.empty()) copy_lane(impacts_[to_block], to % kLanes, impacts_[block], lane % kLanes);
+    return {to, remove(bucket, lane)};
 }
 
 int ContactLanes::add_near(PairGeometry geometry, const PairLane& pair) {
@@ -199,18 +217,28 @@ void ContactLanes::arrange() {
     if (is_arranged_) return;
     is_arranged_ = true;
     order_.clear();
-    used_count_ = 0;
-    for (int bucket = kFirstColored; bucket < kBuckets; ++bucket) {
-        ranges_[bucket] = order_.size();
-        if (chains_[bucket].first != kNone) used_[used_count_++] = bucket;
-        for (int block = chains_[bucket].first; block != kNone; block = links_[block].next) {
-            order_.push_back(block);
-        }
-    }
-    ranges_[kBuckets] = order_.size();
+    used_.clear();
+    used_.reserve(chains_.size());
+    ranges_.assign(chains_.size(), {});
+    const int domains = (bucket_end() - kFirstColored) / kBucketsOfDomain;
+    for (int domain = 1; domain < domains; ++domain) arrange_domain(domain);
+    if (domains > 0) arrange_domain(kInterface);
     in_memory_.clear();
     for (int block = 0; block < pool_size(); ++block) {
         if (links_[block].used > 0) in_memory_.push_back(block);
+    }
+}
+
+void ContactLanes::arrange_domain(int domain) {
+    const int first = colored_bucket(0, BlockKind{}, PairGeometry{}, domain);
+    for (int bucket = first; bucket < first + kBucketsOfDomain; ++bucket) {
+        if (chains_[bucket].first == kNone) continue;
+        used_.push_back(bucket);
+        Range& range = ranges_[bucket];
+        range.first = static_cast<std::uint32_t>(order_.size());
+        for (int block = chains_[bucket].first; block != kNone; block = links_[block].next)
+            order_.push_back(block);
+        range.count = static_cast<std::uint32_t>(order_.size()) - range.first;
     }
 }
 

@@ -89,20 +89,28 @@ struct ContactMemory {
 inline constexpr int kNearBucket = 0;  // + PairGeometry: pairs without points
 inline constexpr int kFirstColored = kPairGeometries;
 inline constexpr int kColors = 32;
-inline constexpr int kBuckets = kFirstColored + kColors * kBlockKinds * kPairGeometries;
+/// Contacts of one domain of space (world/domains.h) share no moving body with those of another, whatever
+/// their colour. All others are of the interface between the domains: where there are none, all are.
+inline constexpr int kMostDomains = 8;
+inline constexpr int kInterface = 0;  // a domain; the proper ones are 1 up to kMostDomains
+inline constexpr int kBucketsOfDomain = kColors * kBlockKinds * kPairGeometries;
+inline constexpr int kBuckets = kFirstColored + (1 + kMostDomains) * kBucketsOfDomain;
 
 constexpr int near_bucket(PairGeometry geometry) {
     return kNearBucket + static_cast<int>(geometry);
 }
-constexpr int colored_bucket(int color, BlockKind kind, PairGeometry geometry) {
-    return kFirstColored + (color * kBlockKinds + static_cast<int>(kind)) * kPairGeometries +
-           static_cast<int>(geometry);
+constexpr int colored_bucket(int color, BlockKind kind, PairGeometry geometry, int domain = kInterface) {
+    return kFirstColored + domain * kBucketsOfDomain +
+           (color * kBlockKinds + static_cast<int>(kind)) * kPairGeometries + static_cast<int>(geometry);
 }
 constexpr bool is_colored(int bucket) {
     return bucket >= kFirstColored && bucket < kBuckets;
 }
 constexpr int color_of(int bucket) {
-    return (bucket - kFirstColored) / (kPairGeometries * kBlockKinds);
+    return (bucket - kFirstColored) / (kPairGeometries * kBlockKinds) % kColors;
+}
+constexpr int domain_of(int bucket) {
+    return (bucket - kFirstColored) / kBucketsOfDomain;
 }
 constexpr BlockKind kind_of(int bucket) {
     return static_cast<BlockKind>((bucket - kFirstColored) / kPairGeometries % kBlockKinds);
@@ -119,6 +127,12 @@ class ContactLanes {
     int add(int bucket, const PairLane& lane);
     /// The contact that took the freed lane, or kNone.
     int remove(int bucket, int lane);
+    /// What a lane holds goes to another bucket in a colour.
+    struct Moved {
+        int lane;
+        int filler;  // the contact that took the freed lane, or kNone
+    };
+    Moved move(int bucket, int lane, int to_bucket);
 
     /// Puts the contacts of each bucket in a colour in the order of the rows that `places` tells of their
     /// bodies. Calls tell(contact, lane) for each that changed its lane. Allocates nothing after `make_room`,
@@ -156,18 +170,22 @@ class ContactLanes {
     }
 
     /// Of a bucket in colours; kNone when it is empty. BlockLink::next leads on.
-    [[nodiscard]] int first_block(int bucket) const { return chains_[bucket].first; }
-    /// Lists the blocks of all buckets in colours, for the stages of a step. Adding and removing ends that.
+    [[nodiscard]] int first_block(int bucket) const {
+        return bucket < bucket_end() ? chains_[static_cast<std::size_t>(bucket)].first : kNone;
+    }
+    /// Lists the blocks of all buckets in colours, for the stages of a step: those of the domains first, and
+    /// then the interface. Adding and removing ends that.
     void arrange();
     /// Another one whenever a contact in a colour came, went or changed its lane.
     [[nodiscard]] std::uint64_t version() const { return version_; }
     /// Blocks are numbered below this, those without contacts too.
     [[nodiscard]] int pool_size() const { return static_cast<int>(pairs_.size()); }
     /// As of the last `arrange`: the buckets that hold contacts, and the blocks, bucket by bucket.
-    [[nodiscard]] std::span<const int> buckets() const { return {used_.data(), used_count_}; }
+    [[nodiscard]] std::span<const int> buckets() const { return used_; }
     [[nodiscard]] std::span<const int> blocks() const { return order_; }
     [[nodiscard]] std::span<const int> blocks(int bucket) const {
-        return std::span(order_).subspan(ranges_[bucket], ranges_[bucket + 1] - ranges_[bucket]);
+        const Range& range = ranges_[static_cast<std::size_t>(bucket)];
+        return std::span(order_).subspan(range.first, range.count);
     }
     /// The same blocks as they stand in memory, for stages that look at each by itself: that is twice as fast
     /// where they are more than the cache holds. A snapshot does not keep this order, so nothing may depend
@@ -198,10 +216,19 @@ class ContactLanes {
         int first = kNone;
         int last = kNone;
     };
+    // Among the blocks in their order.
+    struct Range {
+        std::uint32_t first = 0;
+        std::uint32_t count = 0;
+    };
 
+    // Buckets from here on hold nothing, and have never yet.
+    [[nodiscard]] int bucket_end() const { return static_cast<int>(chains_.size()); }
+    void arrange_domain(int domain);
     static std::size_t index(PairGeometry geometry) { return static_cast<std::size_t>(geometry); }
     int add_near(PairGeometry geometry, const PairLane& lane);
     int remove_near(PairGeometry geometry, int lane);
+    int open_lane(int bucket);
     int open_block(int bucket);
     void make_room_for_impacts();
     void move_turn(int block, int lane, int from_block, int from_lane);
@@ -219,20 +246,19 @@ class ContactLanes {
     std::vector<ImpactLanes> impacts_;  // the same; empty until a contact bounces in its lane
     std::vector<TurnLanes> turns_;      // the same, as blocks point to them; empty until a body turns far
     std::vector<int> free_;
-    std::array<Chain, kBuckets> chains_;
+    std::vector<Chain> chains_;  // by bucket, of as many domains as there have been
     std::uint64_t version_ = 0;
     bool is_arranged_ = true;
     std::vector<int> order_;      // of blocks, bucket by bucket
     std::vector<int> in_memory_;  // the same, ascending
-    std::array<std::size_t, kBuckets + 1> ranges_{};
-    std::array<int, kBuckets> used_{};  // buckets
-    std::size_t used_count_ = 0;
+    std::vector<Range> ranges_;   // beside the chains
+    std::vector<int> used_;       // buckets
 };
 
 template <class Tell>
 void ContactLanes::sort(std::span<const Place> places, LaneOrder& order, const Tell& tell) {
-    for (int bucket = kFirstColored; bucket < kBuckets; ++bucket) {
-        if (chains_[bucket].first == kNone || !find_order(bucket, places, order)) continue;
+    for (int bucket = kFirstColored; bucket < bucket_end(); ++bucket) {
+        if (first_block(bucket) == kNone || !find_order(bucket, places, order)) continue;
         take_order(order);
         ++version_;
         order.for_each_changed(

@@ -1,9 +1,6 @@
 // Runs go to the kernels, whole or in parts.
 #include "resolve/contact_passes.h"
 
-#include <array>
-
-#include "base/assert.h"
 #include "base/colored_runs.h"
 #include "resolve/contact_kernels.h"
 #include "resolve/contact_lanes.h"
@@ -15,19 +12,18 @@ namespace {
 // What a thread takes at once: enough to be worth a microsecond.
 constexpr int kBlocksPerChunk = 24;
 
-constexpr std::size_t kMostRuns = kBuckets;
-
 // Calls pass(blocks) for parts of all runs.
 template <class PartPass>
 void in_parts(std::span<const ContactRun> runs, TaskPool& tasks, const PartPass& pass) {
-    CAIRN_ASSERT(runs.size() <= kMostRuns, "no more runs than buckets");
-    std::array<ColoredRun, kMostRuns> sizes;
-    for (std::size_t i = 0; i < runs.size(); ++i)
-        sizes[i] = {runs[i].color, static_cast<int>(runs[i].blocks.size())};
-    for_colored_runs<kMostRuns>(
-        {sizes.data(), runs.size()}, kBlocksPerChunk, tasks, [&](int i, int first, int count) {
+    const auto run_at = [&](int i) {
+        const ContactRun& run = runs[static_cast<std::size_t>(i)];
+        return ColoredRun{run.color, static_cast<int>(run.blocks.size()), run.domain};
+    };
+    for_colored_runs<kBucketsOfDomain, kMostDomains>(
+        static_cast<int>(runs.size()), run_at, kBlocksPerChunk, tasks, [&](int i, int first, int count) {
             const ContactRun& run = runs[static_cast<std::size_t>(i)];
-            pass(ContactBlocks{run.blocks.subspan(first, count), run.kind, tasks.threads() > 1});
+            const bool are_shared = tasks.threads() > 1 && run.domain == kInterface;
+            pass(ContactBlocks{run.blocks.subspan(first, count), run.kind, are_shared});
         });
 }
 

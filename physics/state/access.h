@@ -54,7 +54,7 @@ struct StateAccess {
     template <class Lanes, class Use>
     static auto near(Lanes& lanes, Use&& use) {
         auto& [near, near_reaches, near_sights, near_count, pairs, links, blocks, impacts, turns, free,
-               chains, version, is_arranged, order, in_memory, ranges, used, used_count] = lanes;
+               chains, version, is_arranged, order, in_memory, ranges, used] = lanes;
         return use(near, near_reaches, near_sights, near_count);
     }
 
@@ -63,7 +63,7 @@ struct StateAccess {
     template <class Lanes, class Use>
     static auto colored(Lanes& lanes, Use&& use) {
         auto& [near, near_reaches, near_sights, near_count, pairs, links, blocks, impacts, turns, free,
-               chains, version, is_arranged, order, in_memory, ranges, used, used_count] = lanes;
+               chains, version, is_arranged, order, in_memory, ranges, used] = lanes;
         return use(pairs, links, blocks, impacts, free, chains, is_arranged);
     }
 

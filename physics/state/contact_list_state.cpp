@@ -2,11 +2,13 @@
 // there. Blocks stand in the order of their chains, which is the order of the passes; their numbers are not
 // part of the state.
 #include <algorithm>
+#include <cmath>
 
 #include "state/contact_blocks.h"
 #include "state/sections.h"
 #include "state/slots.h"
 #include "world/contact_lists.h"
+#include "world/domains.h"
 #include "world/special_contacts.h"
 
 namespace cairn::physics {
@@ -68,7 +70,8 @@ class Placing {
 
     void load() {
         stores_.contacts.colors.assign(static_cast<std::size_t>(stores_.bodies.slots.end_index()), 0);
-        load_loose();
+        load_domains();
+        if (in_.ok()) load_loose();
         if (in_.ok()) load_near();
         if (in_.ok()) load_colored();
         if (in_.ok()) load_unlisted();
@@ -106,6 +109,27 @@ class Placing {
             pairs.body_b[lane] = record->body_b;
         }
         return true;
+    }
+
+    void load_domains() {
+        Domains& domains = stores_.contacts.domains;
+        in_.value(domains.count);
+        std::uint8_t along = 0;
+        in_.value(along);
+        in_.value(domains.cuts);
+        const bool fits = domains.count >= 0 && domains.count <= kMostDomains && domains.count != 1 &&
+                          along <= static_cast<std::uint8_t>(Along::Y) &&
+                          std::ranges::all_of(domains.cuts, [](double x) { return std::isfinite(x); }) &&
+                          std::ranges::is_sorted(domains.cuts.begin(),
+                                                 domains.cuts.begin() + std::max(domains.count - 1, 0));
+        if (!in_.require(fits, "contacts are divided into domains that cannot be")) return;
+        domains.along = static_cast<Along>(along);
+        in_.list(domains.of_body);
+        const auto is_one = [&](std::uint8_t domain) { return domain <= domains.count; };
+        in_.require(domains.of_body.size() <= stores_.contacts.colors.size() &&
+                        std::ranges::all_of(domains.of_body, is_one),
+                    "a body is in a domain that is none");
+        if (domains.count > 0) domains.of_body.resize(stores_.contacts.colors.size());
     }
 
     void load_loose() {
@@ -166,16 +190,21 @@ class Placing {
                 links.clear();
                 impacts.clear();
                 free.clear();
-                chains.fill({});
+                chains.clear();
                 is_arranged = false;
                 RepeatedParts last;
                 const std::size_t buckets = in_.count(2 * sizeof(std::uint32_t));
                 for (std::size_t i = 0; i < buckets && in_.ok(); ++i) {
                     std::uint32_t bucket = 0;
                     in_.value(bucket);
+                    const int most = stores_.contacts.domains.count;
                     const bool fits = bucket < kBuckets && is_colored(static_cast<int>(bucket)) &&
-                                      chains[bucket].first == kNone;
+                                      domain_of(static_cast<int>(bucket)) <= most &&
+                                      (bucket >= chains.size() || chains[bucket].first == kNone);
                     if (!in_.require(fits, "a colour of contacts is none, or is there twice")) return;
+                    const int domains = domain_of(static_cast<int>(bucket)) + 1;
+                    const auto needed = static_cast<std::size_t>(kFirstColored + domains * kBucketsOfDomain);
+                    if (chains.size() < needed) chains.resize(needed);
                     load_bucket(static_cast<int>(bucket), last, pairs, links, blocks, chains[bucket]);
                 }
                 pairs.resize(links.size());
@@ -230,6 +259,11 @@ class Placing {
             colors_a |= bit;
         }
         in_.require(fits, "a body is moved twice in one colour of contacts, or by none that moves it");
+        const bool at_home =
+            domain_of(bucket) == kInterface ||
+            domain_of(bucket) ==
+                domain_of(stores_.contacts, stores_.contacts.slots[pairs.contact[lane]], kind);
+        in_.require(at_home, "a contact is of a domain that its bodies are not of");
         const ContactRecord& record = stores_.contacts.slots[pairs.contact[lane]];
         stores_.contacts.lanes.set_material(first_lane + at, record.friction, faint_restitution(record));
         set_lane_bit(pairs.faint, at, faint_restitution(record) > 0);
@@ -254,10 +288,25 @@ class Placing {
     Lookup<ShapeStore> shapes_;
 };
 
+void save_domains(const ContactStore& contacts, Writer& out) {
+    const Domains& domains = contacts.domains;
+    out.value(domains.count);
+    out.value(static_cast<std::uint8_t>(domains.along));
+    out.value(domains.cuts);
+    // Of bodies in no colour they mean nothing.
+    out.count(domains.count > 0 ? domains.of_body.size() : 0);
+    if (domains.count == 0) return;
+    std::byte* at = out.room(domains.of_body.size());
+    for (std::size_t body = 0; body < domains.of_body.size(); ++body)
+        at = put(at, contacts.colors[body] != 0 ? domains.of_body[body] : std::uint8_t{0});
+    out.end(at);
+}
+
 }  // namespace
 
 void save_contact_lists(const ContactStore& contacts, Writer& out) {
     constexpr std::size_t kShapesBytes = 2 * sizeof(int);
+    save_domains(contacts, out);
     std::byte* at = out.room(sizeof(int) + contacts.loose.size() * (sizeof(int) + kShapesBytes));
     at = put(at, static_cast<std::uint32_t>(contacts.loose.size()));
     for (const int contact : contacts.loose) {

@@ -48,8 +48,10 @@ void cut_into_batches(Stores& stores, int substeps, StepScratch& scratch) {
     if (substeps == 0) return;
     if (!scratch.batches) scratch.batches = std::make_unique<ContactBatches>();
     const StandingScratch& standing = *scratch.standing;
-    scratch.batches->cut(stores.contacts.lanes, scratch.motions, stores.bodies.rows(RowSet::Awake).body,
-                         standing.most_rest && !standing.all_rest);
+    scratch.batches->cut(
+        stores.contacts.lanes, scratch.motions, stores.bodies.rows(RowSet::Awake).body,
+        standing.most_rest && !standing.all_rest,
+        scratch.domains ? std::span<const int>(scratch.domains->first_row) : std::span<const int>());
     scratch.batches->fetch_rest();
     if (!scratch.motions.standing.empty()) scratch.batches->make_room_to_keep();
 }

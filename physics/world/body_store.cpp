@@ -2,6 +2,7 @@
 #include "world/body_store.h"
 
 #include "base/ample.h"
+#include "base/assert.h"
 
 namespace cairn::physics {
 
@@ -47,6 +48,34 @@ void BodyStore::move_row(int body, RowSet set) {
         to.columns());
     set_row(body, set, to.size() - 1);
     drop_row(old_set, old_row);
+}
+
+void BodyStore::order_awake_rows(std::span<int> from) {
+    BodyRows& awake = rows(RowSet::Awake);
+    CAIRN_ASSERT(static_cast<int>(from.size()) == awake.size(), "each row has a place");
+    const auto move = [&](std::size_t to, std::size_t source) {
+        std::apply([&](auto&... column) { ((column[to] = column[source]), ...); }, awake.columns());
+    };
+    // Along the cycles of the permutation.
+    for (std::size_t first = 0; first < from.size(); ++first) {
+        if (from[first] == kNone || from[first] == static_cast<int>(first)) continue;
+        const auto kept =
+            std::apply([&](auto&... column) { return std::tuple(column[first]...); }, awake.columns());
+        std::size_t gap = first;
+        for (;;) {
+            const auto source = static_cast<std::size_t>(from[gap]);
+            from[gap] = kNone;
+            if (source == first) break;
+            move(gap, source);
+            gap = source;
+        }
+        std::apply(
+            [&](const auto&... value) {
+                std::apply([&](auto&... column) { ((column[gap] = value), ...); }, awake.columns());
+            },
+            kept);
+    }
+    for (int row = 0; row < awake.size(); ++row) set_row(awake.body[row], RowSet::Awake, row);
 }
 
 Vec2 BodyStore::center_offset(int a, int b) const {

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <tuple>
 #include <vector>
 
@@ -93,6 +94,10 @@ class BodyStore {
     void remove_row(int body);
     /// Takes the body's row to another set.
     void move_row(int body, RowSet set);
+
+    /// Puts the rows of awake bodies in another order: row i becomes what row from[i] was. What `from` holds
+    /// afterwards means nothing.
+    void order_awake_rows(std::span<int> from);
 
     /// Asks for what moving the body will read, besides its row.
     void ask_for(int body) const {

@@ -5,6 +5,7 @@
 
 #include "base/ample.h"
 #include "world/direct_groups.h"
+#include "world/domains.h"
 #include "world/special_contacts.h"
 
 namespace cairn::physics {
@@ -75,7 +76,7 @@ void mark_color(Stores& stores, const ContactRecord& c, int bucket, bool on) {
     if (kind_of(bucket) == BlockKind::TwoBodies) mark(c.body_a);
 }
 
-int choose_bucket(const Stores& stores, const ContactRecord& c) {
+int choose_bucket(Stores& stores, const ContactRecord& c) {
     const BodyRecord& a = stores.bodies.slots[c.body_a];
     const BodyRecord& b = stores.bodies.slots[c.body_b];
     if (!can_be_moved(b) || is_loose(c)) return kLooseBucket;
@@ -88,7 +89,9 @@ int choose_bucket(const Stores& stores, const ContactRecord& c) {
     if (kind == BlockKind::TwoBodies) used |= stores.contacts.colors[c.body_a];
     const int color = std::countr_one(used);
     if (color >= kColors) return kLooseBucket;
-    return colored_bucket(color, kind, geometry_of(stores, c));
+    settle_in_domain(stores, stores.contacts, c.body_b);
+    if (kind == BlockKind::TwoBodies) settle_in_domain(stores, stores.contacts, c.body_a);
+    return colored_bucket(color, kind, geometry_of(stores, c), domain_of(stores.contacts, c, kind));
 }
 
 void add_loose(ContactStore& contacts, int contact) {

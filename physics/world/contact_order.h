@@ -11,10 +11,11 @@ namespace cairn::physics {
 /// that, for a gain of two more in a hundred.
 inline constexpr std::uint64_t kOrderInterval = 32;
 
-/// Stage: now and then the contacts of each colour are put in the order of the rows of their bodies. Threads
-/// share a colour by its blocks, each taking the same part of all colours: sorted like this, most bodies are
-/// met by one thread alone, and their velocities stay in its cache. The order is part of the state, so it is
-/// kept up whatever the number of threads.
+/// Stage, before rows are looked at: now and then contacts are divided among domains, and those of each
+/// colour of a domain are put in the order of the rows of their bodies. Threads share the colours of the
+/// interface by their blocks, each taking the same part of all: sorted like this, most bodies are met by one
+/// thread alone, and their velocities stay in its cache. The order is part of the state, so it is kept up
+/// whatever the number of threads.
 void order_contacts(Stores& stores, std::uint64_t step_count, StepScratch& scratch);
 
 }  // namespace cairn::physics

@@ -47,6 +47,7 @@ void step_world(WorldState& world, float dt_s) {
     clock.enter(Stage::Pairs);
     start_events(world.events);
     settle_reshaped(stores);
+    order_contacts(stores, world.step_count, scratch);
     cover_fast_ways(stores, def.gravity_m_s2, dt_s, scratch, tasks);
     find_new_pairs(stores, scratch, tasks);
     choose_direct_groups(stores, def.joint_solver, world.direct);
@@ -56,7 +57,6 @@ void step_world(WorldState& world, float dt_s) {
     const StepTime time = make_step_time(dt_s, substeps, world.previous_h_s);
     const ContactRules rules =
         make_contact_rules(time.h_s, def.max_push_out_speed_m_s, def.restitution_speed_m_s);
-    order_contacts(stores, world.step_count, scratch);
     update_contacts(world, time, rules);
 
     clock.enter(Stage::Prepare);

@@ -308,6 +308,32 @@ struct BounceScratch {
     std::vector<int> group;           // rows of one
 };
 
+/// Of the blocks that bounce, those of a bucket.
+struct BouncingRun {
+    int bucket;
+    std::size_t first;
+    std::size_t count;
+};
+
+/// What dividing the contacts works on (world/domains.h).
+struct DomainScratch {
+    struct At {
+        double x;
+        int body;
+    };
+    std::vector<At> bodies;
+    struct Member {
+        int domain;
+        int body;
+
+        auto operator<=>(const Member&) const = default;
+    };
+    std::vector<Member> members;
+    std::vector<int> moving;     // contacts
+    std::vector<int> rows;       // awake ones, in their new order
+    std::vector<int> first_row;  // of motions, by domain from 1 on, as of the last division
+};
+
 /// What a step works on. Kept from step to step for its memory only.
 struct StepScratch {
     // Contacts that change their list are few in most steps, and may be many in one.
@@ -325,6 +351,7 @@ struct StepScratch {
     std::vector<SweepingContact> sweeping;  // those that are collided anew in each substep
     std::vector<DeepOverlap> deep;          // those of them that overlap deeply
     LaneOrder lane_order;
+    std::unique_ptr<DomainScratch> domains;   // none before there are many contacts
     std::unique_ptr<ContactBatches> batches;  // none before the first substep
     bool all_stand = false;                   // of what is in no batch, since the first substep
     std::vector<int> pushed;                  // bodies that were moved out of others in the last step
@@ -357,7 +384,8 @@ struct StepScratch {
     ChunkedList<LaneNote> notes;
     std::vector<const LaneNote*> notes_in_order;  // of the colours
     bool some_bounce_in_lanes = false;
-    std::vector<BouncingBlock> bouncing_blocks;  // in the order of the colours
+    std::vector<BouncingBlock> bouncing_blocks;  // in the order of the passes
+    std::vector<BouncingRun> bouncing_runs;
     std::vector<NearFindings> near_findings;
     ChunkedList<NearAhead> ahead_found;
     std::vector<NearAhead> near_ahead;  // in the order of their lanes

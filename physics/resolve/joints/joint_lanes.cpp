@@ -188,10 +188,11 @@ template <class Block>
 template <class BlockPass>
 void JointPool<Block>::for_each_bucket(TaskPool& tasks, const BlockPass& pass) const {
     if (used_count_ == 0) return;
-    std::array<ColoredRun, kJointBuckets> runs;
-    for (std::size_t i = 0; i < used_count_; ++i)
-        runs[i] = {joint_color(used_[i]), static_cast<int>(blocks(used_[i]).size())};
-    for_colored_runs<kJointBuckets>({runs.data(), used_count_}, kBlocksPerChunk, tasks,
+    const auto run_at = [&](int i) {
+        const int bucket = used_[static_cast<std::size_t>(i)];
+        return ColoredRun{joint_color(bucket), static_cast<int>(blocks(bucket).size())};
+    };
+    for_colored_runs<kJointBuckets>(static_cast<int>(used_count_), run_at, kBlocksPerChunk, tasks,
                                     [&](int i, int first, int count) {
                                         const int bucket = used_[static_cast<std::size_t>(i)];
                                         pass(blocks(bucket).subspan(first, count), joint_block_kind(bucket));

@@ -29,9 +29,11 @@ struct Kept {
 using Model = std::map<int, Kept>;  // by contact
 
 constexpr std::array kAllGeometries{PairGeometry::Boxes, PairGeometry::Hulls, PairGeometry::Chains};
-constexpr std::array kSomeBuckets{near_bucket(PairGeometry::Boxes), near_bucket(PairGeometry::Hulls),
+constexpr std::array kSomeBuckets{near_bucket(PairGeometry::Boxes),
+                                  near_bucket(PairGeometry::Hulls),
                                   colored_bucket(0, BlockKind::TwoBodies, PairGeometry::Boxes),
                                   colored_bucket(0, BlockKind::OneBody, PairGeometry::Hulls),
+                                  colored_bucket(0, BlockKind::OneBody, PairGeometry::Hulls, 3),
                                   colored_bucket(kColors - 1, BlockKind::Carried, PairGeometry::Hulls)};
 
 PairLane random_lane(Random& random, int contact) {
@@ -159,6 +161,16 @@ void remove(Random& random, ContactLanes& lanes, Model& model) {
     model.at(moved).lane = gone.lane;
 }
 
+void move(Random& random, ContactLanes& lanes, Model& model) {
+    Kept& kept = model[any_contact(random, model)];
+    const int to = kSomeBuckets[random.below(static_cast<int>(kSomeBuckets.size()))];
+    if (!is_colored(kept.bucket) || !is_colored(to) || to == kept.bucket) return;
+    const auto [lane, filler] = lanes.move(kept.bucket, kept.lane, to);
+    if (filler != kNone) model.at(filler).lane = kept.lane;
+    kept.bucket = to;
+    kept.lane = lane;
+}
+
 // What happens to a contact in a step.
 void change(Random& random, ContactLanes& lanes, Model& model) {
     Kept& kept = model[any_contact(random, model)];
@@ -217,6 +229,8 @@ TEST_CASE("lanes stay dense, and contacts keep what is theirs, whatever comes an
             add(random, round, lanes, model);
         } else if (random.chance(0.5)) {
             remove(random, lanes, model);
+        } else if (random.chance(0.3)) {
+            move(random, lanes, model);
         } else {
             change(random, lanes, model);
         }
@@ -269,17 +283,20 @@ TEST_CASE("contacts that turn in a step go on doing so when others are removed, 
     CHECK(lanes.block(lane / kLanes).turning == nullptr);
 }
 
-TEST_CASE("every bucket is of one colour, kind and geometry") {
+TEST_CASE("every bucket is of one domain, colour, kind and geometry") {
     std::vector<int> seen;
-    for (int color = 0; color < kColors; ++color) {
-        for (const BlockKind kind : kAllKinds) {
-            for (const PairGeometry geometry : kAllGeometries) {
-                const int bucket = colored_bucket(color, kind, geometry);
-                CHECK(is_colored(bucket));
-                CHECK(color_of(bucket) == color);
-                CHECK(kind_of(bucket) == kind);
-                CHECK(geometry_of(bucket) == geometry);
-                seen.push_back(bucket);
+    for (int domain = 0; domain <= kMostDomains; ++domain) {
+        for (int color = 0; color < kColors; ++color) {
+            for (const BlockKind kind : kAllKinds) {
+                for (const PairGeometry geometry : kAllGeometries) {
+                    const int bucket = colored_bucket(color, kind, geometry, domain);
+                    CHECK(is_colored(bucket));
+                    CHECK(domain_of(bucket) == domain);
+                    CHECK(color_of(bucket) == color);
+                    CHECK(kind_of(bucket) == kind);
+                    CHECK(geometry_of(bucket) == geometry);
+                    seen.push_back(bucket);
+                }
             }
         }
     }

@@ -104,7 +104,7 @@ WholeHeap::WholeHeap(Heap& heap) {
     for (const int bucket : heap.lanes.buckets()) {
         std::vector<ContactBlock*>& blocks = blocks_.emplace_back();
         for (const int block : heap.lanes.blocks(bucket)) blocks.push_back(&heap.lanes.block(block));
-        runs_.push_back({kind_of(bucket), blocks, color_of(bucket)});
+        runs_.push_back({kind_of(bucket), blocks, color_of(bucket), domain_of(bucket)});
     }
 }
 

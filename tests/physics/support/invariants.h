@@ -187,7 +187,8 @@ inline int count_listed(const ContactStore& contacts) {
     return count;
 }
 
-/// No moving body stands in two lanes of a colour, and the bits of each body are those of its lanes.
+/// No moving body stands in two lanes of a colour, or in lanes of two domains; and the bits of each body are
+/// those of its lanes.
 inline void check_colors(const Stores& stores) {
     std::vector<std::uint32_t> colors(static_cast<std::size_t>(stores.bodies.slots.end_index()), 0);
     const auto take = [&](int body, int color) {
@@ -195,10 +196,17 @@ inline void check_colors(const Stores& stores) {
         colors[body] |= 1u << color;
     };
     const ContactLanes& lanes = stores.contacts.lanes;
+    const Domains& domains = stores.contacts.domains;
     for (int bucket = kFirstColored; bucket < kBuckets; ++bucket) {
         for (int block = lanes.first_block(bucket); block != kNone; block = lanes.link(block).next) {
             const PairBlock& pairs = lanes.pairs(block);
             for (int lane = 0; lane < lanes.link(block).used; ++lane) {
+                if (const int domain = domain_of(bucket); domain != kInterface) {
+                    REQUIRE(domain <= domains.count);
+                    REQUIRE(domains.of_body.at(pairs.body_b[lane]) == domain);
+                    if (kind_of(bucket) == BlockKind::TwoBodies)
+                        REQUIRE(domains.of_body.at(pairs.body_a[lane]) == domain);
+                }
                 take(pairs.body_b[lane], color_of(bucket));
                 if (kind_of(bucket) == BlockKind::TwoBodies) take(pairs.body_a[lane], color_of(bucket));
             }
