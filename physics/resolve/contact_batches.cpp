@@ -103,7 +103,8 @@ void ContactBatches::keep_whole(int rows, std::span<const int> domain_rows) {
     ranges_.sort(1);
     entries_.clear();
     entries_.sort(1);
-    resize_amply(blocks_, seen_.lanes->blocks().size());
+    reserve_amply(blocks_, seen_.lanes->pool_room());
+    blocks_.resize(seen_.lanes->blocks().size());
     runs_.clear();
     std::size_t at = 0;
     int run = kNone;

@@ -7,6 +7,7 @@
 // was cut, since the blocks of a colour may be solved in any order. Source: Tarjan 1975, for the islands.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -52,7 +53,10 @@ class ContactBatches {
     /// All of them together, and room beside them to keep their impulses, once that was made.
     [[nodiscard]] std::span<ContactBlock* const> blocks(int batch) const { return blocks_of(batch + 1); }
     [[nodiscard]] std::span<ContactBlock* const> rest_blocks() const { return blocks_of(kRest); }
-    void make_room_to_keep() { resize_amply(kept_, blocks_.size()); }
+    void make_room_to_keep() {
+        reserve_amply(kept_, std::max(blocks_.size(), seen_.lanes->pool_room()));
+        kept_.resize(blocks_.size());
+    }
     [[nodiscard]] std::span<KeptImpulses> kept(int batch) { return kept_of(batch + 1); }
     [[nodiscard]] std::span<KeptImpulses> rest_kept() { return kept_of(kRest); }
 

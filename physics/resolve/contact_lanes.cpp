@@ -73,9 +73,10 @@ void copy_geometry(PairBlock& to, int to_lane, const PairBlock& from, int from_l
 }
 
 void ContactLanes::make_room(std::size_t contacts) {
-    // The last block of each bucket may stay half empty.
+    // The last block of each bucket may stay half empty, and large heaps have buckets in several domains.
     constexpr std::size_t kHalfEmpty = 8;
-    const std::size_t more = contacts / kLanes + kHalfEmpty;
+    constexpr std::size_t kShareOfDomains = 32;
+    const std::size_t more = contacts / kLanes + kHalfEmpty + contacts / (kLanes * kShareOfDomains);
     if (contacts < kLanes * kHalfEmpty || more <= free_.size()) return;
     const std::size_t blocks = pairs_.size() + more - free_.size();
     reserve_amply(pairs_, blocks);

@@ -180,6 +180,8 @@ class ContactLanes {
     [[nodiscard]] std::uint64_t version() const { return version_; }
     /// Blocks are numbered below this, those without contacts too.
     [[nodiscard]] int pool_size() const { return static_cast<int>(pairs_.size()); }
+    /// The pool does not grow until there are more: what stands beside it takes as much room at once.
+    [[nodiscard]] std::size_t pool_room() const { return pairs_.capacity(); }
     /// As of the last `arrange`: the buckets that hold contacts, and the blocks, bucket by bucket.
     [[nodiscard]] std::span<const int> buckets() const { return used_; }
     [[nodiscard]] std::span<const int> blocks() const { return order_; }

@@ -243,7 +243,8 @@ class Update {
             knows_all() ? std::span<const int>() : stores_.contacts.lanes.blocks_in_memory();
         const int count = static_cast<int>(blocks.size());
         if (count == 0) remove_gone(stores_, world_.events, scratch_);
-        resize_amply(scratch_.block_findings, static_cast<std::size_t>(stores_.contacts.lanes.pool_size()));
+        reserve_amply(scratch_.block_findings, stores_.contacts.lanes.pool_room());
+        scratch_.block_findings.resize(static_cast<std::size_t>(stores_.contacts.lanes.pool_size()));
         scratch_.notes.start(count, kBlocksPerChunk, world_.tasks);
         scratch_.pressed->found.start(count, kBlocksPerChunk, world_.tasks);
         if (scratch_.motions.some_turn_far) stores_.contacts.lanes.make_room_for_turns();

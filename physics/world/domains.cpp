@@ -2,6 +2,7 @@
 #include "world/domains.h"
 
 #include <algorithm>
+#include <span>
 
 #include "base/ample.h"
 
@@ -16,9 +17,9 @@ constexpr std::size_t kFewestContacts = 512;
 // slots.
 constexpr std::size_t kInterfaceShare = 8;
 
-double coordinate(const Stores& stores, int body) {
+double coordinate(const Stores& stores, Along along, int body) {
     const Position p = stores.bodies.places[static_cast<std::size_t>(body)].center;
-    switch (stores.contacts.domains.along) {
+    switch (along) {
         case Along::Slots:
             return body;
         case Along::X:
@@ -31,7 +32,7 @@ double coordinate(const Stores& stores, int body) {
 
 int domain_now(const Stores& stores, int body) {
     const Domains& domains = stores.contacts.domains;
-    const double x = coordinate(stores, body);
+    const double x = coordinate(stores, domains.along, body);
     int domain = 1;
     while (domain < domains.count && x > domains.cuts[static_cast<std::size_t>(domain - 1)]) ++domain;
     return domain;
@@ -66,27 +67,25 @@ bool is_touched(const ContactStore& contacts, int body) {
     return i < contacts.colors.size() && contacts.colors[i] != 0;
 }
 
-/// Of what touches, from the least coordinate to the most.
-double collect(const Stores& stores, std::vector<DomainScratch::At>& bodies) {
-    bodies.clear();
-    for (int body = 0; body < static_cast<int>(stores.contacts.colors.size()); ++body) {
-        if (is_touched(stores.contacts, body)) bodies.push_back({coordinate(stores, body), body});
-    }
+double extent_of(const Stores& stores, std::span<const int> bodies, Along along) {
     if (bodies.empty()) return 0;
-    const auto [least, most] = std::ranges::minmax_element(bodies, {}, &DomainScratch::At::x);
-    return most->x - least->x;
+    const auto x = [&](int body) { return coordinate(stores, along, body); };
+    const auto [least, most] = std::ranges::minmax_element(bodies, {}, x);
+    return x(*most) - x(*least);
 }
 
 // So that as many of the bodies are in each domain, and each is in the one that it is in now.
-void cut(Stores& stores, std::vector<DomainScratch::At>& bodies) {
+void cut(Stores& stores, std::span<int> bodies, Along along) {
     Domains& domains = stores.contacts.domains;
+    domains.along = along;
+    const auto at = [&](int body) { return coordinate(stores, along, body); };
     const auto count = static_cast<std::size_t>(domains.count);
     for (std::size_t i = 1; i < count; ++i) {
         const auto nth = bodies.begin() + static_cast<std::ptrdiff_t>(bodies.size() * i / count);
-        std::ranges::nth_element(bodies, nth, {}, &DomainScratch::At::x);
-        domains.cuts[i - 1] = nth->x;
+        std::ranges::nth_element(bodies, nth, {}, at);
+        domains.cuts[i - 1] = at(*nth);
     }
-    for (const auto& [x, body] : bodies)
+    for (const int body : bodies)
         domains.of_body[static_cast<std::size_t>(body)] = static_cast<std::uint8_t>(domain_now(stores, body));
 }
 
@@ -100,24 +99,21 @@ std::size_t count_between(const ContactStore& contacts) {
 
 // By slots where these tell who touches whom, as where bodies lie as they were made. All that goes by slots
 // or rows then goes by domain. What has been stirred is divided across its longer side.
-void choose_cuts(Stores& stores, std::size_t contacts, std::vector<DomainScratch::At>& bodies) {
-    Domains& domains = stores.contacts.domains;
-    domains.along = Along::Slots;
-    collect(stores, bodies);
-    cut(stores, bodies);
-    if (kInterfaceShare * count_between(stores.contacts) <= contacts) return;
-    domains.along = Along::Y;
-    const double height = collect(stores, bodies);
-    domains.along = Along::X;
-    if (collect(stores, bodies) < height) {
-        domains.along = Along::Y;
-        collect(stores, bodies);
+void choose_cuts(Stores& stores, std::size_t contacts, std::vector<int>& bodies) {
+    bodies.clear();
+    reserve_amply(bodies, static_cast<std::size_t>(stores.bodies.rows(RowSet::Awake).size()));
+    for (const int body : stores.bodies.rows(RowSet::Awake).body) {
+        if (is_touched(stores.contacts, body)) bodies.push_back(body);
     }
-    cut(stores, bodies);
+    cut(stores, bodies, Along::Slots);
+    if (kInterfaceShare * count_between(stores.contacts) <= contacts) return;
+    const bool is_wide = extent_of(stores, bodies, Along::X) >= extent_of(stores, bodies, Along::Y);
+    cut(stores, bodies, is_wide ? Along::X : Along::Y);
 }
 
 void move_contacts(ContactStore& contacts, std::vector<int>& moving) {
     moving.clear();
+    reserve_amply(moving, contacts_in(contacts.lanes));
     for_each_contact(contacts.lanes, [&](int contact, int bucket) {
         if (domain_of(contacts, contacts.slots[contact], kind_of(bucket)) != domain_of(bucket))
             moving.push_back(contact);
@@ -137,26 +133,31 @@ void move_contacts(ContactStore& contacts, std::vector<int>& moving) {
 // Rows of a domain stand in the order of their bodies' slots, so that what goes by rows meets slots in order.
 void order_rows(Stores& stores, DomainScratch& scratch) {
     const ContactStore& contacts = stores.contacts;
-    std::vector<DomainScratch::Member>& members = scratch.members;
-    members.clear();
-    for (const int body : stores.bodies.rows(RowSet::Awake).body) {
-        const bool is_settled = is_touched(contacts, body);
-        const int domain = is_settled
-                               ? static_cast<int>(contacts.domains.of_body[static_cast<std::size_t>(body)])
-                               : domain_now(stores, body);
-        members.push_back({domain, body});
-    }
-    const bool in_order = std::ranges::is_sorted(members);
-    if (!in_order) std::ranges::sort(members);
-    scratch.rows.clear();
+    const std::vector<int>& bodies = stores.bodies.rows(RowSet::Awake).body;
+    const auto domain = [&](int body) {
+        return is_touched(contacts, body)
+                   ? static_cast<int>(contacts.domains.of_body[static_cast<std::size_t>(body)])
+                   : domain_now(stores, body);
+    };
+    const auto is_before = [&](int a, int b) {
+        const int domain_a = domain(a);
+        const int domain_b = domain(b);
+        return domain_a != domain_b ? domain_a < domain_b : a < b;
+    };
+    std::vector<int>& order = scratch.items;
+    resize_amply(order, bodies.size());
+    std::ranges::copy(bodies, order.begin());
+    const bool in_order = std::ranges::is_sorted(order, is_before);
+    if (!in_order) std::ranges::sort(order, is_before);
     // Motions have the row of the world before all others.
-    scratch.first_row.assign(static_cast<std::size_t>(contacts.domains.count), 0);
-    for (const auto& [domain, body] : members) {
-        scratch.rows.push_back(stores.bodies.slots[body].row);
-        for (auto later = static_cast<std::size_t>(domain); later < scratch.first_row.size(); ++later)
-            scratch.first_row[later] = static_cast<int>(scratch.rows.size()) + 1;
+    scratch.first_row.assign(1, 0);
+    for (int d = 2; d <= contacts.domains.count; ++d) {
+        const auto first = std::ranges::lower_bound(order, d, {}, domain);
+        scratch.first_row.push_back(static_cast<int>(first - order.begin()) + 1);
     }
-    if (!in_order) stores.bodies.order_awake_rows(scratch.rows);
+    if (in_order) return;
+    for (int& item : order) item = stores.bodies.slots[item].row;
+    stores.bodies.order_awake_rows(order);
 }
 
 }  // namespace
@@ -188,10 +189,10 @@ void divide_into_domains(Stores& stores, DomainScratch& scratch) {
     if (contacts.domains.count == 0 && before == 0) return;
     cover_amply(contacts.domains.of_body, contacts.colors.size());
     if (contacts.domains.count > 0) {
-        choose_cuts(stores, all, scratch.bodies);
+        choose_cuts(stores, all, scratch.items);
         order_rows(stores, scratch);
     }
-    move_contacts(contacts, scratch.moving);
+    move_contacts(contacts, scratch.items);
     contacts.lanes.arrange();
 }
 

@@ -93,8 +93,11 @@ class Estimate {
     void find_supports(TaskPool& tasks) {
         const std::span<const int> blocks = lanes_.blocks_in_memory();
         const std::size_t plain_blocks = (step_.scalar_contacts.size() + kLanes - 1) / kLanes;
-        resize_amply(scratch_.supports, first_plain_ + plain_blocks);
-        resize_amply(scratch_.next, kLanes * scratch_.supports.size());
+        const std::size_t room = lanes_.pool_room() + plain_blocks;
+        reserve_amply(scratch_.supports, room);
+        reserve_amply(scratch_.next, kLanes * room);
+        scratch_.supports.resize(first_plain_ + plain_blocks);
+        scratch_.next.resize(kLanes * scratch_.supports.size());
         tasks.parallel_for(static_cast<int>(blocks.size()), kBlocksPerChunk, [&](const Chunk& chunk) {
             for (int i = chunk.begin; i < chunk.end; ++i) {
                 const std::size_t ahead = static_cast<std::size_t>(i) + kBlocksAhead;

@@ -317,20 +317,8 @@ struct BouncingRun {
 
 /// What dividing the contacts works on (world/domains.h).
 struct DomainScratch {
-    struct At {
-        double x;
-        int body;
-    };
-    std::vector<At> bodies;
-    struct Member {
-        int domain;
-        int body;
-
-        auto operator<=>(const Member&) const = default;
-    };
-    std::vector<Member> members;
-    std::vector<int> moving;     // contacts
-    std::vector<int> rows;       // awake ones, in their new order
+    std::vector<int>
+        items;  // bodies, rows or contacts, one after the other: it is as large as any list of a step
     std::vector<int> first_row;  // of motions, by domain from 1 on, as of the last division
 };
 
