@@ -114,16 +114,16 @@ class Placing {
     void load_domains() {
         Domains& domains = stores_.contacts.domains;
         in_.value(domains.count);
-        std::uint8_t along = 0;
-        in_.value(along);
+        std::uint8_t by = 0;
+        in_.value(by);
         in_.value(domains.cuts);
         const bool fits = domains.count >= 0 && domains.count <= kMostDomains && domains.count != 1 &&
-                          along <= static_cast<std::uint8_t>(Along::Y) &&
+                          by <= static_cast<std::uint8_t>(DividedBy::Y) &&
                           std::ranges::all_of(domains.cuts, [](double x) { return std::isfinite(x); }) &&
                           std::ranges::is_sorted(domains.cuts.begin(),
                                                  domains.cuts.begin() + std::max(domains.count - 1, 0));
         if (!in_.require(fits, "contacts are divided into domains that cannot be")) return;
-        domains.along = static_cast<Along>(along);
+        domains.by = static_cast<DividedBy>(by);
         in_.list(domains.of_body);
         const auto is_one = [&](std::uint8_t domain) { return domain <= domains.count; };
         in_.require(domains.of_body.size() <= stores_.contacts.colors.size() &&
@@ -291,7 +291,7 @@ class Placing {
 void save_domains(const ContactStore& contacts, Writer& out) {
     const Domains& domains = contacts.domains;
     out.value(domains.count);
-    out.value(static_cast<std::uint8_t>(domains.along));
+    out.value(static_cast<std::uint8_t>(domains.by));
     out.value(domains.cuts);
     // Of bodies in no colour they mean nothing.
     out.count(domains.count > 0 ? domains.of_body.size() : 0);

@@ -58,13 +58,13 @@ constexpr float faint_restitution(const ContactRecord& c) {
 }
 
 /// By what bodies are told apart: strips of space, or the order in which they were made.
-enum class Along : std::uint8_t { Slots, X, Y };
+enum class DividedBy : std::uint8_t { Slots, X, Y };
 
 /// Each holds about as many bodies. Which one a body is in is settled when it gets its first contact in a
 /// colour, and again now and then (world/domains.h), so that a body may have left it.
 struct Domains {
     int count = 0;  // 0: none, all contacts are of the interface
-    Along along = Along::Slots;
+    DividedBy by = DividedBy::Slots;
     std::array<double, kMostDomains - 1> cuts{};  // between them, ascending; slots or m
     std::vector<std::uint8_t> of_body;            // by slot, from 1 on; of bodies that are moved in a colour
 };

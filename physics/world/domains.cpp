@@ -17,14 +17,14 @@ constexpr std::size_t kFewestContacts = 512;
 // slots.
 constexpr std::size_t kInterfaceShare = 8;
 
-double coordinate(const Stores& stores, Along along, int body) {
+double coordinate(const Stores& stores, DividedBy by, int body) {
     const Position p = stores.bodies.places[static_cast<std::size_t>(body)].center;
-    switch (along) {
-        case Along::Slots:
+    switch (by) {
+        case DividedBy::Slots:
             return body;
-        case Along::X:
+        case DividedBy::X:
             return p.x;
-        case Along::Y:
+        case DividedBy::Y:
             return p.y;
     }
     return 0;
@@ -32,7 +32,7 @@ double coordinate(const Stores& stores, Along along, int body) {
 
 int domain_now(const Stores& stores, int body) {
     const Domains& domains = stores.contacts.domains;
-    const double x = coordinate(stores, domains.along, body);
+    const double x = coordinate(stores, domains.by, body);
     int domain = 1;
     while (domain < domains.count && x > domains.cuts[static_cast<std::size_t>(domain - 1)]) ++domain;
     return domain;
@@ -67,18 +67,18 @@ bool is_touched(const ContactStore& contacts, int body) {
     return i < contacts.colors.size() && contacts.colors[i] != 0;
 }
 
-double extent_of(const Stores& stores, std::span<const int> bodies, Along along) {
+double extent_of(const Stores& stores, std::span<const int> bodies, DividedBy by) {
     if (bodies.empty()) return 0;
-    const auto x = [&](int body) { return coordinate(stores, along, body); };
+    const auto x = [&](int body) { return coordinate(stores, by, body); };
     const auto [least, most] = std::ranges::minmax_element(bodies, {}, x);
     return x(*most) - x(*least);
 }
 
 // So that as many of the bodies are in each domain, and each is in the one that it is in now.
-void cut(Stores& stores, std::span<int> bodies, Along along) {
+void cut(Stores& stores, std::span<int> bodies, DividedBy by) {
     Domains& domains = stores.contacts.domains;
-    domains.along = along;
-    const auto at = [&](int body) { return coordinate(stores, along, body); };
+    domains.by = by;
+    const auto at = [&](int body) { return coordinate(stores, by, body); };
     const auto count = static_cast<std::size_t>(domains.count);
     for (std::size_t i = 1; i < count; ++i) {
         const auto nth = bodies.begin() + static_cast<std::ptrdiff_t>(bodies.size() * i / count);
@@ -105,10 +105,10 @@ void choose_cuts(Stores& stores, std::size_t contacts, std::vector<int>& bodies)
     for (const int body : stores.bodies.rows(RowSet::Awake).body) {
         if (is_touched(stores.contacts, body)) bodies.push_back(body);
     }
-    cut(stores, bodies, Along::Slots);
+    cut(stores, bodies, DividedBy::Slots);
     if (kInterfaceShare * count_between(stores.contacts) <= contacts) return;
-    const bool is_wide = extent_of(stores, bodies, Along::X) >= extent_of(stores, bodies, Along::Y);
-    cut(stores, bodies, is_wide ? Along::X : Along::Y);
+    const bool is_wide = extent_of(stores, bodies, DividedBy::X) >= extent_of(stores, bodies, DividedBy::Y);
+    cut(stores, bodies, is_wide ? DividedBy::X : DividedBy::Y);
 }
 
 void move_contacts(ContactStore& contacts, std::vector<int>& moving) {

@@ -63,7 +63,7 @@ Divided count_contacts(const ContactLanes& lanes) {
 namespace {
 
 // Boxes come and go, and the heap falls asleep and wakes.
-void check_heap(int stride, Along expected) {
+void check_heap(int stride, DividedBy expected) {
     Random random(21);
     WorldState world(WorldDef{.threads = 2}, 1);
     std::vector<int> boxes = fill_pit(world, random, 50, 30, stride);
@@ -72,7 +72,7 @@ void check_heap(int stride, Along expected) {
         if (step == 66 || step == 130) {
             const Divided found = count_contacts(world.stores.contacts.lanes);
             CHECK(world.stores.contacts.domains.count == 2);
-            if (step == 66) CHECK(world.stores.contacts.domains.along == expected);
+            if (step == 66) CHECK(world.stores.contacts.domains.by == expected);
             CHECK(found.in_domains > 2000);
             CHECK(found.between < found.in_domains / 8);
         }
@@ -97,11 +97,11 @@ void check_heap(int stride, Along expected) {
 }  // namespace
 
 TEST_CASE("domains share no body that moves, whatever comes and goes, falls asleep and wakes") {
-    check_heap(1, Along::Slots);
+    check_heap(1, DividedBy::Slots);
 }
 
 TEST_CASE("domains are strips of space where the order in which bodies were made does not tell who touches") {
-    check_heap(751, Along::X);
+    check_heap(751, DividedBy::X);
 }
 
 TEST_CASE("what is pushed together across domains has the momentum of the pushes, on any number of threads") {
