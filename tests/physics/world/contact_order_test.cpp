@@ -87,9 +87,9 @@ void check_goes_on_alike(World& world) {
         step_times(world, 1);
     }
     const std::vector<std::uint64_t> after = hashes_of(world, 20);
-    for (std::size_t i = 0; i < snapshots.size(); ++i) {
+    for (std::size_t i = 0; i < snapshots.size(); i += 2) {
         INFO("from step " << 61 + i);
-        World other(WorldDef{.threads = i % 2 == 0 ? 1 : 2});
+        World other(WorldDef{.threads = i % 4 == 0 ? 1 : 2});
         other.restore(snapshots[i].bytes()).value();
         step_times(other, static_cast<int>(snapshots.size() - i));
         CHECK(hashes_of(other, 20) == after);
