@@ -57,7 +57,8 @@ bool is_moving(const Stores& stores, int body) {
 }
 
 // Joins bodies into islands. `matters(row_a, row_b)` tells of awake rows whether it is of interest that the
-// two are joined; `motions` are those of the step, in which blocks of contacts know the rows of their bodies.
+// two are joined; `motions` are those of the step, in which blocks of contacts and of joints know the rows of
+// their bodies.
 template <class Matters>
 class Linking {
   public:

@@ -317,8 +317,7 @@ struct BouncingRun {
 
 /// What dividing the contacts works on (world/domains.h).
 struct DomainScratch {
-    std::vector<int>
-        items;  // bodies, rows or contacts, one after the other: it is as large as any list of a step
+    std::vector<int> items;      // in turn bodies, rows and contacts: one memory for all three lists
     std::vector<int> first_row;  // of motions, by domain from 1 on, as of the last division
 };
 

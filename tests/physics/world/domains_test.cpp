@@ -58,10 +58,6 @@ Divided count_contacts(const ContactLanes& lanes) {
     return found;
 }
 
-}  // namespace
-
-namespace {
-
 // Boxes come and go, and the heap falls asleep and wakes.
 void check_heap(int stride, DividedBy expected) {
     Random random(21);
@@ -136,6 +132,7 @@ TEST_CASE("what is pushed together across domains has the momentum of the pushes
             step_times(world, 1);
             if (step == 63) CHECK(world.counts().touching > 2500);
         }
+        // Of pushes that come to thousands of N s, were they all one way.
         CHECK(momentum_x() == Approx(expected).margin(1e-3));
         return world.state_hash();
     };
