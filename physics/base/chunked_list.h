@@ -4,6 +4,7 @@
 // for each chunk that grows in its own time.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -25,10 +26,17 @@ class ChunkedList {
     };
 
   public:
-    /// Empties the list for a loop of the pool.
+    /// Empties the list for a loop of the pool. Who takes how many chunks differs from loop to loop, so each
+    /// thread has room for twice its share of the most that ever stood here: on two threads it is enough for
+    /// as much again, whoever appends it.
     void start(int count, int grain, const TaskPool& tasks) {
-        if (lists_.size() < static_cast<std::size_t>(tasks.threads())) lists_.resize(tasks.threads());
-        for (List& list : lists_) list.items.clear();
+        const auto threads = static_cast<std::size_t>(tasks.threads());
+        if (lists_.size() < threads) lists_.resize(threads);
+        most_ = std::max(most_, size());
+        for (List& list : lists_) {
+            list.items.clear();
+            reserve_amply(list.items, std::min(most_, 2 * most_ / threads));
+        }
         assign_amply(parts_, static_cast<std::size_t>(chunk_count(count, grain)), Part{});
     }
 
@@ -82,6 +90,7 @@ class ChunkedList {
   private:
     std::vector<List> lists_;  // by thread
     std::vector<Part> parts_;  // by chunk
+    std::size_t most_ = 0;
 };
 
 }  // namespace cairn::physics

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
+#include <string>
 
 #include <cairn/physics/tuning.h>
 
@@ -141,8 +142,10 @@ Result<Convex> convert(const Box& box) {
 
 Result<Convex> convert(const Polygon& polygon) {
     if (auto fault = rounding("polygon.radius_m", static_cast<double>(polygon.radius_m))) return *fault;
-    for (const Vec2 p : polygon.points_m) {
-        if (auto fault = place("polygon.points_m", p)) return *fault;
+    for (std::size_t i = 0; i < polygon.points_m.size(); ++i) {
+        const Vec2 p = polygon.points_m[i];
+        if (!place("", p)) continue;
+        return *place(("polygon.points_m[" + std::to_string(i) + "]").c_str(), p);
     }
     const Result<Hull> hull = make_hull(polygon.points_m);
     if (!hull) return hull.error();

@@ -165,7 +165,8 @@ int ContactLanes::remove_near(PairGeometry geometry, int lane) {
 void ContactLanes::shrink_near(PairGeometry geometry, int before) {
     constexpr int kMany = 512;
     const int now = near_count_[index(geometry)];
-    if (before < kMany || now > before / 4) return;
+    if (near_shrank_[index(geometry)] || before < kMany || now > before / 4) return;
+    near_shrank_[index(geometry)] = true;
     const auto shrink = [](auto& items, int count) {
         items.resize(static_cast<std::size_t>(count));
         items.shrink_to_fit();

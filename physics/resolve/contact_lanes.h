@@ -154,8 +154,9 @@ class ContactLanes {
         return near_sights_[index(geometry)];
     }
     [[nodiscard]] int near_count(PairGeometry geometry) const { return near_count_[index(geometry)]; }
-    /// Where of many near pairs most went at once, as where a scene begins or wakes, gives back the memory
-    /// that they took. `before` is how many there were.
+    /// Where of many near pairs most went at once, as where a scene begins, gives back the memory that they
+    /// took. `before` is how many there were. Once: what comes again is needed again, and a step that has
+    /// warmed up allocates nothing.
     void shrink_near(PairGeometry geometry, int before);
 
     [[nodiscard]] PairBlock& pairs(int block) { return pairs_[block]; }
@@ -242,6 +243,7 @@ class ContactLanes {
     std::array<std::vector<NearReaches>, kPairGeometries> near_reaches_;  // beside the pairs
     std::array<std::vector<NearSight>, kPairGeometries> near_sights_;     // by lane
     std::array<int, kPairGeometries> near_count_{};
+    std::array<bool, kPairGeometries> near_shrank_{};
     std::vector<PairBlock> pairs_;
     std::vector<BlockLink> links_;      // beside the pairs
     std::vector<ContactBlock> blocks_;  // beside the pairs

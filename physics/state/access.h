@@ -53,8 +53,8 @@ struct StateAccess {
     /// use(near blocks, their reaches, what was seen of them, their counts), by geometry.
     template <class Lanes, class Use>
     static auto near(Lanes& lanes, Use&& use) {
-        auto& [near, near_reaches, near_sights, near_count, pairs, links, blocks, impacts, turns, free,
-               chains, version, is_arranged, order, in_memory, ranges, used] = lanes;
+        auto& [near, near_reaches, near_sights, near_count, near_shrank, pairs, links, blocks, impacts, turns,
+               free, chains, version, is_arranged, order, in_memory, ranges, used] = lanes;
         return use(near, near_reaches, near_sights, near_count);
     }
 
@@ -62,8 +62,8 @@ struct StateAccess {
     /// follows from the chains.
     template <class Lanes, class Use>
     static auto colored(Lanes& lanes, Use&& use) {
-        auto& [near, near_reaches, near_sights, near_count, pairs, links, blocks, impacts, turns, free,
-               chains, version, is_arranged, order, in_memory, ranges, used] = lanes;
+        auto& [near, near_reaches, near_sights, near_count, near_shrank, pairs, links, blocks, impacts, turns,
+               free, chains, version, is_arranged, order, in_memory, ranges, used] = lanes;
         return use(pairs, links, blocks, impacts, free, chains, is_arranged);
     }
 

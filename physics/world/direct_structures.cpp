@@ -61,13 +61,37 @@ bool is_uneven(float least_inverse_mass, float most_inverse_mass) {
 
 void StructureSearch::find(const Stores& stores, JointSolver solver, std::vector<DirectStructure>& structures,
                            std::vector<DirectStructure>& without_loads) {
-    structures.clear();
-    without_loads.clear();
+    recycle(without_loads);
+    recycle(structures);
     if (solver == JointSolver::Sweeping || stores.joints.active.size() == 0) return;
     note_movers(stores);
     join(stores);
     sum_up(stores);
     list(stores, solver, structures, without_loads);
+}
+
+// The last one first, so that they come back in their order.
+void StructureSearch::recycle(std::vector<DirectStructure>& structures) {
+    for (std::size_t i = structures.size(); i-- > 0;) recycle(structures[i]);
+    structures.clear();
+}
+
+void StructureSearch::recycle(DirectStructure& structure) {
+    structure.joints.clear();
+    structure.bodies.clear();
+    structure.only_free = false;
+    spare_.push_back(std::move(structure));
+}
+
+DirectStructure StructureSearch::new_structure(const Summary& s) {
+    DirectStructure made;
+    if (!spare_.empty()) {
+        made = std::move(spare_.back());
+        spare_.pop_back();
+    }
+    made.joints.reserve(at(s.joints));
+    made.bodies.reserve(at(s.bodies));
+    return made;
 }
 
 void StructureSearch::note_movers(const Stores& stores) {
@@ -155,7 +179,7 @@ void StructureSearch::list(const Stores& stores, JointSolver solver, std::vector
         Summary& s = summaries_[i];
         if (!all && !may_be_hard(s) && !may_need_loads(s)) continue;
         s.listed = static_cast<int>(structures.size());
-        structures.emplace_back();
+        structures.push_back(new_structure(s));
         summary_of_.push_back(static_cast<int>(i));
     }
     if (structures.empty()) return;
@@ -179,8 +203,11 @@ void StructureSearch::list(const Stores& stores, JointSolver solver, std::vector
         const Summary& summary = summaries_[at(summary_of_[i])];
         number_bodies(structures[i]);
         if (!may_be_hard(summary) || !is_hard_to_sweep(structures[i], summary, stores)) {
-            if (may_need_loads(summary) && depth_of(structures[i], stores) > kDepth)
+            if (may_need_loads(summary) && depth_of(structures[i], stores) > kDepth) {
                 without_loads.push_back(std::move(structures[i]));
+            } else {
+                recycle(structures[i]);
+            }
             continue;
         }
         if (kept != i) structures[kept] = std::move(structures[i]);

@@ -28,6 +28,8 @@ class StructureSearch {
     /// would be but for their loops, and have pins whose loads are not known, are `without_loads`.
     void find(const Stores& stores, JointSolver solver, std::vector<DirectStructure>& structures,
               std::vector<DirectStructure>& without_loads);
+    /// Empties the list, and keeps the memory of its structures for those that are found next.
+    void recycle(std::vector<DirectStructure>& structures);
 
   private:
     // What is known of a structure before it has lists.
@@ -51,6 +53,8 @@ class StructureSearch {
     [[nodiscard]] static bool may_need_loads(const Summary& s);
     void list(const Stores& stores, JointSolver solver, std::vector<DirectStructure>& structures,
               std::vector<DirectStructure>& without_loads);
+    void recycle(DirectStructure& structure);
+    DirectStructure new_structure(const Summary& s);
     void number_bodies(const DirectStructure& s);
     // These want the bodies numbered.
     [[nodiscard]] bool is_hard_to_sweep(const DirectStructure& s, const Summary& summary,
@@ -66,6 +70,7 @@ class StructureSearch {
     std::vector<char> seen_;
     std::vector<Summary> summaries_;
     std::vector<int> summary_of_;  // by place among the structures
+    std::vector<DirectStructure> spare_;
     // Of one structure.
     std::vector<int> local_;  // by body
     std::vector<int> level_;  // by local body, 0: not reached

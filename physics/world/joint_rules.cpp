@@ -22,13 +22,13 @@ class Fields {
   public:
     explicit Fields(JointKind kind) : kind_(name_of(kind)) {}
 
-    Fields& finite(const char* field, float x) { return keep(check::finite(name(field), d(x))); }
-    Fields& finite(const char* field, Vec2 x) { return keep(check::finite(name(field), x)); }
-    Fields& placed(const char* field, Position x) { return keep(check::placed(name(field), x)); }
-    Fields& positive(const char* field, float x) { return keep(check::positive(name(field), d(x))); }
-    Fields& not_negative(const char* field, float x) { return keep(check::not_negative(name(field), d(x))); }
+    Fields& finite(const char* field, float x) { return keep(check::finite(field, d(x))); }
+    Fields& finite(const char* field, Vec2 x) { return keep(check::finite(field, x)); }
+    Fields& placed(const char* field, Position x) { return keep(check::placed(field, x)); }
+    Fields& positive(const char* field, float x) { return keep(check::positive(field, d(x))); }
+    Fields& not_negative(const char* field, float x) { return keep(check::not_negative(field, d(x))); }
     Fields& require(bool holds, const char* field, float x, const char* rule) {
-        return keep(check::require(holds, name(field), d(x), rule));
+        return keep(check::require(holds, field, d(x), rule));
     }
     /// A cap: it may be infinite.
     Fields& cap(const char* field, float x) { return require(x >= 0, field, x, "at least 0"); }
@@ -46,17 +46,13 @@ class Fields {
     [[nodiscard]] Fault fault() const { return fault_; }
 
   private:
-    const char* name(const char* field) {
-        name_ = std::string(kind_) + "." + field;
-        return name_.c_str();
-    }
+    // Names are put together for errors only: joints are made by the thousand.
     Fields& keep(Fault fault) {
-        if (!fault_) fault_ = std::move(fault);
+        if (fault && !fault_) fault_ = Error{std::string(kind_) + "." + fault->message};
         return *this;
     }
 
     const char* kind_;
-    std::string name_;
     Fault fault_;
 };
 

@@ -64,11 +64,9 @@ void estimate(Stores& stores, Vec2 gravity_m_s2, const StepTime& time, const Dir
 
 void estimate_pin_loads(Stores& stores, Vec2 gravity_m_s2, const StepTime& time, DirectGroups& groups) {
     if (groups.without_loads.empty()) return;
-    PinStatics statics;
-    std::vector<int> local;
     for (const DirectStructure& structure : groups.without_loads)
-        estimate(stores, gravity_m_s2, time, structure, statics, local);
-    groups.without_loads.clear();
+        estimate(stores, gravity_m_s2, time, structure, groups.statics, groups.number_of);
+    groups.search.recycle(groups.without_loads);
 }
 
 void forget_loads_around(Stores& stores, int joint) {

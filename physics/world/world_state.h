@@ -25,6 +25,7 @@
 #include "resolve/direct/pin_chain.h"
 #include "resolve/impacts.h"
 #include "resolve/joints/joint_constraint.h"
+#include "resolve/joints/pin_statics.h"
 #include "resolve/joints/torn_joints.h"
 #include "resolve/restitution_kernel.h"
 #include "resolve/support_lanes.h"
@@ -400,6 +401,8 @@ struct DirectGroups {
     StructureSearch search;
     // Found with the others, and waiting for their loads to be estimated (world/pin_loads.h).
     std::vector<DirectStructure> without_loads;
+    PinStatics statics;          // of one of them
+    std::vector<int> number_of;  // there, by body
     // While groups are chosen and assembled:
     std::vector<int> reached;   // bodies from one seed
     std::vector<int> found;     // structures from one seed

@@ -24,6 +24,7 @@ TEST_CASE("scenes are run in the order in which they are named, each once") {
     CHECK(line.repeat == 3);
     CHECK(line.most_steps == 20);
     CHECK(line.threads == 1);
+    CHECK_FALSE(line.warm);
     CHECK(line.simd == physics::available_simd_levels().back());
 }
 
@@ -33,6 +34,10 @@ TEST_CASE("all means every scene, and to compare, every scene that other engines
     CHECK(!line.scenes.empty());
     CHECK(line.scenes.size() < all_scenes().size());
     for (const Scene* scene : line.scenes) CHECK(scene->for_every_engine);
+}
+
+TEST_CASE("runs in a world that is warm are asked for") {
+    CHECK(parsed({"run", "smash", "--warm"}).warm);
 }
 
 TEST_CASE("a slow SIMD level can be asked for by its name") {

@@ -54,11 +54,21 @@ TEST_CASE("a line of results is one JSON object with all that was promised") {
     CHECK(line.at("stages_ms").size() == physics::kStages.size());
     CHECK(line.at("stages_ms").at("solve") == 0.75);
     CHECK(line.at("allocations") == 5);
+    CHECK_FALSE(line.contains("allocations_warm"));
     CHECK(line.at("bytes_peak") == 12345);
     CHECK(line.at("awake_body_steps") == 600);
     CHECK(line.at("max_penetration_m") == 0.002);
     CHECK(line.at("state_hash") == "0000000000000abc");
     CHECK(line.at("ns_each").at("cast_ray") == 250);
+}
+
+TEST_CASE("what a warm world allocated is told where it was counted") {
+    Measurement m = some_measurement();
+    m.allocations_warm = 3;
+    CHECK(nlohmann::json::parse(run_line(all_scenes().front(), {}, m)).at("allocations_warm") == 3);
+    CHECK(run_table_row(all_scenes().front(), m).find("run again in its world: 3 allocations") !=
+          std::string::npos);
+    CHECK(run_table_row(all_scenes().front(), some_measurement()).find("again") == std::string::npos);
 }
 
 TEST_CASE("a line of a comparison names the engine and its ratio") {

@@ -91,6 +91,16 @@ TEST_CASE("scenes that stand allocate nothing in a step") {
     CHECK(measure_on_cairn("scale_1k", 20).allocations == 0);
 }
 
+TEST_CASE("a scene ends in the same state when it was gone back to its begin, and allocates nothing then") {
+    for (const std::string name : {"compounds", "smash", "joint_grid", "rain"}) {
+        INFO(name);
+        const int steps = 30;
+        const WarmRun warm = run_warm(scene_named(name), kOneThread, steps);
+        CHECK(warm.state_hash == measure_on_cairn(name, steps).state_hash);
+        CHECK(warm.allocations == 0);
+    }
+}
+
 TEST_CASE("a box in a stack takes less than 1,200 bytes, with its contacts and all that steps work on") {
     for (const std::string name : {"scale_1k", "scale_2k", "scale_5k", "scale_10k", "scale_20k"}) {
         INFO(name);

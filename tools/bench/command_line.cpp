@@ -104,6 +104,8 @@ Result<CommandLine> parse_command_line(const std::vector<std::string>& arguments
     CLI::App* run = app.add_subcommand("run", "measure scenes");
     run->add_option("SCENE", texts.scenes, "scenes of the list, or \"all\"")->required();
     add_options(*run, texts, json);
+    bool warm = false;
+    run->add_flag("--warm", warm, "also count allocations of a run in a world that ran the scene before");
     CLI::App* compare = app.add_subcommand("compare", "measure scenes on other engines too, in turns");
     compare->add_option("SCENE", texts.scenes, "scenes that every engine can run (all of those)");
     add_options(*compare, texts, json);
@@ -118,7 +120,11 @@ Result<CommandLine> parse_command_line(const std::vector<std::string>& arguments
     if (!*has_command) return CommandLine{};
     if (list->parsed()) return CommandLine{.command = Command::List};
     if (lua->parsed()) return CommandLine{.command = Command::Lua, .json = json};
-    if (run->parsed()) return read(Command::Run, texts, json);
+    if (run->parsed()) {
+        Result<CommandLine> line = read(Command::Run, texts, json);
+        if (line) line->warm = warm;
+        return line;
+    }
     if (state->parsed()) {
         // The first rounds make room, which later ones have.
         if (state->count("--repeat") == 0) texts.repeat = "100";

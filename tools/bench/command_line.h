@@ -19,6 +19,7 @@ struct CommandLine {
     physics::SimdLevel simd{};
     int repeat = 1;
     int most_steps = 0;  ///< 0: as many as the scene has
+    bool warm = false;   ///< whether scenes are also run in a world that has run them before
     std::string json;    ///< a file, "-" for standard output, or nothing
 };
 

@@ -34,6 +34,14 @@ int run(const CommandLine& line, Output& output) {
             keep_best(best[i], std::move(next), round == 0);
         }
     }
+    for (std::size_t i = 0; line.warm && i < line.scenes.size(); ++i) {
+        const WarmRun warm = run_warm(*line.scenes[i], line.threads, line.most_steps);
+        if (warm.state_hash != best[i].state_hash) {
+            return kProgram.fail("scene " + line.scenes[i]->name +
+                                 " ended in another state when it was gone back to its begin");
+        }
+        best[i].allocations_warm = warm.allocations;
+    }
     output.row(run_table_head());
     for (std::size_t i = 0; i < line.scenes.size(); ++i) {
         output.line(run_line(*line.scenes[i], {line.threads, std::string(name(line.simd))}, best[i]));

@@ -17,6 +17,7 @@ using measure::live_bytes;
 using measure::peak_bytes;
 using measure::restart_peak;
 using physics::Profile;
+using physics::Snapshot;
 using physics::Vec2;
 using physics::World;
 
@@ -74,6 +75,10 @@ void run_timed_steps(const Scene& scene, Engine& engine, Run& run, int samples, 
     }
 }
 
+int steps_of(const Scene& scene, int most_steps) {
+    return most_steps > 0 ? std::min(most_steps, scene.steps) : scene.steps;
+}
+
 float root_mean_square_change(const std::vector<Vec2>& before, const std::vector<Vec2>& after) {
     double sum = 0;
     for (std::size_t i = 0; i < before.size(); ++i) {
@@ -86,7 +91,7 @@ float root_mean_square_change(const std::vector<Vec2>& before, const std::vector
 
 Measurement measure(const Scene& scene, MakeEngine make_engine, int threads, int most_steps) {
     Measurement m;
-    m.steps = most_steps > 0 ? std::min(most_steps, scene.steps) : scene.steps;
+    m.steps = steps_of(scene, most_steps);
     const int untimed = std::min(scene.untimed_steps, m.steps);
     const int samples = (m.steps - untimed) / scene.steps_per_sample;
 
@@ -112,6 +117,30 @@ Measurement measure(const Scene& scene, MakeEngine make_engine, int threads, int
     m.jitter_m_s = root_mean_square_change(before, engine->velocities_m_s());
     if (world != nullptr && !profiles_while_timed(scene)) m.stages = world->profile();
     return m;
+}
+
+WarmRun run_warm(const Scene& scene, int threads, int most_steps) {
+    // A world holds the state it is in and room for the one it may be restored to, which change places: runs
+    // warm up the one and the other by turns. Each gives back once what only the begin of a scene took, and
+    // takes it again in its second run.
+    constexpr int kWarmingRuns = 4;
+    WorldSetting setting = scene.world;
+    setting.threads = threads;
+    const std::unique_ptr<Engine> engine = measure::make_cairn(setting);
+    World& world = *engine->cairn_world();
+    const BeforeStep before = scene.build(*engine);
+    const Snapshot start = world.snapshot().value();
+    WarmRun warm;
+    for (int i = 0; i <= kWarmingRuns; ++i) {
+        if (i > 0) world.restore(start.bytes()).value();
+        Findings findings;
+        Run run(*engine, before, findings);
+        const std::int64_t allocations_before = allocations();
+        for (int step = 0; step < steps_of(scene, most_steps); ++step) run.step();
+        warm.allocations = allocations() - allocations_before;
+        warm.state_hash = world.state_hash() ^ findings.digest;
+    }
+    return warm;
 }
 
 }  // namespace cairn::bench

@@ -26,11 +26,22 @@ struct Measurement {
     // Known of Cairn only.
     physics::Profile stages{};  ///< mean over the timed steps
     std::uint64_t state_hash = 0;
+    std::optional<std::int64_t> allocations_warm{};  ///< as run_warm tells them, if it was asked
 };
 
 using MakeEngine = std::unique_ptr<Engine> (*)(const WorldSetting& setting);
 
 /// `most_steps` cuts the scene short; 0 is no limit.
 Measurement measure(const Scene& scene, MakeEngine make_engine, int threads, int most_steps = 0);
+
+/// A scene in a world that has run it before.
+struct WarmRun {
+    std::int64_t allocations = 0;  ///< in all of its steps, with what the scene did before each
+    std::uint64_t state_hash = 0;  ///< as of a measurement: it must be the same
+};
+
+/// Runs the scene on Cairn, goes back to its begin and runs it again until the world has had all the room it
+/// needs, and then once more.
+WarmRun run_warm(const Scene& scene, int threads, int most_steps = 0);
 
 }  // namespace cairn::bench

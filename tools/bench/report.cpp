@@ -74,6 +74,7 @@ std::string run_line(const Scene& scene, const RunSetting& setting, const Measur
     add_common(line, m);
     line["stages_ms"] = stages_of(m);
     line["allocations"] = m.allocations;
+    if (m.allocations_warm) line["allocations_warm"] = *m.allocations_warm;
     line["bytes_peak"] = m.bytes_peak;
     add_quality(line, m);
     line["state_hash"] = hex(m.state_hash);
@@ -109,6 +110,9 @@ std::string run_table_row(const Scene& scene, const Measurement& m) {
     for (const physics::Stage stage : physics::kStages) {
         row += format(" %s %s ", std::string(name(stage)).c_str(), time_text(m.stages[stage]).c_str());
     }
+    if (m.allocations_warm)
+        row += format("\n     run again in its world: %lld allocations",
+                      static_cast<long long>(*m.allocations_warm));
     for (const Findings::Cost& cost : m.findings.costs) {
         row += format("\n     %s: %.0f ns each", cost.what.c_str(), cost.ns_each);
     }

@@ -1,6 +1,5 @@
 // Ragdolls rain on five storeys; once there are 1,000, the oldest make room for new ones.
-#include <memory>
-#include <optional>
+#include <array>
 #include <vector>
 
 #include "ragdoll.h"
@@ -18,27 +17,37 @@ constexpr int kColumns = 40;
 constexpr int kGroupSize = 5;
 constexpr int kPeriod_steps = 8;
 
+struct Group {
+    std::array<Ragdoll, kGroupSize> figures;
+    bool is_there = false;
+};
+
 class Cloud {
   public:
     // One more column in each storey.
     void pour(Engine& engine) {
         for (int storey = 0; storey < kStoreys; ++storey) {
-            std::vector<Ragdoll>& group = groups_[static_cast<std::size_t>(storey * kColumns + next_)];
-            for (const Ragdoll& figure : group) {
-                for (const BodyRef bone : figure) engine.remove_body(bone);
+            Group& group = groups_[static_cast<std::size_t>(storey * kColumns + next_)];
+            if (group.is_there) remove(engine, group);
+            int number = (storey * kColumns + next_) * kGroupSize;
+            double x_m = -125 + 6.25 * (next_ + 0.5);
+            for (Ragdoll& figure : group.figures) {
+                figure = add_ragdoll(engine, {x_m, 40.0 + 45 * storey}, ++number);
+                x_m += 0.5;
             }
-            group.clear();
-            for (int n = 0; n < kGroupSize; ++n) {
-                const int number = (storey * kColumns + next_) * kGroupSize + n + 1;
-                group.push_back(
-                    add_ragdoll(engine, {-125 + 6.25 * (next_ + 0.5) + 0.5 * n, 40.0 + 45 * storey}, number));
-            }
+            group.is_there = true;
         }
         next_ = (next_ + 1) % kColumns;
     }
 
   private:
-    std::vector<std::vector<Ragdoll>> groups_{kStoreys * kColumns};
+    static void remove(Engine& engine, const Group& group) {
+        for (const Ragdoll& figure : group.figures) {
+            for (const BodyRef bone : figure) engine.remove_body(bone);
+        }
+    }
+
+    std::vector<Group> groups_{kStoreys * kColumns};
     int next_ = 0;
 };
 
@@ -60,8 +69,8 @@ Scene rain() {
                             {});
                     }
                 }
-                return [cloud = std::make_shared<Cloud>()](Engine& world, int step, Findings&) {
-                    if (step % kPeriod_steps == 0) cloud->pour(world);
+                return [cloud = Cloud()](Engine& world, int step, Findings&) mutable {
+                    if (step % kPeriod_steps == 0) cloud.pour(world);
                 };
             }};
 }

@@ -28,7 +28,7 @@ struct Findings {
     std::uint64_t digest = 0;  ///< of answers that the state of the world does not show
 };
 
-/// Called before each step with its number, and timed with it. May be empty.
+/// Called before each step with its number, and timed with it. May be empty. A copy goes on by itself.
 using BeforeStep = std::function<void(Engine& engine, int step, Findings& findings)>;
 
 struct Scene {

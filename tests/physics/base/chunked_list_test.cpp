@@ -55,4 +55,24 @@ TEST_CASE("a list that chunks append to keeps its memory from loop to loop") {
     CHECK(counter.count() == 0);
 }
 
+TEST_CASE("of two threads either has room for all that ever stood in the list") {
+    TaskPool pool(2);
+    ChunkedList<int> list;
+    // As if one worker was faster than the other each time.
+    const auto append_by = [&](int worker) {
+        list.start(2, 1, pool);
+        for (int index = 0; index < 2; ++index) {
+            ChunkedList<int>::Appender appender(list, {index, index + 1, index, worker});
+            for (int i = 0; i < 500; ++i) appender.items().push_back(i);
+        }
+    };
+    append_by(0);
+    list.start(2, 1, pool);
+    const test::AllocationCounter counter;
+    append_by(1);
+    append_by(0);
+    CHECK(counter.count() == 0);
+    CHECK(list.size() == 1000);
+}
+
 }  // namespace cairn::physics
