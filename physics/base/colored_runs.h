@@ -15,17 +15,23 @@
 
 namespace cairn::physics {
 
+/// Constraints of one domain of space (world/domains.h) share no moving body with those of another, whatever
+/// their colour. All others are of the interface between the domains: where there are none, all are.
+inline constexpr int kMostDomains = 8;
+inline constexpr int kInterface = 0;  // a domain; the proper ones are 1 up to kMostDomains
+
 struct ColoredRun {
     int color;
-    int count;       // of blocks
-    int domain = 0;  // 0: of none, shared by threads colour by colour
+    int count;  // of blocks
+    int domain = kInterface;
 };
 
 /// Calls pass(run, first, count) for parts of all runs. Those of domains come first, domain by domain, and
 /// are passed whole, in their order within a domain; after all of them the others, those of a colour after
 /// all of the colours before it, and otherwise in any order and at once. A thread takes up to `grain` blocks
-/// at once; small colours are not shared. run_at(i), of `count` runs, gives a ColoredRun.
-template <std::size_t kMostShared, std::size_t kMostDomains = 0, class RunAt, class RunPass>
+/// at once; small colours are not shared. run_at(i), of `count` runs, gives a ColoredRun; of the interface
+/// there are at most kMostShared.
+template <std::size_t kMostShared, class RunAt, class RunPass>
 void for_colored_runs(int count, const RunAt& run_at, int grain, TaskPool& tasks, const RunPass& pass) {
     struct Part {
         const RunAt* run_at;
@@ -63,7 +69,7 @@ void for_colored_runs(int count, const RunAt& run_at, int grain, TaskPool& tasks
         while (last < count && belongs(run_at(last))) ++last;
         return last;
     };
-    while (first < count && run_at(first).domain != 0) {
+    while (first < count && run_at(first).domain != kInterface) {
         CAIRN_ASSERT(part < kMostDomains, "no more domains than there is room for");
         const int domain = run_at(first).domain;
         const int last = end_of([&](const ColoredRun& r) { return r.domain == domain; });

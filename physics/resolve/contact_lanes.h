@@ -11,6 +11,7 @@
 #include <span>
 #include <vector>
 
+#include "base/colored_runs.h"
 #include "base/lane_order.h"
 #include "base/place.h"
 #include "base/slot_map.h"
@@ -89,10 +90,6 @@ struct ContactMemory {
 inline constexpr int kNearBucket = 0;  // + PairGeometry: pairs without points
 inline constexpr int kFirstColored = kPairGeometries;
 inline constexpr int kColors = 32;
-/// Contacts of one domain of space (world/domains.h) share no moving body with those of another, whatever
-/// their colour. All others are of the interface between the domains: where there are none, all are.
-inline constexpr int kMostDomains = 8;
-inline constexpr int kInterface = 0;  // a domain; the proper ones are 1 up to kMostDomains
 inline constexpr int kBucketsOfDomain = kColors * kBlockKinds * kPairGeometries;
 inline constexpr int kBuckets = kFirstColored + (1 + kMostDomains) * kBucketsOfDomain;
 

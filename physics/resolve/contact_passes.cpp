@@ -19,7 +19,7 @@ void in_parts(std::span<const ContactRun> runs, TaskPool& tasks, const PartPass&
         const ContactRun& run = runs[static_cast<std::size_t>(i)];
         return ColoredRun{run.color, static_cast<int>(run.blocks.size()), run.domain};
     };
-    for_colored_runs<kBucketsOfDomain, kMostDomains>(
+    for_colored_runs<kBucketsOfDomain>(
         static_cast<int>(runs.size()), run_at, kBlocksPerChunk, tasks, [&](int i, int first, int count) {
             const ContactRun& run = runs[static_cast<std::size_t>(i)];
             const bool are_shared = tasks.threads() > 1 && run.domain == kInterface;

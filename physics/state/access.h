@@ -77,7 +77,7 @@ struct StateAccess {
     /// use(blocks, anchors, links, free blocks, chains).
     template <class Pool, class Use>
     static auto pool(Pool& pool, Use&& use) {
-        auto& [blocks, anchors, links, free, chains, is_arranged, order, ranges, used, used_count] = pool;
+        auto& [blocks, anchors, links, free, chains, is_arranged, order, ranges, used] = pool;
         return use(blocks, anchors, links, free, chains);
     }
 
@@ -86,8 +86,8 @@ struct StateAccess {
     static void disarrange(Pool& pool) {
         pool.is_arranged_ = false;
         pool.order_.clear();
-        pool.ranges_.fill(0);
-        pool.used_count_ = 0;
+        pool.ranges_.clear();
+        pool.used_.clear();
     }
 };
 

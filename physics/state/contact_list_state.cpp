@@ -112,7 +112,7 @@ class Placing {
     }
 
     void load_domains() {
-        Domains& domains = stores_.contacts.domains;
+        Domains& domains = stores_.domains;
         in_.value(domains.count);
         std::uint8_t by = 0;
         in_.value(by);
@@ -197,7 +197,7 @@ class Placing {
                 for (std::size_t i = 0; i < buckets && in_.ok(); ++i) {
                     std::uint32_t bucket = 0;
                     in_.value(bucket);
-                    const int most = stores_.contacts.domains.count;
+                    const int most = stores_.domains.count;
                     const bool fits = bucket < kBuckets && is_colored(static_cast<int>(bucket)) &&
                                       domain_of(static_cast<int>(bucket)) <= most &&
                                       (bucket >= chains.size() || chains[bucket].first == kNone);
@@ -261,8 +261,7 @@ class Placing {
         in_.require(fits, "a body is moved twice in one colour of contacts, or by none that moves it");
         const bool at_home =
             domain_of(bucket) == kInterface ||
-            domain_of(bucket) ==
-                domain_of(stores_.contacts, stores_.contacts.slots[pairs.contact[lane]], kind);
+            domain_of(bucket) == domain_of(stores_.domains, a, b, kind == BlockKind::TwoBodies);
         in_.require(at_home, "a contact is of a domain that its bodies are not of");
         const ContactRecord& record = stores_.contacts.slots[pairs.contact[lane]];
         stores_.contacts.lanes.set_material(first_lane + at, record.friction, faint_restitution(record));
@@ -288,8 +287,8 @@ class Placing {
     Lookup<ShapeStore> shapes_;
 };
 
-void save_domains(const ContactStore& contacts, Writer& out) {
-    const Domains& domains = contacts.domains;
+void save_domains(const Stores& stores, Writer& out) {
+    const Domains& domains = stores.domains;
     out.value(domains.count);
     out.value(static_cast<std::uint8_t>(domains.by));
     out.value(domains.cuts);
@@ -298,15 +297,16 @@ void save_domains(const ContactStore& contacts, Writer& out) {
     if (domains.count == 0) return;
     std::byte* at = out.room(domains.of_body.size());
     for (std::size_t body = 0; body < domains.of_body.size(); ++body)
-        at = put(at, contacts.colors[body] != 0 ? domains.of_body[body] : std::uint8_t{0});
+        at = put(at, is_settled(stores, static_cast<int>(body)) ? domains.of_body[body] : std::uint8_t{0});
     out.end(at);
 }
 
 }  // namespace
 
-void save_contact_lists(const ContactStore& contacts, Writer& out) {
+void save_contact_lists(const Stores& stores, Writer& out) {
     constexpr std::size_t kShapesBytes = 2 * sizeof(int);
-    save_domains(contacts, out);
+    const ContactStore& contacts = stores.contacts;
+    save_domains(stores, out);
     std::byte* at = out.room(sizeof(int) + contacts.loose.size() * (sizeof(int) + kShapesBytes));
     at = put(at, static_cast<std::uint32_t>(contacts.loose.size()));
     for (const int contact : contacts.loose) {

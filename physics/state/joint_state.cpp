@@ -5,6 +5,7 @@
 
 #include "state/sections.h"
 #include "state/slots.h"
+#include "world/domains.h"
 #include "world/joint_rules.h"
 #include "world/joints.h"
 
@@ -118,15 +119,19 @@ class Seating {
             anchors.clear();
             links.clear();
             free.clear();
-            chains.fill({});
+            chains.clear();
             const std::size_t buckets = in_.count(2 * sizeof(std::uint32_t));
             for (std::size_t i = 0; i < buckets && in_.ok(); ++i) {
                 std::uint32_t bucket = 0;
                 in_.value(bucket);
                 const std::size_t joints = in_.count(kKeptBytes<Block> / kLanes);
-                if (!in_.require(bucket < kJointBuckets && joints > 0,
+                if (!in_.require(bucket < kJointBuckets && joints > 0 &&
+                                     joint_domain(static_cast<int>(bucket)) <= stores_.domains.count,
                                  "a colour of joints is none, or empty"))
                     return;
+                const auto needed = static_cast<std::size_t>((joint_domain(static_cast<int>(bucket)) + 1) *
+                                                             kJointBucketsOfDomain);
+                if (chains.size() < needed) chains.resize(needed);
                 if (!in_.require(chains[bucket].first == kNone, "a colour of joints is there twice")) return;
                 const std::size_t first = blocks.size();
                 const std::size_t length = (joints + kLanes - 1) / kLanes;
@@ -178,6 +183,10 @@ class Seating {
                 names(stores_.joints.slots, joint) && is_free(joint, anchors, lane, bit, both);
             if (!in_.require(may_sit, "a joint is in a lane that cannot hold it")) return;
             JointRecord& record = stores_.joints.slots[joint];
+            const bool at_home =
+                joint_domain(bucket) == kInterface ||
+                joint_domain(bucket) == domain_of(stores_.domains, record.body_a, record.body_b, both);
+            if (!in_.require(at_home, "a joint is of a domain that its bodies are not of")) return;
             record.seat = {block * kLanes + i, bucket, drives};
             stores_.joints.colors[static_cast<std::size_t>(record.body_b)] |= bit;
             if (both) stores_.joints.colors[static_cast<std::size_t>(record.body_a)] |= bit;

@@ -33,7 +33,7 @@ void load_contacts(Reader& in, ContactStore& contacts);
 inline constexpr int kUnplaced = -2;
 
 // state/contact_list_state.cpp: where contacts are.
-void save_contact_lists(const ContactStore& contacts, Writer& out);
+void save_contact_lists(const Stores& stores, Writer& out);
 void load_contact_lists(Reader& in, Stores& stores);
 
 // state/joint_state.cpp: the same of joints.

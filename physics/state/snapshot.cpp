@@ -23,14 +23,14 @@ void save(const WorldState& world, Writer& out) {
     out.value(def);
     out.value(step_count);
     out.value(previous_h_s);
-    const auto& [bodies, prototypes, shapes, fat_boxes, chains, contacts, joints, broad, boxes_moved, masses,
-                 rules, sensors, breakables] = stores;
+    const auto& [bodies, prototypes, shapes, fat_boxes, chains, contacts, joints, domains, broad, boxes_moved,
+                 masses, rules, sensors, breakables] = stores;
     save_bodies(stores, out);
     save_shapes(stores, out);
     save_contacts(contacts, out);
     save_joints(joints, out);
     save_links(stores, out);
-    save_contact_lists(contacts, out);
+    save_contact_lists(stores, out);
     save_joint_lists(joints, out);
     save_broad(stores, out);
     save_events(events, out);

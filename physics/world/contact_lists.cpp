@@ -89,9 +89,11 @@ int choose_bucket(Stores& stores, const ContactRecord& c) {
     if (kind == BlockKind::TwoBodies) used |= stores.contacts.colors[c.body_a];
     const int color = std::countr_one(used);
     if (color >= kColors) return kLooseBucket;
-    settle_in_domain(stores, stores.contacts, c.body_b);
-    if (kind == BlockKind::TwoBodies) settle_in_domain(stores, stores.contacts, c.body_a);
-    return colored_bucket(color, kind, geometry_of(stores, c), domain_of(stores.contacts, c, kind));
+    const bool both = kind == BlockKind::TwoBodies;
+    settle_in_domain(stores, c.body_b);
+    if (both) settle_in_domain(stores, c.body_a);
+    return colored_bucket(color, kind, geometry_of(stores, c),
+                          domain_of(stores.domains, c.body_a, c.body_b, both));
 }
 
 void add_loose(ContactStore& contacts, int contact) {

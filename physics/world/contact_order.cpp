@@ -3,32 +3,18 @@
 // passes 30 %; of the washer (20,800) 6 % and 20 %. With one thread steps take from 6 % less to 2 % more.
 #include "world/contact_order.h"
 
-#include "world/domains.h"
-
 namespace cairn::physics {
-namespace {
-
-// Steps from one division to the next: contacts of a heap that is stirred nearly all go to other lanes.
-constexpr std::uint64_t kDivideInterval = 2 * kOrderInterval;
-
-// Fewer blocks are no work for several threads.
-constexpr std::size_t kLeastBlocks = 128;
-
-}  // namespace
 
 void order_contacts(Stores& stores, std::uint64_t step_count, StepScratch& scratch) {
+    // Fewer blocks are no work for several threads.
+    constexpr std::size_t kLeastBlocks = 128;
     ContactStore& contacts = stores.contacts;
-    const bool is_divided = contacts.domains.count > 0;
-    if (static_cast<std::size_t>(contacts.lanes.pool_size()) < kLeastBlocks && !is_divided) return;
+    if (static_cast<std::size_t>(contacts.lanes.pool_size()) < kLeastBlocks) return;
     // Not only when it is needed: a step that has warmed up allocates nothing.
     contacts.lanes.make_room(scratch.lane_order);
-    if (!scratch.domains) scratch.domains = std::make_unique<DomainScratch>();
     if (step_count % kOrderInterval != 0) return;
     contacts.lanes.arrange();
-    const bool is_small = contacts.lanes.blocks().size() < kLeastBlocks;
-    if (is_small && !is_divided) return;
-    if (step_count % kDivideInterval == 0 || is_small) divide_into_domains(stores, *scratch.domains);
-    if (is_small) return;
+    if (contacts.lanes.blocks().size() < kLeastBlocks) return;
     contacts.lanes.sort(stores.bodies.places, scratch.lane_order,
                         [&](int contact, int lane) { contacts.slots[contact].lane = lane; });
 }

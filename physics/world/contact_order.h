@@ -11,11 +11,10 @@ namespace cairn::physics {
 /// that, for a gain of two more in a hundred.
 inline constexpr std::uint64_t kOrderInterval = 32;
 
-/// Stage, before rows are looked at: now and then contacts are divided among domains, and those of each
-/// colour of a domain are put in the order of the rows of their bodies. Threads share the colours of the
-/// interface by their blocks, each taking the same part of all: sorted like this, most bodies are met by one
-/// thread alone, and their velocities stay in its cache. The order is part of the state, so it is kept up
-/// whatever the number of threads.
+/// Stage: now and then contacts of each colour of a domain are put in the order of the rows of their bodies.
+/// Threads share the colours of the interface by their blocks, each taking the same part of all: sorted like
+/// this, most bodies are met by one thread alone, and their velocities stay in its cache. The order is part
+/// of the state, so it is kept up whatever the number of threads.
 void order_contacts(Stores& stores, std::uint64_t step_count, StepScratch& scratch);
 
 }  // namespace cairn::physics

@@ -57,18 +57,6 @@ constexpr float faint_restitution(const ContactRecord& c) {
     return gives_back_little(c.restitution) && !c.reports_hit ? c.restitution : 0;
 }
 
-/// By what bodies are told apart: strips of space, or the order in which they were made.
-enum class DividedBy : std::uint8_t { Slots, X, Y };
-
-/// Each holds about as many bodies. Which one a body is in is settled when it gets its first contact in a
-/// colour, and again now and then (world/domains.h), so that a body may have left it.
-struct Domains {
-    int count = 0;  // 0: none, all contacts are of the interface
-    DividedBy by = DividedBy::Slots;
-    std::array<double, kMostDomains - 1> cuts{};  // between them, ascending; slots or m
-    std::vector<std::uint8_t> of_body;            // by slot, from 1 on; of bodies that are moved in a colour
-};
-
 struct ContactStore {
     explicit ContactStore(std::uint16_t world_tag) : slots(world_tag) {}
 
@@ -78,7 +66,6 @@ struct ContactStore {
     std::vector<int> put_in;  // those of which the bodies were put into each other, and some that went
     int tiny = 0;             // how many of them are (world/tiny_contacts.h)
     ActiveList<&ContactRecord::uneven_index> uneven;  // of those that are listed: world/direct_groups.h
-    Domains domains;
     std::vector<std::uint32_t> colors;  // by body slot: bits of those in which the body is moved
 };
 

@@ -43,8 +43,8 @@ void bounce_in_lanes(ContactStore& contacts, StepScratch& scratch, const StepTim
             run.first + static_cast<std::size_t>(first), static_cast<std::size_t>(size));
         give_back_blocks(part, kind_of(run.bucket), motions.velocity.data(), motions.kick.data(), rebound);
     };
-    for_colored_runs<kBucketsOfDomain, kMostDomains>(static_cast<int>(runs.size()), run_at, kBlocksPerChunk,
-                                                     tasks, give_back);
+    for_colored_runs<kBucketsOfDomain>(static_cast<int>(runs.size()), run_at, kBlocksPerChunk, tasks,
+                                       give_back);
 }
 
 }  // namespace cairn::physics

@@ -6,6 +6,7 @@
 
 #include "resolve/joints/laws.h"
 #include "world/contact_order.h"
+#include "world/domains.h"
 #include "world/joint_frames.h"
 #include "world/joint_rules.h"
 #include "world/joints.h"
@@ -86,10 +87,13 @@ bool try_to_seat(Stores& stores, int joint, float h_s) {
     if (both) used |= joints.colors[static_cast<std::size_t>(record.body_a)];
     const int color = std::countr_one(used);
     if (color >= kJointColors) return false;
+    settle_in_domain(stores, record.body_b);
+    if (both) settle_in_domain(stores, record.body_a);
+    const int bucket = joint_bucket(color, both ? JointBlockKind::TwoBodies : JointBlockKind::Anchored,
+                                    domain_of(stores.domains, record.body_a, record.body_b, both));
     joints.colors[static_cast<std::size_t>(record.body_b)] |= 1u << color;
     if (both) joints.colors[static_cast<std::size_t>(record.body_a)] |= 1u << color;
 
-    const int bucket = joint_bucket(color, both ? JointBlockKind::TwoBodies : JointBlockKind::Anchored);
     const auto& def = std::get<RevoluteJointDef>(record.def);
     const AnchorLane anchor = make_anchor(stores, joint);
     record.seat = is_plain_pin(def) ? joints.lanes.add_pin(bucket, anchor)
@@ -191,6 +195,14 @@ void order_joints(Stores& stores, std::uint64_t step_count, StepScratch& scratch
     if (step_count % kOrderInterval != 0) return;
     joints.lanes.sort(stores.bodies.places, scratch.lane_order,
                       [&](int joint, int lane) { joints.slots[joint].seat.lane = lane; });
+}
+
+void move_to_domain(JointStore& joints, int joint, int domain) {
+    JointSeat& seat = joints.slots[joint].seat;
+    const int lane = seat.lane;
+    const int filler = joints.lanes.move(
+        seat, joint_bucket(joint_color(seat.bucket), joint_block_kind(seat.bucket), domain));
+    if (filler != kNone) joints.slots[filler].seat.lane = lane;
 }
 
 JointMemory memory_of(const JointStore& joints, int joint) {

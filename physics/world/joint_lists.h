@@ -26,6 +26,9 @@ void seat_joints(Stores& stores, const StepTime& time, StepScratch& scratch);
 /// (world/contact_order.h), so that threads meet in few of them.
 void order_joints(Stores& stores, std::uint64_t step_count, StepScratch& scratch);
 
+/// A joint in a lane goes to one of another domain.
+void move_to_domain(JointStore& joints, int joint, int domain);
+
 /// Two points held together as firmly as by default, and nothing else.
 bool is_plain_pin(const RevoluteJointDef& def);
 

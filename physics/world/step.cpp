@@ -16,6 +16,7 @@
 #include "world/contacts.h"
 #include "world/direct_groups.h"
 #include "world/direct_solve.h"
+#include "world/domains.h"
 #include "world/faint_bounces.h"
 #include "world/fast_bodies.h"
 #include "world/fast_guard.h"
@@ -47,6 +48,7 @@ void step_world(WorldState& world, float dt_s) {
     clock.enter(Stage::Pairs);
     start_events(world.events);
     settle_reshaped(stores);
+    divide_into_domains(stores, world.step_count, scratch);
     order_contacts(stores, world.step_count, scratch);
     cover_fast_ways(stores, def.gravity_m_s2, dt_s, scratch, tasks);
     find_new_pairs(stores, scratch, tasks);

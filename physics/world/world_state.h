@@ -35,6 +35,7 @@
 #include "world/chain_store.h"
 #include "world/contact_store.h"
 #include "world/direct_structures.h"
+#include "world/domain_store.h"
 #include "world/joint_store.h"
 #include "world/material_mixing.h"
 #include "world/resting.h"
@@ -73,6 +74,7 @@ struct Stores {
     ChainStore chains;
     ContactStore contacts;
     JointStore joints;
+    Domains domains;  // of the lanes of both
     BroadPhase broad;
     std::vector<int> boxes_moved;  // bodies of which a box was made anew since contacts were updated last
     MassLedger masses;
@@ -318,7 +320,7 @@ struct BouncingRun {
 
 /// What dividing the contacts works on (world/domains.h).
 struct DomainScratch {
-    std::vector<int> items;      // in turn bodies, rows and contacts: one memory for all three lists
+    std::vector<int> items;      // in turn bodies, rows, contacts and joints: one memory for all four lists
     std::vector<int> first_row;  // of motions, by domain from 1 on, as of the last division
 };
 

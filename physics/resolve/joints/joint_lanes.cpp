@@ -77,6 +77,8 @@ const PinBlock& pin_of(const PinBlock& block) {
 
 template <class Block>
 int JointPool<Block>::add(int bucket, const AnchorLane& lane) {
+    if (bucket >= bucket_end())
+        chains_.resize(static_cast<std::size_t>((joint_domain(bucket) + 1) * kJointBucketsOfDomain));
     int block = chains_[static_cast<std::size_t>(bucket)].last;
     if (block == kNone || links_[static_cast<std::size_t>(block)].used == kLanes) block = open_block(bucket);
     const auto i = static_cast<std::size_t>(block);
@@ -104,6 +106,13 @@ int JointPool<Block>::remove(int bucket, int lane) {
         is_arranged_ = false;
     }
     return is_last ? kNone : moved.joint;
+}
+
+template <class Block>
+typename JointPool<Block>::Moved JointPool<Block>::move(int bucket, int lane, int to_bucket) {
+    const int to = add(to_bucket, read_anchor(anchors_[block_of(lane)], place_in(lane)));
+    copy_lane(blocks_[block_of(to)], place_in(to), blocks_[block_of(lane)], place_in(lane));
+    return {to, remove(bucket, lane)};
 }
 
 template <class Block>
@@ -172,31 +181,42 @@ void JointPool<Block>::arrange() {
     if (is_arranged_) return;
     is_arranged_ = true;
     order_.clear();
-    used_count_ = 0;
-    for (std::size_t bucket = 0; bucket < kJointBuckets; ++bucket) {
-        ranges_[bucket] = order_.size();
-        if (chains_[bucket].first != kNone) used_[used_count_++] = static_cast<int>(bucket);
-        for (int block = chains_[bucket].first; block != kNone;
-             block = links_[static_cast<std::size_t>(block)].next) {
+    used_.clear();
+    used_.reserve(chains_.size());
+    ranges_.assign(chains_.size(), {});
+    const int domains = bucket_end() / kJointBucketsOfDomain;
+    for (int domain = 1; domain < domains; ++domain) arrange_domain(domain);
+    if (domains > 0) arrange_domain(kInterface);
+}
+
+template <class Block>
+void JointPool<Block>::arrange_domain(int domain) {
+    const int first = joint_bucket(0, JointBlockKind{}, domain);
+    for (int bucket = first; bucket < first + kJointBucketsOfDomain; ++bucket) {
+        const auto i = static_cast<std::size_t>(bucket);
+        if (chains_[i].first == kNone) continue;
+        used_.push_back(bucket);
+        ranges_[i].first = static_cast<std::uint32_t>(order_.size());
+        for (int block = chains_[i].first; block != kNone;
+             block = links_[static_cast<std::size_t>(block)].next)
             order_.push_back(block);
-        }
+        ranges_[i].count = static_cast<std::uint32_t>(order_.size()) - ranges_[i].first;
     }
-    ranges_[kJointBuckets] = order_.size();
 }
 
 template <class Block>
 template <class BlockPass>
 void JointPool<Block>::for_each_bucket(TaskPool& tasks, const BlockPass& pass) const {
-    if (used_count_ == 0) return;
+    if (used_.empty()) return;
     const auto run_at = [&](int i) {
         const int bucket = used_[static_cast<std::size_t>(i)];
-        return ColoredRun{joint_color(bucket), static_cast<int>(blocks(bucket).size())};
+        return ColoredRun{joint_color(bucket), static_cast<int>(blocks(bucket).size()), joint_domain(bucket)};
     };
-    for_colored_runs<kJointBuckets>(static_cast<int>(used_count_), run_at, kBlocksPerChunk, tasks,
-                                    [&](int i, int first, int count) {
-                                        const int bucket = used_[static_cast<std::size_t>(i)];
-                                        pass(blocks(bucket).subspan(first, count), joint_block_kind(bucket));
-                                    });
+    for_colored_runs<kJointBucketsOfDomain>(
+        static_cast<int>(used_.size()), run_at, kBlocksPerChunk, tasks, [&](int i, int first, int count) {
+            const int bucket = used_[static_cast<std::size_t>(i)];
+            pass(blocks(bucket).subspan(first, count), joint_block_kind(bucket));
+        });
 }
 
 template class JointPool<PinBlock>;
@@ -235,6 +255,17 @@ int JointLanes::remove(const JointSeat& seat) {
     if (!seat.drives) return pins_.remove(seat.bucket, seat.lane);
     springs_changed_ = true;
     return drives_.remove(seat.bucket, seat.lane);
+}
+
+int JointLanes::move(JointSeat& seat, int to_bucket) {
+    const auto move_in = [&](auto& pool) {
+        const auto [lane, filler] = pool.move(seat.bucket, seat.lane, to_bucket);
+        seat.lane = lane;
+        return filler;
+    };
+    const int filler = seat.drives ? move_in(drives_) : move_in(pins_);
+    seat.bucket = static_cast<std::int16_t>(to_bucket);
+    return filler;
 }
 
 JointMemory JointLanes::memory(const JointSeat& seat) const {

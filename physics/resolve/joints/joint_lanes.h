@@ -11,6 +11,7 @@
 #include <span>
 #include <vector>
 
+#include "base/colored_runs.h"
 #include "base/lane_order.h"
 #include "base/motion.h"
 #include "base/place.h"
@@ -25,13 +26,17 @@
 namespace cairn::physics {
 
 inline constexpr int kJointColors = 32;
-inline constexpr int kJointBuckets = kJointColors * kJointBlockKinds;
+inline constexpr int kJointBucketsOfDomain = kJointColors * kJointBlockKinds;
+inline constexpr int kJointBuckets = (1 + kMostDomains) * kJointBucketsOfDomain;
 
-constexpr int joint_bucket(int color, JointBlockKind kind) {
-    return color * kJointBlockKinds + static_cast<int>(kind);
+constexpr int joint_bucket(int color, JointBlockKind kind, int domain = kInterface) {
+    return domain * kJointBucketsOfDomain + color * kJointBlockKinds + static_cast<int>(kind);
 }
 constexpr int joint_color(int bucket) {
-    return bucket / kJointBlockKinds;
+    return bucket / kJointBlockKinds % kJointColors;
+}
+constexpr int joint_domain(int bucket) {
+    return bucket / kJointBucketsOfDomain;
 }
 constexpr JointBlockKind joint_block_kind(int bucket) {
     return static_cast<JointBlockKind>(bucket % kJointBlockKinds);
@@ -85,6 +90,12 @@ class JointPool {
     int add(int bucket, const AnchorLane& lane);
     /// The result is the joint that took the freed lane, or kNone.
     int remove(int bucket, int lane);
+    /// What a lane holds goes to another bucket.
+    struct Moved {
+        int lane;
+        int filler;  // the joint that took the freed lane, or kNone
+    };
+    Moved move(int bucket, int lane, int to_bucket);
 
     [[nodiscard]] Block& block(int block) { return blocks_[static_cast<std::size_t>(block)]; }
     [[nodiscard]] const Block& block(int block) const { return blocks_[static_cast<std::size_t>(block)]; }
@@ -99,17 +110,19 @@ class JointPool {
     /// Of blocks, in use and free.
     [[nodiscard]] std::size_t size() const { return blocks_.size(); }
 
-    /// Lists the blocks of all buckets. Adding and removing ends that.
+    /// Lists the blocks of all buckets, those of the domains first and then the interface. Adding and
+    /// removing ends that.
     void arrange();
     /// As of the last `arrange`: the buckets that hold joints, and the blocks, bucket by bucket.
-    [[nodiscard]] std::span<const int> buckets() const { return {used_.data(), used_count_}; }
+    [[nodiscard]] std::span<const int> buckets() const { return used_; }
     [[nodiscard]] std::span<const int> blocks() const { return order_; }
     [[nodiscard]] std::span<const int> blocks(int bucket) const {
-        const auto i = static_cast<std::size_t>(bucket);
-        return std::span(order_).subspan(ranges_[i], ranges_[i + 1] - ranges_[i]);
+        const Range& range = ranges_[static_cast<std::size_t>(bucket)];
+        return std::span(order_).subspan(range.first, range.count);
     }
 
-    /// Runs pass(blocks, kind) for all buckets, one after the other, each cut into parts for threads.
+    /// Runs pass(blocks, kind) for all buckets: those of a domain on one thread, domains at once; then those
+    /// of the interface, one after the other, each cut into parts for threads.
     template <class BlockPass>
     void for_each_bucket(TaskPool& tasks, const BlockPass& pass) const;
 
@@ -128,7 +141,15 @@ class JointPool {
         int first = kNone;
         int last = kNone;
     };
+    // Among the blocks in their order.
+    struct Range {
+        std::uint32_t first = 0;
+        std::uint32_t count = 0;
+    };
 
+    // Buckets from here on hold nothing, and have never yet.
+    [[nodiscard]] int bucket_end() const { return static_cast<int>(chains_.size()); }
+    void arrange_domain(int domain);
     int open_block(int bucket);
     bool find_order(int bucket, std::span<const Place> places, LaneOrder& order) const;
     void take_order(LaneOrder& order);
@@ -137,18 +158,17 @@ class JointPool {
     std::vector<AnchorBlock> anchors_;  // beside the blocks
     std::vector<Link> links_;           // beside the blocks
     std::vector<int> free_;
-    std::array<Chain, kJointBuckets> chains_;
+    std::vector<Chain> chains_;  // by bucket, of as many domains as there have been
     bool is_arranged_ = true;
-    std::vector<int> order_;
-    std::array<std::size_t, kJointBuckets + 1> ranges_{};
-    std::array<int, kJointBuckets> used_{};
-    std::size_t used_count_ = 0;
+    std::vector<int> order_;     // of blocks, bucket by bucket
+    std::vector<Range> ranges_;  // beside the chains
+    std::vector<int> used_;      // buckets
 };
 
 template <class Block>
 template <class Tell>
 void JointPool<Block>::sort(std::span<const Place> places, LaneOrder& order, const Tell& tell) {
-    for (int bucket = 0; bucket < kJointBuckets; ++bucket) {
+    for (int bucket = 0; bucket < bucket_end(); ++bucket) {
         if (!find_order(bucket, places, order)) continue;
         take_order(order);
         order.for_each_changed([&](LaneAt at) {
@@ -165,6 +185,8 @@ class JointLanes {
     void set_drive(int lane, const DriveLane& drive);
     /// The result is the joint that took the freed lane, or kNone.
     int remove(const JointSeat& seat);
+    /// The joint of the seat goes to another bucket, and the seat with it. The result is as of `remove`.
+    int move(JointSeat& seat, int to_bucket);
 
     /// Impulses and reaction. The angle is without those of the frames.
     [[nodiscard]] JointMemory memory(const JointSeat& seat) const;
@@ -187,6 +209,9 @@ class JointLanes {
     /// Calls visit(anchors, pins, kind) for each block, and asks for the rows of pins ahead.
     template <class Visit>
     void for_each_block(Visit&& visit) const;
+    /// Calls visit(bucket, anchors, lane) for each joint.
+    template <class Visit>
+    void for_each_joint(Visit&& visit) const;
     /// Calls visit(joint) for each joint that can break.
     template <class Visit>
     void for_each_breakable(Visit&& visit) const;
@@ -240,6 +265,22 @@ void JointLanes::for_each_drive(Visit&& visit) const {
             if (joint != kNone) visit(joint, block * kLanes + lane);
         }
     }
+}
+
+template <class Visit>
+void JointLanes::for_each_joint(Visit&& visit) const {
+    const auto visit_all = [&](const auto& pool) {
+        for (const int bucket : pool.buckets()) {
+            for (const int block : pool.blocks(bucket)) {
+                const AnchorBlock& anchors = pool.anchors(block);
+                for (std::size_t lane = 0; lane < kLanes; ++lane) {
+                    if (anchors.joint[lane] != kNone) visit(bucket, anchors, lane);
+                }
+            }
+        }
+    };
+    visit_all(pins_);
+    visit_all(drives_);
 }
 
 template <class Visit>

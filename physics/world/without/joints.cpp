@@ -48,6 +48,7 @@ JointErrors measure_joints(const Stores&) {
 // Stages and passes.
 
 void seat_joints(Stores&, const StepTime&, StepScratch&) {}
+void move_to_domain(JointStore&, int, int) {}
 void order_joints(Stores&, std::uint64_t, StepScratch&) {}
 void prepare_joints(Stores&, const StepTime&, StepScratch&, TaskPool&) {}
 void store_joint_impulses(JointStore&, const StepTime&, const StepScratch&) {}

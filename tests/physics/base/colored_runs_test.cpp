@@ -63,7 +63,7 @@ TEST_CASE(
             std::atomic<int> wrong{0};
             const auto run_at = [&](int run) { return runs[static_cast<std::size_t>(run)]; };
             const int all = static_cast<int>(runs.size());
-            for_colored_runs<8, 8>(all, run_at, 8, tasks, [&](int run, int first, int count) {
+            for_colored_runs<8>(all, run_at, 8, tasks, [&](int run, int first, int count) {
                 const auto own = static_cast<std::size_t>(run);
                 const bool is_shared = own >= in_domains;
                 if (!is_shared && (first != 0 || count != runs[own].count)) ++wrong;

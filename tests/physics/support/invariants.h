@@ -196,7 +196,7 @@ inline void check_colors(const Stores& stores) {
         colors[body] |= 1u << color;
     };
     const ContactLanes& lanes = stores.contacts.lanes;
-    const Domains& domains = stores.contacts.domains;
+    const Domains& domains = stores.domains;
     for (int bucket = kFirstColored; bucket < kBuckets; ++bucket) {
         for (int block = lanes.first_block(bucket); block != kNone; block = lanes.link(block).next) {
             const PairBlock& pairs = lanes.pairs(block);
@@ -250,8 +250,10 @@ inline void check_nothing_missed(const Stores& stores) {
     }
 }
 
-/// An active joint is swept or has a lane of its own, in a colour that both its bodies know of.
-inline void check_seats(const JointStore& joints) {
+/// An active joint is swept or has a lane of its own, in a colour that both its bodies know of, and in a
+/// domain that those of them which it moves are of.
+inline void check_seats(const Stores& stores) {
+    const JointStore& joints = stores.joints;
     std::set<std::pair<bool, int>> lanes;
     for (int joint = 0; joint < joints.slots.end_index(); ++joint) {
         if (!joints.slots.alive(joint)) continue;
@@ -264,6 +266,13 @@ inline void check_seats(const JointStore& joints) {
         REQUIRE(lanes.insert({j.seat.drives, j.seat.lane}).second);
         const std::uint32_t bit = 1u << joint_color(j.seat.bucket);
         REQUIRE((joints.colors[static_cast<std::size_t>(j.body_b)] & bit) != 0);
+        const bool both = joint_block_kind(j.seat.bucket) == JointBlockKind::TwoBodies;
+        if (both) REQUIRE((joints.colors[static_cast<std::size_t>(j.body_a)] & bit) != 0);
+        const int domain = joint_domain(j.seat.bucket);
+        if (domain == kInterface) continue;
+        REQUIRE(domain <= stores.domains.count);
+        REQUIRE(stores.domains.of_body.at(static_cast<std::size_t>(j.body_b)) == domain);
+        if (both) REQUIRE(stores.domains.of_body.at(static_cast<std::size_t>(j.body_a)) == domain);
     }
 }
 
@@ -289,7 +298,7 @@ inline void check_breakables(const Stores& stores) {
 
 inline void check_world(const WorldState& world) {
     check_rows(world.stores);
-    check_seats(world.stores.joints);
+    check_seats(world.stores);
     check_shapes(world.stores);
     const Stores& stores = world.stores;
     check_links(

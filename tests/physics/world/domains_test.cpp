@@ -8,6 +8,8 @@
 #include "physics/support/making.h"
 #include "physics/support/random.h"
 #include "world/bodies.h"
+#include "world/joint_lists.h"
+#include "world/joints.h"
 #include "world/sleep.h"
 #include "world/step.h"
 
@@ -67,8 +69,8 @@ void check_heap(int stride, DividedBy expected) {
         step_world(world, kStep_s);
         if (step == 66 || step == 130) {
             const Divided found = count_contacts(world.stores.contacts.lanes);
-            CHECK(world.stores.contacts.domains.count == 2);
-            if (step == 66) CHECK(world.stores.contacts.domains.by == expected);
+            CHECK(world.stores.domains.count == 2);
+            if (step == 66) CHECK(world.stores.domains.by == expected);
             CHECK(found.in_domains > 2000);
             CHECK(found.between < found.in_domains / 8);
         }
@@ -85,7 +87,7 @@ void check_heap(int stride, DividedBy expected) {
     // When most has gone, nothing is divided any more.
     for (std::size_t i = 300; i < boxes.size(); ++i) destroy_body(world, boxes[i]);
     for (int step = 0; step < 65; ++step) step_world(world, kStep_s);
-    CHECK(world.stores.contacts.domains.count == 0);
+    CHECK(world.stores.domains.count == 0);
     CHECK(count_contacts(world.stores.contacts.lanes).in_domains == 0);
     check_world(world);
 }
@@ -135,6 +137,86 @@ TEST_CASE("what is pushed together across domains has the momentum of the pushes
         // Of pushes that come to thousands of N s, were they all one way.
         CHECK(momentum_x() == Approx(expected).margin(1e-3));
         return world.state_hash();
+    };
+    const std::uint64_t alone = run(1);
+    for (const int threads : {2, 5}) {
+        INFO(threads << " threads");
+        CHECK(run(threads) == alone);
+    }
+}
+
+// A net of bodies that are pinned to their neighbours; pins are torn out and others put in, and the net falls
+// asleep and wakes.
+TEST_CASE(
+    "pins of a net are divided, and pull their bodies without adding momentum, on any number of threads") {
+    constexpr int kColumns = 64;
+    constexpr int kBodies = kColumns * 32;
+    const auto run = [](int threads) {
+        Random random(17);
+        WorldState world(WorldDef{.gravity_m_s2 = {}, .threads = threads}, 1);
+        Stores& stores = world.stores;
+        for (int i = 0; i < kBodies; ++i) {
+            const Vec2 at{static_cast<float>(i % kColumns), static_cast<float>(i / kColumns)};
+            add_box(stores,
+                    {.position_m = Position{} + at,
+                     .linear_velocity_m_s = random.vector(-1, 1),
+                     .linear_damping_1_s = 0},
+                    {0.1f, 0.1f});
+        }
+        std::vector<int> pins;
+        const auto pin = [&](int a, int b) {
+            const Vec2 half{0.5f * static_cast<float>(b % kColumns - a % kColumns),
+                            0.5f * static_cast<float>(b / kColumns - a / kColumns)};
+            pins.push_back(create_joint(world, RevoluteJointDef{.body_a = stores.bodies.slots.id(a),
+                                                                .body_b = stores.bodies.slots.id(b),
+                                                                .local_anchor_a_m = half,
+                                                                .local_anchor_b_m = -half,
+                                                                .enable_motor = random.chance(0.2),
+                                                                .max_motor_torque_nm = 1}));
+        };
+        for (int i = 0; i < kBodies; ++i) {
+            if (i % kColumns + 1 < kColumns) pin(i, i + 1);
+            if (i + kColumns < kBodies) pin(i, i + kColumns);
+        }
+        const auto momentum = [&] {
+            double x = 0;
+            double y = 0;
+            for (int body = 0; body < kBodies; ++body) {
+                const BodyRecord& record = stores.bodies.slots[body];
+                const Vec2 v = stores.bodies.rows(record.set).velocity[static_cast<std::size_t>(record.row)];
+                x += static_cast<double>(record.mass.mass_kg) * static_cast<double>(v.x);
+                y += static_cast<double>(record.mass.mass_kg) * static_cast<double>(v.y);
+            }
+            return std::pair(x, y);
+        };
+        const auto [x, y] = momentum();
+        for (int step = 1; step <= 140; ++step) {
+            step_world(world, kStep_s);
+            const auto at = static_cast<std::size_t>(random.below(static_cast<int>(pins.size())));
+            const JointRecord& record = stores.joints.slots[pins[at]];
+            const int a = record.body_a;
+            const int b = record.body_b;
+            destroy_joint(stores, pins[at]);
+            pins[at] = pins.back();
+            pins.pop_back();
+            pin(a, b);
+            if (step % 32 == 1) check_world(world);
+        }
+        int between = 0;
+        for (const int joint : pins)
+            between += joint_domain(stores.joints.slots[joint].seat.bucket) == kInterface ? 1 : 0;
+        CHECK(stores.domains.count == 2);
+        CHECK(between > 0);
+        CHECK(between < static_cast<int>(pins.size()) / 8);
+        // Of 2,048 bodies that pull each other with impulses of some .01 kg m/s in each substep.
+        CHECK(momentum().first == Approx(x).margin(1e-4));
+        CHECK(momentum().second == Approx(y).margin(1e-4));
+        put_island_to_sleep(stores, world.scratch, 0);
+        step_world(world, kStep_s);
+        wake_body(stores, 0);
+        step_world(world, kStep_s);
+        check_world(world);
+        return hash_state(world);
     };
     const std::uint64_t alone = run(1);
     for (const int threads : {2, 5}) {

@@ -279,7 +279,7 @@ TEST_CASE("a lane that another takes keeps its impulses, and the rest stay dense
     CHECK(kept == 17);
 }
 
-TEST_CASE("joints keep what is theirs when lanes are put in order, and stand in the order of their rows") {
+TEST_CASE("joints keep what is theirs when they change domains and lanes are put in order of their rows") {
     constexpr int kBodies = 200;
     Random random(11);
     JointLanes lanes;
@@ -308,6 +308,16 @@ TEST_CASE("joints keep what is theirs when lanes are put in order, and stand in 
         const int gone = std::next(seats.begin(), random.below(static_cast<int>(seats.size())))->first;
         const JointSeat seat = seats.extract(gone).mapped();
         if (const int moved = lanes.remove(seat); moved != kNone) seats[moved].lane = seat.lane;
+    }
+    for (auto& [joint, seat] : seats) {
+        if (random.chance(0.5)) continue;
+        const int lane = seat.lane;
+        const int to = joint_bucket(joint_color(seat.bucket), joint_block_kind(seat.bucket),
+                                    1 + random.below(kMostDomains));
+        const int moved = lanes.move(seat, to);
+        if (moved != kNone) seats[moved].lane = lane;
+        CHECK(seat.bucket == to);
+        CHECK(joint_domain(to) != kInterface);
     }
     std::vector<Place> places(kBodies);
     for (Place& place : places) place.row = random.below(kBodies);
