@@ -1,8 +1,8 @@
 // Contacts and joints of large heaps divided by where they are, so that a thread solves all of its own
-// without waiting for others (docs/adr/027-domains.md). Invariant: both movable bodies of a contact or joint
-// in the lanes of a domain are of that domain, so domains share no body that is moved. All other contacts and
-// joints are of the interface, and are solved after those of the domains. Domains are part of the state:
-// passes go by them on any number of threads.
+// without waiting for others (docs/adr/027-domains.md).
+// Invariant: both movable bodies of a contact or joint in the lanes of a domain are of that domain, so
+// domains share no body that is moved. All other contacts and joints are of the interface, and are solved
+// after those of the domains. Domains are part of the state: passes go by them on any number of threads.
 #pragma once
 
 #include "world/world_state.h"

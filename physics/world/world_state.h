@@ -318,7 +318,7 @@ struct BouncingRun {
     std::size_t count;
 };
 
-/// What dividing the contacts works on (world/domains.h).
+/// What dividing heaps works on (world/domains.h).
 struct DomainScratch {
     std::vector<int> items;      // in turn bodies, rows, contacts and joints: one memory for all four lists
     std::vector<int> first_row;  // of motions, by domain from 1 on, as of the last division

@@ -1,8 +1,8 @@
-// Where revolute joints live while they act: in SIMD lanes, eight to a block, blocks in buckets by colour. A
-// joint keeps its lane from step to step; plain pins, which are many, stand apart from those with drives,
-// which take three times the memory. Invariant: lanes of a bucket are dense: all its blocks but the last are
-// full. Within a colour no body that can be moved stands in two lanes, so lanes and blocks of a colour may be
-// solved in any order with the same result.
+// Where revolute joints live while they act: in SIMD lanes, eight to a block, blocks in buckets by domain
+// (world/domains.h) and colour. A joint keeps its lane from step to step; plain pins, which are many, stand
+// apart from those with drives, which take three times the memory. Invariant: lanes of a bucket are dense:
+// all its blocks but the last are full. Within a colour no body that can be moved stands in two lanes, so
+// lanes and blocks of a colour may be solved in any order with the same result.
 #pragma once
 
 #include <algorithm>
