@@ -18,7 +18,7 @@ void wake_neighbours(Stores& stores, int body);
 void put_to_sleep(Stores& stores, std::span<const int> bodies);
 
 /// The step's stage: islands whose bodies have all been at rest long enough fall asleep.
-void sleep_islands(Stores& stores, StepScratch& scratch);
+void sleep_islands(Stores& stores, std::uint64_t step_count, StepScratch& scratch);
 
 /// At once, whatever the bodies do: the awake body and its island.
 void put_island_to_sleep(Stores& stores, StepScratch& scratch, int body);

@@ -121,7 +121,7 @@ void step_world(WorldState& world, float dt_s) {
     clock.enter(Stage::Sensors);
     update_sensors(stores, scratch.fast, world.events);
     clock.enter(Stage::Sleep);
-    sleep_islands(stores, scratch);
+    sleep_islands(stores, world.step_count, scratch);
     break_overloaded(world);
     world.previous_h_s = time.h_s;
     ++world.step_count;

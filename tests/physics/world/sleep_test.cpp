@@ -45,6 +45,34 @@ TEST_CASE("a body at rest falls asleep after half a second, not before") {
     CHECK_FALSE(world.body(ball)->is_awake());
 }
 
+TEST_CASE("in a world of many awake bodies they fall asleep in every fourth step") {
+    // As many balls as `many`, of which one more comes to rest in each of four steps.
+    const auto steps_of_falling_asleep = [](int many) {
+        World world({.gravity_m_s2 = {}});
+        for (int i = 0; i < many; ++i)
+            add(world, {.position_m = {3.0 * i, 10}, .linear_velocity_m_s = {0, 1}}, Circle{});
+        std::vector<BodyId> balls;
+        std::vector<int> steps(4, 0);
+        for (int step = 0; step < 60; ++step) {
+            if (balls.size() < steps.size())
+                balls.push_back(add(world, {.position_m = {3.0 * step, 0}}, Circle{}));
+            step_times(world, 1);
+            for (std::size_t i = 0; i < balls.size(); ++i)
+                if (steps[i] == 0 && !world.body(balls[i])->is_awake()) steps[i] = step;
+        }
+        return steps;
+    };
+    const std::vector<int> few = steps_of_falling_asleep(1000);
+    const std::vector<int> many = steps_of_falling_asleep(1100);
+    for (std::size_t i = 0; i < few.size(); ++i) {
+        CAPTURE(i, few[i], many[i]);
+        CHECK(few[i] == few[0] + int(i));
+        CHECK(many[i] % 4 == 0);
+        CHECK(many[i] >= few[i]);
+        CHECK(many[i] < few[i] + 4);
+    }
+}
+
 TEST_CASE("what falls on a sleeper wakes it in the step in which it reaches it, however fast") {
     // From drops that are seen by the margins of boxes, by boxes that cover a way, and as fast bodies.
     for (const double drop_m : {0.02, 0.3, 1.0, 3.0, 9.0, 30.0}) {
