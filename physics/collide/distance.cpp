@@ -27,12 +27,23 @@ struct Simplex {
     }
 };
 
+// The later of two corners only if it lies farther along, so that of those that lie as far the first is found.
+struct Corner {
+    int index;
+    float along;
+
+    [[nodiscard]] Corner or_later(const Corner& later) const { return later.along > along ? later : *this; }
+};
+
 int support(const Convex& shape, Vec2 direction) {
-    int best = 0;
-    for (int i = 1; i < shape.count(); ++i) {
-        if (dot(shape.point(i), direction) > dot(shape.point(best), direction)) best = i;
-    }
-    return best;
+    const auto corner = [&](int i) { return Corner{i, dot(shape.point(i), direction)}; };
+    // Most shapes have up to four corners, and what stands behind their last repeats the first ones: to take
+    // the best of four without a branch is faster than to guess at which the loop ends.
+    if (shape.count() <= 4 && !shape.is_chained())
+        return corner(0).or_later(corner(1)).or_later(corner(2).or_later(corner(3))).index;
+    Corner best = corner(0);
+    for (int i = 1; i < shape.count(); ++i) best = best.or_later(corner(i));
+    return best.index;
 }
 
 // Keeps the vertices that carry the point of the simplex nearest to the origin, and gives that point.
