@@ -35,6 +35,12 @@ Row woken_row_of(WorldState& world, BodyId id) {
     return row_of(world, id);
 }
 
+// What hangs on a kinematic body by joints slept while that stood still. What touches it wakes in the step.
+void wake_carried(WorldState& world, const Row& at) {
+    if (at.record.type != BodyType::Kinematic) return;
+    if (at.rows.velocity[at.row] != Vec2{} || at.rows.spin[at.row] != 0) wake_jointed(world.stores, at.body);
+}
+
 bool is_dynamic(const Row& at) {
     return at.record.type == BodyType::Dynamic;
 }
@@ -103,6 +109,7 @@ Result<void> Body::set_linear_velocity(Vec2 velocity_m_s) {
     if (type() == BodyType::Static) return {};
     const Row at = woken_row_of(*world_, id_);
     at.rows.velocity[at.row] = without_locked(velocity_m_s, locked_axes(at.record));
+    wake_carried(*world_, at);
     return {};
 }
 
@@ -112,6 +119,7 @@ Result<void> Body::set_angular_velocity(float velocity_rad_s) {
     if (type() == BodyType::Static) return {};
     const Row at = woken_row_of(*world_, id_);
     at.rows.spin[at.row] = turning_is_locked(at.record) ? 0 : velocity_rad_s;
+    wake_carried(*world_, at);
     return {};
 }
 

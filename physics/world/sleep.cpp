@@ -173,6 +173,11 @@ void wake_neighbours(Stores& stores, int body) {
         const ContactRecord& c = stores.contacts.slots[contact];
         if (c.has_points) wake_body(stores, side == 0 ? c.body_b : c.body_a);
     });
+    wake_jointed(stores, body);
+}
+
+void wake_jointed(Stores& stores, int body) {
+    const BodyRecord& record = stores.bodies.slots[body];
     for_each_edge(stores.joints.slots, record.first_joint, [&](int joint, int side) {
         const JointRecord& j = stores.joints.slots[joint];
         wake_body(stores, side == 0 ? j.body_b : j.body_a);

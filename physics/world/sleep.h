@@ -14,6 +14,9 @@ void wake_body(Stores& stores, int body);
 /// Wakes what touches the body or is jointed to it, not the body itself.
 void wake_neighbours(Stores& stores, int body);
 
+/// Wakes what is jointed to the body.
+void wake_jointed(Stores& stores, int body);
+
 /// Puts bodies to sleep as one group.
 void put_to_sleep(Stores& stores, std::span<const int> bodies);
 

@@ -45,6 +45,49 @@ TEST_CASE("a body at rest falls asleep after half a second, not before") {
     CHECK_FALSE(world.body(ball)->is_awake());
 }
 
+TEST_CASE("what hangs asleep on a kinematic body wakes when that begins to move or to turn") {
+    enum class Kind { Distance, Revolute, Weld };
+    for (const Kind kind : {Kind::Distance, Kind::Revolute, Kind::Weld}) {
+        for (const bool turns : {false, true}) {
+            World world;
+            const BodyId anchor = add(world, {.type = BodyType::Kinematic, .position_m = {0, 10}}, Circle{0.1f});
+            const BodyId hanging = add(
+                world, {.position_m = {0, 8}, .linear_damping_1_s = 5, .angular_damping_1_s = 5}, Circle{});
+            const JointDef def = kind == Kind::Distance
+                                     ? JointDef(DistanceJointDef{.body_a = anchor,
+                                                                 .body_b = hanging,
+                                                                 .local_anchor_a_m = {0.5f, 0},
+                                                                 .local_anchor_b_m = {0.5f, 0},
+                                                                 .length_m = 2})
+                                 : kind == Kind::Revolute
+                                     ? JointDef(RevoluteJointDef{.body_a = anchor,
+                                                                 .body_b = hanging,
+                                                                 .local_anchor_a_m = {0.5f, -1},
+                                                                 .local_anchor_b_m = {0.5f, 1}})
+                                     : JointDef(WeldJointDef{
+                                           .body_a = anchor, .body_b = hanging, .local_anchor_b_m = {0, 2}});
+            (void)world.create_joint(def).value();
+            for (int i = 0; i < 3000 && world.body(hanging)->is_awake(); ++i) step_times(world, 1);
+            REQUIRE_FALSE(world.body(hanging)->is_awake());
+            CAPTURE(kind, turns);
+            // What is set to what it is wakes nobody.
+            world.body(anchor)->set_linear_velocity({}).value();
+            step_times(world, 1);
+            REQUIRE_FALSE(world.body(hanging)->is_awake());
+            if (turns) {
+                world.body(anchor)->set_angular_velocity(1).value();
+            } else {
+                world.body(anchor)->set_linear_velocity({1, 0}).value();
+            }
+            const Position before = world.body(hanging)->position();
+            step_times(world, 1);
+            CHECK(world.body(hanging)->is_awake());
+            run_for(world, 1);
+            CHECK(length(world.body(hanging)->position() - before) > 0.2f);
+        }
+    }
+}
+
 TEST_CASE("in a world of many awake bodies they fall asleep in every fourth step") {
     // As many balls as `many`, of which one more comes to rest in each of four steps.
     const auto steps_of_falling_asleep = [](int many) {
