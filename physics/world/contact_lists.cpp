@@ -153,6 +153,19 @@ void forget_points(Stores& stores, int contact) {
     list_contact(stores, contact);
 }
 
+void forget_impulses(ContactStore& contacts, int contact) {
+    ContactRecord& c = contacts.slots[contact];
+    const bool colored = is_colored(c.bucket);
+    ContactMemory memory = colored ? contacts.lanes.memory(c.lane) : c.memory;
+    memory.impulse = {};
+    memory.friction_impulse = 0;
+    if (colored) {
+        contacts.lanes.set_memory(c.lane, memory);
+    } else {
+        c.memory = memory;
+    }
+}
+
 void color_contact(Stores& stores, int contact) {
     ContactStore& contacts = stores.contacts;
     ContactRecord& c = contacts.slots[contact];

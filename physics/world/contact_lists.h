@@ -14,6 +14,9 @@ void unlist_contact(Stores& stores, int contact);
 /// The contact has no points any more: it forgets their impulses, and goes back to the near ones.
 void forget_points(Stores& stores, int contact);
 
+/// What its points gave goes for nothing, since no number may be left of it.
+void forget_impulses(ContactStore& contacts, int contact);
+
 /// Takes a contact that is in no list and has points into a colour, or among the loose ones where no lane can
 /// hold it: a body has no colour left, or nothing there can be moved.
 void color_contact(Stores& stores, int contact);

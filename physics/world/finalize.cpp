@@ -9,7 +9,9 @@
 
 #include "world/body_lanes.h"
 #include "world/box_cover.h"
+#include "world/contact_lists.h"
 #include "world/fast_bodies.h"
+#include "world/joint_lists.h"
 #include "world/tiny_contacts.h"
 
 namespace cairn::physics {
@@ -175,6 +177,16 @@ void halt_lost_bodies(const BodyStore& bodies, StepScratch& scratch, std::vector
         }
     });
     scratch.noted_rows.for_each([&](int row) { quarantined.push_back(bodies.slots.id(awake.body[row])); });
+}
+
+void forget_halted(Stores& stores, std::span<const BodyId> halted) {
+    for (const BodyId id : halted) {
+        const BodyRecord& record = stores.bodies.slots[stores.bodies.slots.find(id)];
+        for_each_edge(stores.contacts.slots, record.first_contact,
+                      [&](int contact, int) { forget_impulses(stores.contacts, contact); });
+        for_each_edge(stores.joints.slots, record.first_joint,
+                      [&](int joint, int) { forget_memory(stores, joint); });
+    }
 }
 
 void finalize_bodies(Stores& stores, StepScratch& scratch, float dt_s, bool sleep_enabled, TaskPool& tasks) {

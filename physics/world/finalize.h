@@ -11,6 +11,9 @@ namespace cairn::physics {
 void halt_lost_bodies(const BodyStore& bodies, StepScratch& scratch, std::vector<BodyId>& quarantined,
                       TaskPool& tasks);
 
+/// Stage: contacts and joints of what was halted forget what they gave to it, which may be no number.
+void forget_halted(Stores& stores, std::span<const BodyId> halted);
+
 /// Stage: bodies take their new places. Those that were hurled so far that they could have passed through
 /// others, though nobody expected it, join the fast ones.
 void finalize_bodies(Stores& stores, StepScratch& scratch, float dt_s, bool sleep_enabled, TaskPool& tasks);

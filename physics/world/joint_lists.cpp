@@ -164,6 +164,16 @@ void leave_lane(Stores& stores, int joint) {
     stores.joints.swept.add(stores.joints.slots, joint);
 }
 
+void forget_memory(Stores& stores, int joint) {
+    unseat_joint(stores, joint);
+    JointRecord& record = stores.joints.slots[joint];
+    record.impulse = {};
+    record.load_n = {};
+    record.reaction_force = {};
+    record.reaction_torque = 0;
+    if (!std::isfinite(record.angle_rad)) record.angle_rad = joint_angle(stores.bodies, record, 0);
+}
+
 void seat_joints(Stores& stores, const StepTime& time, StepScratch& scratch) {
     JointStore& joints = stores.joints;
     if (joints.active.size() == 0 && joints.lanes.empty()) return;

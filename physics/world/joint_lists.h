@@ -19,6 +19,10 @@ void unseat_joint(Stores& stores, int joint);
 /// step.
 void leave_lane(Stores& stores, int joint);
 
+/// What it gave goes for nothing, since no number is left of it, nor of its angle where that is none: turns
+/// are counted anew.
+void forget_memory(Stores& stores, int joint);
+
 /// Stage: lanes for joints that fit into them and have none.
 void seat_joints(Stores& stores, const StepTime& time, StepScratch& scratch);
 

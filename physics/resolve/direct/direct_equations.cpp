@@ -69,10 +69,10 @@ void DirectComponent::describe(const JointLaw& law, JointRow& row, DirectEquatio
             break;
         case LawKind::Motor:
             e.wanted = d(law.speed[at(row.part)]);
-            if (!closing) e.state = state_at_bounds(e, e.impulse);
+            // The bound of a pair is found in solving: it has a length, and no low end.
+            if (!closing && e.bound == DirectEquation::Bound::Range) e.state = state_at_bounds(e, e.impulse);
             // It does no more than it can.
-            if (closing && (state_before == State::AtLow || state_before == State::AtHigh))
-                e.state = State::Idle;
+            if (closing && state_before != State::Acts) e.state = State::Idle;
             break;
         case LawKind::Lower:
         case LawKind::Upper:
