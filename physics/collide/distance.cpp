@@ -27,7 +27,8 @@ struct Simplex {
     }
 };
 
-// The later of two corners only if it lies farther along, so that of those that lie as far the first is found.
+// The later of two corners only if it lies farther along, so that of those that lie as far the first is
+// found.
 struct Corner {
     int index;
     float along;

@@ -1,11 +1,12 @@
 // Finding groups. Two kinds of seeds: structures of joints (direct_structures.h), which are found again only
 // when joints change; and uneven contacts, which are looked at in each step. From each seed the group grows
-// over contacts.
+// over contacts, and over the joints of what it takes up: what a heavy body lies on is held by them.
 #include "world/direct_groups.h"
 
 #include <algorithm>
 
 #include "world/joint_lists.h"
+#include "world/joints.h"
 #include "world/special_contacts.h"
 
 namespace cairn::physics {
@@ -14,7 +15,13 @@ namespace {
 // Bodies that a group takes up over contacts at most: so many, and for each structure as many as it has, up
 // to a bound. Where there are more, as in heaps, all of them are swept.
 constexpr int kMaxTakenUp = 16;
+// As many where they stand in rows, on or beside each other: what lies on a column of twenty is thrown off by
+// a sweep if it weighs as much as ten thousand of them. So many more contacts than bodies may a row have.
+constexpr int kMaxInRow = 64;
+constexpr int kLoopsOfRow = 8;
 constexpr int kMaxTakenUpByStructure = 64;
+// And over joints that are in no structure.
+constexpr int kMaxTakenUpByJoints = 64;
 // Contacts between bodies that move, for each that is taken up, and besides: more of them are loops, which
 // fill the factors.
 constexpr int kMaxContactsPerBody = 3;
@@ -55,7 +62,7 @@ class Growth {
     void from_structure(int i) {
         const DirectStructure& s = structure(i);
         if (s.only_free && !is_free(s)) return;
-        from(s.bodies.front());
+        from(s.bodies.front(), kMaxTakenUp);
     }
 
     /// From contacts between uneven masses, when all structures have been tried. One of a heap that was too
@@ -63,14 +70,16 @@ class Growth {
     void from_contact(int contact) {
         const ContactRecord& c = stores_.contacts.slots[contact];
         const bool is_too_many = mark(c.body_a) == kTooMany || mark(c.body_b) == kTooMany;
-        if (!is_too_many || special::has(c, special::kRefused)) from(c.body_a);
+        if (!is_too_many || special::has(c, special::kRefused)) from(c.body_a, kMaxInRow);
     }
 
-    void from(int body) {
+    void from(int body, int most_taken_up) {
         if (!moves(stores_, body) || mark(body) != kNone) return;
         groups_.reached.clear();
         groups_.found.clear();
-        spare_ = kMaxTakenUp;
+        spare_ = most_taken_up;
+        taken_up_ = 0;
+        spare_joined_ = kMaxTakenUpByJoints;
         spare_contacts_ = kSpareContacts;
         take(body);
         if (reaches_all()) {
@@ -114,6 +123,7 @@ class Growth {
         const int found = groups_.structure_of[static_cast<std::size_t>(body)];
         if (found == kNone) {
             --spare_;
+            ++taken_up_;
             spare_contacts_ += kMaxContactsPerBody;
             return visit(body);
         }
@@ -140,10 +150,38 @@ class Growth {
                     if (mark(other) == kNone && spare_ >= 0) take(other);
                 }
             }
-            if (spare_ < 0 || met_too_many) return false;
+            take_jointed(groups_.reached[next]);
+            if (spare_ < 0 || spare_joined_ < 0 || met_too_many) return false;
         }
+        if (groups_.found.empty() && taken_up_ > kMaxTakenUp)
+            spare_contacts_ = static_cast<int>(groups_.reached.size()) + kLoopsOfRow;
         // Each has been met from both of its bodies.
         return contact_ends <= 2 * spare_contacts_;
+    }
+
+    // What is joined to a body outside of structures, which are whole.
+    void take_jointed(int body) {
+        if (groups_.structure_of[static_cast<std::size_t>(body)] != kNone) return;
+        for_each_edge(stores_.joints.slots, stores_.bodies.slots[body].first_joint, [&](int joint, int) {
+            if (spare_joined_ < 0 || !takes_part(stores_.joints.slots[joint])) return;
+            for_each_body(stores_, joint, [&](int other) {
+                if (!moves(stores_, other) || mark(other) != kNone) return;
+                --spare_joined_;
+                spare_contacts_ += kMaxContactsPerBody;
+                visit(other);
+            });
+        });
+    }
+
+    // Each once, from the first of its bodies that is in the group.
+    void add_joints_of(int body, DirectStructure& group) {
+        if (groups_.structure_of[static_cast<std::size_t>(body)] != kNone) return;
+        for_each_edge(stores_.joints.slots, stores_.bodies.slots[body].first_joint, [&](int joint, int side) {
+            const JointRecord& record = stores_.joints.slots[joint];
+            if (!takes_part(record) || (side == 1 && mark(record.body_a) == groups_.count)) return;
+            group.joints.push_back(joint);
+            groups_.joints.push_back(joint);
+        });
     }
 
     // Its memory is that of an earlier step.
@@ -181,6 +219,7 @@ class Growth {
             group.joints.insert(group.joints.end(), structure(found).joints.begin(),
                                 structure(found).joints.end());
         }
+        for (const int body : groups_.reached) add_joints_of(body, group);
         close_group(group);
     }
 
@@ -201,6 +240,8 @@ class Growth {
     Stores& stores_;
     DirectGroups& groups_;
     int spare_ = 0;  // bodies that may still be taken up
+    int spare_joined_ = 0;
+    int taken_up_ = 0;  // that are in no structure
     int spare_contacts_ = 0;
 };
 
@@ -211,6 +252,10 @@ void forget_groups(Stores& stores, DirectGroups& groups) {
             stores.bodies.places[body].flags &= ~place_flag::kDirect;
         }
     }
+    for (const int joint : groups.joints) {
+        if (stores.joints.slots.alive(joint)) stores.joints.slots[joint].direct = false;
+    }
+    groups.joints.clear();
     groups.count = 0;
 }
 

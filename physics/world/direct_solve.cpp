@@ -32,24 +32,12 @@ int group_of(const ContactRecord& c, const DirectGroups& groups, const Stores& s
 constexpr std::size_t kContactsPerBody = 3;
 constexpr std::size_t kSpareContacts = 4;
 
-// m. A joint and a contact that hold a body where the other does not want it give way to each other, which
-// only a sweep lets them.
-constexpr float kDeepest_m = 4 * tuning::kLinearSlop_m;
-
-bool is_deep(const ContactConstraint& c) {
-    return std::min(c.points[0].separation, c.count > 1 ? c.points[1].separation : 0) < -kDeepest_m;
-}
-
 // Takes contacts between members of groups out of the sweep.
 void distribute_contacts(const Stores& stores, StepScratch& scratch, DirectGroups& groups) {
     for (std::vector<int>& list : groups.contacts) list.clear();
     std::erase_if(scratch.scalar_contacts, [&](int i) {
         const ContactRecord& c = stores.contacts.slots[scratch.contacts[static_cast<std::size_t>(i)].contact];
-        int group = group_of(c, groups, stores);
-        if (group != kNone && !groups.groups[static_cast<std::size_t>(group)].joints.empty() &&
-            is_deep(scratch.contacts[static_cast<std::size_t>(i)])) {
-            group = kNone;
-        }
+        const int group = group_of(c, groups, stores);
         if (group != kNone) groups.contacts[static_cast<std::size_t>(group)].push_back(i);
         return group != kNone;
     });

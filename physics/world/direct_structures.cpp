@@ -5,6 +5,7 @@
 #include <span>
 
 #include "base/prefetch.h"
+#include "world/direct_groups.h"
 #include "world/joint_lists.h"
 #include "world/world_state.h"
 
@@ -13,7 +14,7 @@ namespace {
 
 // Of a structure: a sweep needs some 2.3 rounds per decimal digit, times mass ratio, times depth. Fewer
 // joints are swept, but for pendulums that swing freely, which a sweep would make soft for the sake of what
-// touches them.
+// touches them, and where masses are as uneven as those of contacts that are solved directly.
 constexpr int kFewestJoints = 3;
 constexpr float kMassRatio = 8;
 constexpr int kDepth = 8;  // from what holds the structure; one that is not held bears no load
@@ -27,21 +28,6 @@ std::size_t at(int i) {
     return static_cast<std::size_t>(i);
 }
 
-// Calls visit(body) for the bodies of a joint; those of a gear are the bodies of its joints.
-template <class Visit>
-void for_each_body(const Stores& stores, int joint, Visit&& visit) {
-    const JointRecord& record = stores.joints.slots[joint];
-    visit(record.body_a);
-    visit(record.body_b);
-    if (const auto* gear = std::get_if<GearJointDef>(&record.def)) {
-        for (const JointId id : {gear->joint_1, gear->joint_2}) {
-            const JointRecord& geared = stores.joints.slots[stores.joints.slots.find(id)];
-            visit(geared.body_a);
-            visit(geared.body_b);
-        }
-    }
-}
-
 // Calls visit(joint) for active joints, and asks for their records ahead.
 template <class Visit>
 void for_each_active(const Stores& stores, const Visit& visit) {
@@ -53,8 +39,8 @@ void for_each_active(const Stores& stores, const Visit& visit) {
                        ask, visit);
 }
 
-bool is_uneven(float least_inverse_mass, float most_inverse_mass) {
-    return least_inverse_mass > 0 && most_inverse_mass / least_inverse_mass > kMassRatio;
+bool is_uneven(float least_inverse_mass, float most_inverse_mass, float ratio) {
+    return least_inverse_mass > 0 && most_inverse_mass / least_inverse_mass > ratio;
 }
 
 }  // namespace
@@ -156,15 +142,19 @@ void StructureSearch::sum_up(const Stores& stores) {
 }
 
 bool StructureSearch::is_pendulum(const Summary& s) {
-    return s.joints < kFewestJoints && s.plain_pins && s.is_held;
+    return s.joints < kFewestJoints && s.plain_pins && s.is_held && !bears_with_few(s);
+}
+
+bool StructureSearch::bears_with_few(const Summary& s) {
+    return s.joints < kFewestJoints && is_uneven(s.least_inverse_mass, s.most_inverse_mass, kUnevenMasses);
 }
 
 bool StructureSearch::may_be_hard(const Summary& s) {
-    if (s.joints < kFewestJoints) return is_pendulum(s);
+    if (s.joints < kFewestJoints) return is_pendulum(s) || bears_with_few(s);
     if (static_cast<float>(s.joints) > kJointsPerBody * static_cast<float>(s.bodies) + kSpareJoints)
         return false;
     const bool may_be_deep = s.is_held && s.joints > kDepth;
-    return may_be_deep || is_uneven(s.least_inverse_mass, s.most_inverse_mass);
+    return may_be_deep || is_uneven(s.least_inverse_mass, s.most_inverse_mass, kMassRatio);
 }
 
 bool StructureSearch::may_need_loads(const Summary& s) {
@@ -224,7 +214,7 @@ void StructureSearch::number_bodies(const DirectStructure& s) {
 bool StructureSearch::is_hard_to_sweep(const DirectStructure& s, const Summary& summary,
                                        const Stores& stores) {
     if (summary.joints < kFewestJoints) return true;
-    const bool uneven = is_uneven(summary.least_inverse_mass, summary.most_inverse_mass);
+    const bool uneven = is_uneven(summary.least_inverse_mass, summary.most_inverse_mass, kMassRatio);
     if (!uneven && depth_of(s, stores) <= kDepth) return false;
     return products_per_joint(s, stores) <= kMaxProducts;
 }

@@ -49,6 +49,7 @@ class StructureSearch {
     void join(const Stores& stores);
     void sum_up(const Stores& stores);
     [[nodiscard]] static bool is_pendulum(const Summary& s);
+    [[nodiscard]] static bool bears_with_few(const Summary& s);
     [[nodiscard]] static bool may_be_hard(const Summary& s);
     [[nodiscard]] static bool may_need_loads(const Summary& s);
     void list(const Stores& stores, JointSolver solver, std::vector<DirectStructure>& structures,

@@ -39,6 +39,21 @@ bool is_plain_pin(const RevoluteJointDef& def);
 /// What the joint remembers, wherever it is.
 JointMemory memory_of(const JointStore& joints, int joint);
 
+/// Calls visit(body) for the bodies of a joint; those of a gear are the bodies of its joints.
+template <class Visit>
+void for_each_body(const Stores& stores, int joint, Visit&& visit) {
+    const JointRecord& record = stores.joints.slots[joint];
+    visit(record.body_a);
+    visit(record.body_b);
+    if (const auto* gear = std::get_if<GearJointDef>(&record.def)) {
+        for (const JointId id : {gear->joint_1, gear->joint_2}) {
+            const JointRecord& geared = stores.joints.slots[stores.joints.slots.find(id)];
+            visit(geared.body_a);
+            visit(geared.body_b);
+        }
+    }
+}
+
 /// A gear on the joint, or kNone. It is on one of the bodies of the joint.
 int find_gear_on(const Stores& stores, int joint);
 

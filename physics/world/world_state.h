@@ -408,6 +408,7 @@ struct DirectGroups {
     // While groups are chosen and assembled:
     std::vector<int> reached;   // bodies from one seed
     std::vector<int> found;     // structures from one seed
+    std::vector<int> joints;    // of no structure, which groups took up
     std::vector<int> too_many;  // bodies that hang together with more than a group may take up
     std::vector<int> places;
     std::vector<float> inertia;    // by row of the motions

@@ -22,6 +22,12 @@ constexpr float kStill_m = 0.02f * tuning::kLinearSlop_m;
 
 using State = DirectEquation::State;
 
+// m. Contacts of joined bodies that are deeper than this push as softly as a sweep has them do: a joint may
+// hold the body where they do not want it, and then the two give way to each other.
+constexpr float kDeep_m = 4 * tuning::kLinearSlop_m;
+// m. But those that bear a load push hard enough not to stay deeper than this.
+constexpr double kDepthUnderLoad_m = 0.2 * tuning::kLinearSlop_m;
+
 // What is round-off in an error would never let a structure rest.
 double without_roundings(double error) {
     return error - std::clamp(error, -kNoError, kNoError);
@@ -34,9 +40,19 @@ State state_at_bounds(const DirectEquation& e, double impulse) {
     return State::Acts;
 }
 
+// So much that a load, which may be none, makes the points close no faster than this.
+double give_under(double load, double speed_m_s) {
+    return load > 0 ? speed_m_s / load : kUnlimited;
+}
+
 double give_of_contact(const ContactPointConstraint& p, const DirectEquation& e) {
     const double load = std::max({e.impulse, e.before, d(p.static_impulse)});
-    return std::min(kContactGive * e.inverse_mass, kSinking_m_s / load);
+    return std::min(kContactGive * e.inverse_mass, give_under(load, kSinking_m_s));
+}
+
+double give_when_deep(const ContactConstraint& c, const ContactPointConstraint& p, const DirectEquation& e) {
+    const double soft = e.inverse_mass * d(c.softness.impulse_scale / c.softness.mass_scale);
+    return std::min(soft, give_under(d(p.static_impulse), d(c.softness.bias_rate) * kDepthUnderLoad_m));
 }
 
 }  // namespace
@@ -132,6 +148,7 @@ void DirectComponent::describe_contact(const DirectScene& scene, std::size_t con
         if (!closing && s < -kStill_m) {
             e.wanted =
                 d(std::min(-c.softness.bias_rate * (s + kStill_m), scene.rules.max_push_out_speed_m_s));
+            if (s < -kDeep_m && !joints_.empty()) e.give = give_when_deep(c, p, e);
         }
         e.state = s > 0 && !loaded ? State::AtLow : State::Acts;
         recall(i, phase);

@@ -50,22 +50,22 @@ TEST_CASE("what hangs asleep on a kinematic body wakes when that begins to move 
     for (const Kind kind : {Kind::Distance, Kind::Revolute, Kind::Weld}) {
         for (const bool turns : {false, true}) {
             World world;
-            const BodyId anchor = add(world, {.type = BodyType::Kinematic, .position_m = {0, 10}}, Circle{0.1f});
+            const BodyId anchor =
+                add(world, {.type = BodyType::Kinematic, .position_m = {0, 10}}, Circle{0.1f});
             const BodyId hanging = add(
                 world, {.position_m = {0, 8}, .linear_damping_1_s = 5, .angular_damping_1_s = 5}, Circle{});
-            const JointDef def = kind == Kind::Distance
-                                     ? JointDef(DistanceJointDef{.body_a = anchor,
-                                                                 .body_b = hanging,
-                                                                 .local_anchor_a_m = {0.5f, 0},
-                                                                 .local_anchor_b_m = {0.5f, 0},
-                                                                 .length_m = 2})
-                                 : kind == Kind::Revolute
-                                     ? JointDef(RevoluteJointDef{.body_a = anchor,
-                                                                 .body_b = hanging,
-                                                                 .local_anchor_a_m = {0.5f, -1},
-                                                                 .local_anchor_b_m = {0.5f, 1}})
-                                     : JointDef(WeldJointDef{
-                                           .body_a = anchor, .body_b = hanging, .local_anchor_b_m = {0, 2}});
+            const JointDef def =
+                kind == Kind::Distance ? JointDef(DistanceJointDef{.body_a = anchor,
+                                                                   .body_b = hanging,
+                                                                   .local_anchor_a_m = {0.5f, 0},
+                                                                   .local_anchor_b_m = {0.5f, 0},
+                                                                   .length_m = 2})
+                : kind == Kind::Revolute
+                    ? JointDef(RevoluteJointDef{.body_a = anchor,
+                                                .body_b = hanging,
+                                                .local_anchor_a_m = {0.5f, -1},
+                                                .local_anchor_b_m = {0.5f, 1}})
+                    : JointDef(WeldJointDef{.body_a = anchor, .body_b = hanging, .local_anchor_b_m = {0, 2}});
             (void)world.create_joint(def).value();
             for (int i = 0; i < 3000 && world.body(hanging)->is_awake(); ++i) step_times(world, 1);
             REQUIRE_FALSE(world.body(hanging)->is_awake());
