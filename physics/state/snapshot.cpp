@@ -24,7 +24,7 @@ void save(const WorldState& world, Writer& out) {
     out.value(step_count);
     out.value(previous_h_s);
     const auto& [bodies, prototypes, shapes, fat_boxes, chains, contacts, joints, domains, broad, boxes_moved,
-                 masses, rules, sensors, breakables] = stores;
+                 masses, rules, sensors, breakables, filter_calls] = stores;
     save_bodies(stores, out);
     save_shapes(stores, out);
     save_contacts(contacts, out);
@@ -61,6 +61,7 @@ void forget_groups(DirectGroups& direct) {
     for (std::size_t g = 0; g < static_cast<std::size_t>(direct.count); ++g) {
         for (const int body : direct.groups[g].bodies) direct.of_body[static_cast<std::size_t>(body)] = kNone;
     }
+    direct.joints.clear();
     direct.count = 0;
     direct.version = DirectGroups::kUnknown;
 }

@@ -165,6 +165,20 @@ struct Surroundings {
         return best;
     }
 
+    // Between two floors that are too steep by themselves, on either side: there is no way down. The flatter
+    // one.
+    [[nodiscard]] const CollisionPlane* notch(std::span<const CollisionPlane> planes, Position at) const {
+        const CollisionPlane* best = nullptr;
+        bool rises_left = false;
+        bool rises_right = false;
+        for (const CollisionPlane& plane : planes) {
+            if (!is_steep_floor(plane, at)) continue;
+            (dot(plane.normal, right) > 0 ? rises_left : rises_right) = true;
+            if (!best || dot(plane.normal, def.up) > dot(best->normal, def.up)) best = &plane;
+        }
+        return rises_left && rises_right ? best : nullptr;
+    }
+
     // Straight down onto ground by at most `drop`, if there is any.
     [[nodiscard]] std::optional<Position> lowered(Position at, float drop) const {
         const Vec2 down = -drop * def.up;
@@ -316,6 +330,8 @@ Result<void> Mover::move(World& world, Vec2 velocity_m_s, float dt_s, QueryFilte
     }
 
     const CollisionPlane* ground = around.best_ground(planes, position_m_);
+    const bool in_notch = ground == nullptr;
+    if (in_notch) ground = around.notch(planes, position_m_);
     if (ground && !walks) {
         const Vec2 relative = velocity - velocity_of(world, ground->body, ground->point_m);
         if (dot(relative, def_.up) > 0) ground = nullptr;  // just leaving
@@ -332,7 +348,7 @@ Result<void> Mover::move(World& world, Vec2 velocity_m_s, float dt_s, QueryFilte
         velocity_m_s_ = solve_planes(velocity, limits, 0);
         return {};
     }
-    const Vec2 normal = around.ground_normal(*ground);
+    const Vec2 normal = in_notch ? def_.up : around.ground_normal(*ground);
     const Vec2 along = right_perp(normal);
     const Vec2 ground_gave = ground_velocity - velocity_of(world, ground->body, ground->point_m);
     float speed = walks ? dot(velocity_m_s, around.right) + dot(ground_gave, along)

@@ -12,7 +12,10 @@ inline bool sees(const Stores& stores, const QueryFilter& filter, int shape) {
     const ShapeRecord& record = stores.shapes[shape];
     if (!filter_sees(filter, record.def().filter)) return false;
     const BodyId body = stores.bodies.slots.id(record.body);
-    return body != filter.ignored_body && filter.accepts(stores.shapes.id(shape), body);
+    if (body == filter.ignored_body) return false;
+    if (!filter.accepts.asks()) return true;
+    const FilterCalls::Call call(stores.filter_calls);
+    return filter.accepts(stores.shapes.id(shape), body);
 }
 
 /// visit(shape) for those whose box overlaps.

@@ -83,8 +83,9 @@ check::Fault validate_step(float dt_s) {
 }
 
 check::Fault refuse_within_step(const WorldState& world) {
-    if (!world.stepping) return {};
-    return Error{"the world is within a step, and must not be changed by the filter that it asks"};
+    if (!world.stepping && !world.stores.filter_calls.any()) return {};
+    const std::string what = world.stepping ? "step" : "query";
+    return Error{"the world is within a " + what + ", and must not be changed by the filter that it asks"};
 }
 
 Error bad_handle(const char* kind, std::uint64_t index1, std::uint64_t world, std::uint64_t own_world) {

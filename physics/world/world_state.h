@@ -36,6 +36,7 @@
 #include "world/contact_store.h"
 #include "world/direct_structures.h"
 #include "world/domain_store.h"
+#include "world/filter_calls.h"
 #include "world/joint_store.h"
 #include "world/material_mixing.h"
 #include "world/resting.h"
@@ -81,6 +82,7 @@ struct Stores {
     PairRules rules;
     SensorStore sensors;
     std::vector<Breakable> breakables;
+    FilterCalls filter_calls;  // of queries
 };
 
 /// A shape with its box; that of a sensor is empty.

@@ -305,4 +305,35 @@ TEST_CASE("the world refuses to be changed by the host's filter, and goes on") {
     CHECK(world.create_body({}));
 }
 
+TEST_CASE("a filter of a query cannot make or destroy anything, and is told so") {
+    World world;
+    add_ground(world);
+    std::vector<BodyId> balls;
+    for (int i = 0; i < 20; ++i)
+        balls.push_back(add(world, {.position_m = {1.0 * i, 0.4}}, Circle{{}, 0.4f}));
+    std::vector<std::string> messages;
+    const auto meddle = [&](ShapeId shape, BodyId body) {
+        const auto note = [&](const auto& result) {
+            messages.push_back(result ? "done" : result.error().message);
+        };
+        note(world.destroy_body(body));
+        note(world.destroy_shape(shape));
+        note(world.create_body({}));
+        note(world.create_shape(body, Circle{}));
+        note(world.create_joint(DistanceJointDef{}));
+        note(world.step(kStep_s));
+        return true;
+    };
+    const QueryFilter filter{.accepts = meddle};
+    CHECK(world.cast_ray_all({-5, 0.4}, {40, 0}, filter).value().size() == balls.size());
+    CHECK(world.shapes_overlapping(Box{50, 0.1f}, {{0, 0.5}}, filter).value().size() == balls.size());
+    CHECK(world.shape_at({3, 0.4}, filter).value().has_value());
+    CHECK(world.closest_points({3, 3}, 5, filter).value().size() > 5);
+    world.explode({.center_m = {3, 3}, .radius_m = 5, .filter = filter}).value();
+    REQUIRE(messages.size() > 6 * 45);
+    for (const std::string& message : messages) CHECK_THAT(message, Contains("within a query"));
+    CHECK(world.counts().bodies == 21);
+    CHECK(world.create_body({}));
+}
+
 }  // namespace cairn::physics

@@ -132,6 +132,29 @@ TEST_CASE("a mover that is put on too steep a slope slides down") {
     CHECK(mover.position().y < 0.02);
 }
 
+TEST_CASE("a mover stands in a notch of two slopes that are too steep, and jumps out of it") {
+    for (const float degrees : {55.0f, 60.0f, 80.0f}) {
+        CAPTURE(degrees);
+        World world;
+        const Rotation q = Rotation::from_angle(static_cast<double>(degrees * kDegree));
+        for (const float side : {-1.0f, 1.0f}) {
+            const std::array<Vec2, 3> slope{Vec2{0, 0}, Vec2{side * 2 * q.c, 2 * q.s}, Vec2{side * 2, -1}};
+            add(world, {.type = BodyType::Static}, Polygon{.points_m = slope});
+        }
+        Mover mover = make_mover({0.1, 4});
+        walk_for(mover, world, 5, 0);
+        CHECK(mover.is_grounded());
+        CHECK(length(mover.velocity()) < 0.01f);
+        const Position before = mover.position();
+        CHECK(std::fabs(before.x) < 0.01);
+        walk_for(mover, world, 1, 5);
+        CHECK(length(mover.position() - before) < 0.05f);
+        update(mover, world, 0, 7);
+        for (int i = 0; i < 120; ++i) update(mover, world, 5);
+        CHECK(mover.position().x > 2);
+    }
+}
+
 TEST_CASE("a mover climbs stairs of 20 cm at any speed, and comes down without leaving the ground") {
     for (const float speed : {0.3f, 2.0f, 6.0f}) {
         INFO("speed " << speed);

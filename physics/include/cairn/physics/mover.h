@@ -50,7 +50,8 @@ class Mover {
     /// along it; in the air it is that in the world, with what moving ground gave when it was left.
     [[nodiscard]] Vec2 velocity() const { return velocity_m_s_; }
 
-    /// Whether it stands on something that is not too steep. The ground may be gone again when it is asked.
+    /// Whether it stands on something that is not too steep, or between two floors that are, with no way
+    /// down. The ground may be gone again when it is asked.
     [[nodiscard]] bool is_grounded() const { return ground_.has_value(); }
     [[nodiscard]] Vec2 ground_normal() const { return ground_ ? ground_->normal : Vec2{}; }
     [[nodiscard]] BodyId ground_body() const { return ground_ ? ground_->body : BodyId{}; }

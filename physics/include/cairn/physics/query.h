@@ -11,8 +11,9 @@
 namespace cairn::physics {
 
 /// The host's own say in what a query sees: a reference to a function object `bool(ShapeId, BodyId)`. It is
-/// asked from within the query, in no promised order, and may read the world but not change it. The object
-/// must live until the query returns, so write a lambda into the call itself, or give it a name.
+/// asked from within the query, in no promised order, and may read the world but not change it: meanwhile to
+/// make or to destroy anything is an error. The object must live until the query returns, so write a lambda
+/// into the call itself, or give it a name.
 class ShapeFilter {
   public:
     ShapeFilter() = default;
@@ -24,6 +25,9 @@ class ShapeFilter {
           call_([](const void* object, ShapeId shape, BodyId body) -> bool {
               return (*static_cast<const Function*>(object))(shape, body);
           }) {}
+
+    /// False when made from nothing.
+    [[nodiscard]] bool asks() const { return call_ != nullptr; }
 
     /// Accepts everything when made from nothing.
     bool operator()(ShapeId shape, BodyId body) const {
