@@ -124,6 +124,7 @@ TEST_CASE("bad body definitions are refused") {
         bad_def("body.angular_damping_1_s", "nan", BodyDef{.angular_damping_1_s = kNaN}),
         bad_def("body.gravity_scale", "nan", BodyDef{.gravity_scale = kNaN}),
         bad_def("body.sleep_speed_m_s", "-1", BodyDef{.sleep_speed_m_s = -1}),
+        bad_def("body.type", "7", BodyDef{.type = static_cast<BodyType>(7)}),
         bad_def("body.sleep_speed_m_s", "nan", BodyDef{.sleep_speed_m_s = kNaN}),
     });
 }
