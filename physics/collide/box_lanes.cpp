@@ -9,6 +9,7 @@
 
 #include "base/simd_rows-inl.h"
 #include "base/simd_vec-inl.h"
+#include "collide/feature_id-inl.h"
 #include "collide/manifold.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -83,9 +84,7 @@ HWY_INLINE unsigned collide_part(const PoseLanes& poses, const BoxLanes& boxes, 
     const V most_b = hn::Max(sep_b.x, sep_b.y);
     const V most = hn::Max(most_a, most_b);
 
-    // A is preferred when the two are about equal, so that the reference does not flip back and forth.
-    const V about_equal = set(kAboutEqual_m);
-    const M flipped = hn::Gt(most_b, hn::Add(most_a, about_equal));
+    const M flipped = hn::Gt(most_b, hn::Add(most_a, set(kRounding_m)));
     const Vec half = select(flipped, half_b, half_a);
     const Vec other_half = select(flipped, half_a, half_b);
     const Vec offset = select(flipped, offset_b, offset_a);
@@ -126,7 +125,7 @@ HWY_INLINE unsigned collide_part(const PoseLanes& poses, const BoxLanes& boxes, 
     const M hidden = hn::Or(beside, hn::Gt(hn::Min(gap0, gap1), seen));
     const V reach = set(reach_m);
     const M near = hn::Le(most, reach);
-    const M undecided = hn::And(near, hn::And(hn::Gt(most, about_equal), hidden));
+    const M undecided = hn::And(near, hn::And(hn::Gt(most, set(kAboutEqual_m)), hidden));
 
     const Vec q = select(flipped, q_b, q_a);
     const Vec center = select(flipped, center_b, center_a);
@@ -135,15 +134,13 @@ HWY_INLINE unsigned collide_part(const PoseLanes& poses, const BoxLanes& boxes, 
         center, rotate(q, add(scale(at0, tangent), scale(hn::Add(depth, hn::Mul(set(0.5f), gap0)), normal))));
     const Vec point1 = add(
         center, rotate(q, add(scale(at1, tangent), scale(hn::Add(depth, hn::Mul(set(0.5f), gap1)), normal))));
-    const VI which = hn::IfThenElseZero(hn::RebindMask(DI(), flipped), set_int(1));
-    const VI id = hn::Or(hn::Or(hn::ShiftLeft<12>(which), hn::ShiftLeft<8>(side_number(along_x, side))),
-                         hn::ShiftLeft<4>(side_number(face_x, face_side)));
+    const VI id = feature_id(flipped, side_number(along_x, side), side_number(face_x, face_side));
     const M use0 = hn::And(near, hn::Le(gap0, reach));
     const M use1 = hn::And(near, hn::Le(gap1, reach));
     const auto int0 = hn::RebindMask(DI(), use0);
     const auto int1 = hn::RebindMask(DI(), use1);
     const VI none = set_int(kNoFeature);
-    const VI id1 = hn::IfThenElse(int1, hn::Or(id, set_int(1)), none);
+    const VI id1 = hn::IfThenElse(int1, hn::Xor(id, set_int(1)), none);
 
     store(hn::IfThenElse(flipped, hn::Neg(world_normal.x), world_normal.x), out.normal_x, lane);
     store(hn::IfThenElse(flipped, hn::Neg(world_normal.y), world_normal.y), out.normal_y, lane);

@@ -76,9 +76,8 @@ Contact clip(const View& view, bool flipped, float reach) {
         if (gap > reach) continue;
         const int side_id = (along_x ? 0 : 2) + (side > 0 ? 1 : 0);
         const int face_id = (face_x ? 0 : 2) + (face_side > 0 ? 1 : 0);
-        contact.points[contact.count++] = {
-            at[end] * tangent + (depth + 0.5f * gap) * normal, gap,
-            static_cast<std::uint16_t>(flipped << 12 | side_id << 8 | face_id << 4 | end)};
+        contact.points[contact.count++] = {at[end] * tangent + (depth + 0.5f * gap) * normal, gap,
+                                           feature_id(flipped, side_id, face_id, end)};
     }
     const bool beside = high < -width || low > width;
     contact.is_nearest = !beside && nearest <= largest(view.separation) + 1e-3f * tuning::kLinearSlop_m;
@@ -95,8 +94,7 @@ std::optional<Manifold> collide_boxes(const Convex& a, const Convex& b, const Re
     const View from_b = look(b.half_size, a.half_size, -inverse_rotate(b_in_a.q, offset), inverse(b_in_a.q));
     if (largest(from_b.separation) > reach_m) return Manifold{};
 
-    // A is preferred when the two are about equal, so that the reference does not flip back and forth.
-    const bool flipped = largest(from_b.separation) > largest(from_a.separation) + kAboutEqual_m;
+    const bool flipped = largest(from_b.separation) > largest(from_a.separation) + kRounding_m;
     const Contact contact = clip(flipped ? from_b : from_a, flipped, reach_m);
     const bool apart = std::max(largest(from_a.separation), largest(from_b.separation)) > kAboutEqual_m;
     if (apart && !contact.is_nearest) return {};

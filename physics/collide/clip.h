@@ -151,8 +151,8 @@ struct Candidate {
             if (separation > reach) continue;
             if (m.count == 1 && clipped.ends[0] == clipped.ends[1]) continue;
             const float to_middle = 0.5f * (reference.radius - incident.radius - clipped.separations[end]);
-            const auto id = static_cast<std::uint16_t>(flipped << 12 | axis.edge << 8 | face << 4 | end);
-            m.points[m.count++] = {clipped.ends[end] + to_middle * normal, separation, id};
+            m.points[m.count++] = {clipped.ends[end] + to_middle * normal, separation,
+                                   feature_id(flipped, axis.edge, face, end)};
         }
         return m;
     }

@@ -14,6 +14,7 @@
 
 #include "base/simd_rows-inl.h"
 #include "base/simd_vec-inl.h"
+#include "collide/feature_id-inl.h"
 #include "collide/manifold.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -183,8 +184,7 @@ HWY_INLINE unsigned collide_part(const PoseLanes& poses, const BoxLanes& offsets
     const M points = hn::And(a.is_point, b.is_point);
     const M near = hn::Le(most, hn::Add(radii, set(reach_m)));
 
-    // A is preferred when the two are about equal, so that the reference does not flip back and forth.
-    const M flipped = hn::Gt(edge_b.separation, hn::Add(edge_a.separation, about_equal));
+    const M flipped = hn::Gt(edge_b.separation, hn::Add(edge_a.separation, set(kRounding_m)));
     const V seen = hn::IfThenElse(flipped, edge_b.separation, edge_a.separation);
     const Vec normal = select(flipped, edge_b.normal, edge_a.normal);
     const Vec base = select(flipped, edge_b.from, edge_a.from);
@@ -239,10 +239,9 @@ HWY_INLINE unsigned collide_part(const PoseLanes& poses, const BoxLanes& offsets
         const V to_middle = hn::Mul(half, hn::Sub(hn::Sub(reference_radius, incident_radius), gap));
         return add(add(face.to, scale(t, face_length)), scale(to_middle, normal));
     };
-    const VI which = hn::IfThenElseZero(hn::RebindMask(DI(), flipped), set_int(1 << 12));
     const VI edge = hn::IfThenElse(hn::RebindMask(DI(), flipped), edge_b.index, edge_a.index);
-    const VI id0 = hn::Or(which, hn::Or(hn::ShiftLeft<8>(edge), hn::ShiftLeft<4>(face.index)));
-    const VI id1 = hn::Or(id0, set_int(1));
+    const VI id0 = feature_id(flipped, edge, face.index);
+    const VI id1 = hn::Xor(id0, set_int(1));
     const M faces = hn::AndNot(by_corners, near);
     const M incident_is_point = hn::Or(hn::And(flipped, a.is_point), hn::AndNot(flipped, b.is_point));
     const M use0 = hn::And(faces, hn::Le(hn::Sub(gap0, radii), reach));

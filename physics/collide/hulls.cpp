@@ -18,7 +18,7 @@ Manifold collide_hulls(const Convex& shape_a, const Convex& shape_b, const Relat
     const Axis axis_b = best_axis(b, a);
     if (axis_b.separation > reach) return {};
 
-    const bool prefer_b = axis_b.separation > axis_a.separation + kAboutEqual_m;
+    const bool prefer_b = axis_b.separation > axis_a.separation + kRounding_m;
     const Candidate preferred = prefer_b ? Candidate(b, a, axis_b, true) : Candidate(a, b, axis_a, false);
     const float separation = std::max(axis_a.separation, axis_b.separation);
     // Cores without an inside may lie apart on one line, which none of their normals can tell.

@@ -35,13 +35,23 @@ struct RelativePose {
 /// Of points nearer than this, the direction from the one to the other is lost in rounding.
 inline constexpr float kAllButTouching_m = 1e-2f * tuning::kLinearSlop_m;
 
-// Of two references that are about equally good the first is preferred, so that it does not flip back and
-// forth.
+// While cores are nearer than this a face counts that is about as near as the axis says, so that it lasts as
+// they press together. Of two answers that differ by less the one that fits is taken.
 inline constexpr float kAboutEqual_m = 0.1f * tuning::kLinearSlop_m;
 
 // What rounding may make of a distance. Cores that overlap by less may be apart: of needles and lines, whose
-// normals all point to their sides, the axes tell little.
+// normals all point to their sides, the axes tell little. B is the reference only if it is better by more
+// than this. Not by what can be felt: where the reference changes the separations would jump by as much, and
+// two boxes of a heap that press together there would hop from the one to the other for ever.
 inline constexpr float kRounding_m = 1e-3f * tuning::kLinearSlop_m;
+
+/// Names an end of where two edges meet. Seen from B, A's edge runs the other way, so the first end is the
+/// last one. The name does not tell which of them was the reference, so that impulses outlast a change.
+inline std::uint16_t feature_id(bool flipped, int reference_edge, int facing_edge, int end) {
+    const int edge_a = flipped ? facing_edge : reference_edge;
+    const int edge_b = flipped ? reference_edge : facing_edge;
+    return static_cast<std::uint16_t>(edge_a << 8 | edge_b << 4 | (flipped ? 1 - end : end));
+}
 
 /// Points whose separation is at most `reach_m`. Shapes may be of any kinds; one file for each pair of kinds.
 /// Lines do not meet each other.

@@ -33,16 +33,15 @@ check::Fault validate(const WorldDef& def) {
 }
 
 check::Fault validate(const BodyDef& def) {
-    return check::first_of({check::within("body.type", static_cast<int>(def.type), 0,
-                                          static_cast<int>(BodyType::Dynamic)),
-                            check::placed("body.position_m", def.position_m),
-                            check::finite("body.angle_rad", def.angle_rad),
-                            check::finite("body.linear_velocity_m_s", def.linear_velocity_m_s),
-                            check::finite("body.angular_velocity_rad_s", d(def.angular_velocity_rad_s)),
-                            check::not_negative("body.linear_damping_1_s", d(def.linear_damping_1_s)),
-                            check::not_negative("body.angular_damping_1_s", d(def.angular_damping_1_s)),
-                            check::finite("body.gravity_scale", d(def.gravity_scale)),
-                            check::not_negative("body.sleep_speed_m_s", d(def.sleep_speed_m_s))});
+    return check::first_of(
+        {check::within("body.type", static_cast<int>(def.type), 0, static_cast<int>(BodyType::Dynamic)),
+         check::placed("body.position_m", def.position_m), check::finite("body.angle_rad", def.angle_rad),
+         check::finite("body.linear_velocity_m_s", def.linear_velocity_m_s),
+         check::finite("body.angular_velocity_rad_s", d(def.angular_velocity_rad_s)),
+         check::not_negative("body.linear_damping_1_s", d(def.linear_damping_1_s)),
+         check::not_negative("body.angular_damping_1_s", d(def.angular_damping_1_s)),
+         check::finite("body.gravity_scale", d(def.gravity_scale)),
+         check::not_negative("body.sleep_speed_m_s", d(def.sleep_speed_m_s))});
 }
 
 check::Fault validate(const Material& material) {
