@@ -51,7 +51,7 @@ TEST_CASE("what hangs asleep on a kinematic body wakes when that begins to move 
         for (const bool turns : {false, true}) {
             World world;
             const BodyId anchor =
-                add(world, {.type = BodyType::Kinematic, .position_m = {0, 10}}, Circle{0.1f});
+                add(world, {.type = BodyType::Kinematic, .position_m = {0, 10}}, Circle{{}, 0.1f});
             const BodyId hanging = add(
                 world, {.position_m = {0, 8}, .linear_damping_1_s = 5, .angular_damping_1_s = 5}, Circle{});
             const JointDef def =
