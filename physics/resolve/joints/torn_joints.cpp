@@ -65,8 +65,9 @@ void close_tears(std::span<const TornJoint> joints, Motions& motions) {
         const Vec2 shift_a = movable(motions, j.a, apart);
         const Vec2 shift_b = movable(motions, j.b, apart);
         const float k = dot(shift_a + shift_b, apart);
-        if (!(k > 0)) continue;
         const float impulse = length_squared(apart) / k;
+        // Beyond all measure: what cannot be moved would take no number, and all that touches it.
+        if (!(k > 0) || !is_finite(impulse)) continue;
         a.d += impulse * shift_a;
         b.d -= impulse * shift_b;
     }

@@ -57,6 +57,26 @@ TEST_CASE("two free bodies of a torn joint meet where their masses say") {
     CHECK(world.body(heavy)->position().x == Approx(8).epsilon(1e-5));
 }
 
+TEST_CASE("a torn joint whose body is hurled beyond all measure leaves what it hangs on where it is") {
+    const float push_n = GENERATE(1e18f, 1e20f, 1e22f, 1e24f, 1e28f, 1e32f, 1e36f, 1e38f, 3e38f);
+    for (std::size_t kind = 0; kind < 6; ++kind) {
+        INFO("joint " << kind << ", " << push_n << " N");
+        World world;
+        const BodyId ground = add_ground(world);
+        const BodyId bob = add(world, {.position_m = {0, 1}}, Circle{{}, 0.25f}, kMeetsNothing);
+        world.create_joint(joints_between(ground, bob)[kind]).value();
+        world.step(kStep_s).value();
+        add(world, {.position_m = {20, 0.5}}, Circle{}, {.contact_events = true});
+        world.body(bob)->set_transform({100, 70}, 0).value();
+        world.body(bob)->apply_force_to_center({push_n, push_n}).value();
+        world.step(kStep_s).value();
+        REQUIRE(world.contact_begins().size() == 1);
+        const Position point = world.contact_begins()[0].point_m;
+        CHECK(point.x == Approx(20).margin(0.01));
+        CHECK(point.y == Approx(0).margin(0.01));
+    }
+}
+
 TEST_CASE("a chain of which a link was put elsewhere comes together") {
     World world(kWeightless);
     std::vector<BodyId> links;
