@@ -35,6 +35,7 @@ bool takes_part(const JointRecord&) {
 void list_joint(Stores&, int) {}
 void unlist_joint(Stores&, int) {}
 void unseat_joint(Stores&, int) {}
+void forget_memory(Stores&, int) {}
 JointMemory memory_of(const JointStore&, int) {
     return {};
 }
