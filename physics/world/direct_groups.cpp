@@ -62,7 +62,7 @@ class Growth {
     void from_structure(int i) {
         const DirectStructure& s = structure(i);
         if (s.only_free && !is_free(s)) return;
-        from(s.bodies.front(), kMaxTakenUp);
+        from(s.bodies.front(), 0);
     }
 
     /// From contacts between uneven masses, when all structures have been tried. One of a heap that was too
@@ -70,19 +70,19 @@ class Growth {
     void from_contact(int contact) {
         const ContactRecord& c = stores_.contacts.slots[contact];
         const bool is_too_many = mark(c.body_a) == kTooMany || mark(c.body_b) == kTooMany;
-        if (!is_too_many || special::has(c, special::kRefused)) from(c.body_a, kMaxInRow);
+        if (!is_too_many || special::has(c, special::kRefused)) from(c.body_a, kMaxInRow - kMaxTakenUp);
     }
 
-    void from(int body, int most_taken_up) {
+    // Takes up so many bodies more if the group is a row.
+    void from(int body, int more_in_row) {
         if (!moves(stores_, body) || mark(body) != kNone) return;
         groups_.reached.clear();
         groups_.found.clear();
-        spare_ = most_taken_up;
-        taken_up_ = 0;
+        spare_ = kMaxTakenUp + more_in_row;
         spare_joined_ = kMaxTakenUpByJoints;
         spare_contacts_ = kSpareContacts;
         take(body);
-        if (reaches_all()) {
+        if (reaches_all(more_in_row)) {
             add_group();
         } else {
             add_structures_alone();
@@ -123,7 +123,6 @@ class Growth {
         const int found = groups_.structure_of[static_cast<std::size_t>(body)];
         if (found == kNone) {
             --spare_;
-            ++taken_up_;
             spare_contacts_ += kMaxContactsPerBody;
             return visit(body);
         }
@@ -133,7 +132,7 @@ class Growth {
     }
 
     // Takes up what touches, or may within the step; false when that is too much.
-    bool reaches_all() {
+    bool reaches_all(int more_in_row) {
         bool met_too_many = false;
         int contact_ends = 0;
         for (std::size_t next = 0; next < groups_.reached.size(); ++next) {
@@ -153,8 +152,7 @@ class Growth {
             take_jointed(groups_.reached[next]);
             if (spare_ < 0 || spare_joined_ < 0 || met_too_many) return false;
         }
-        if (groups_.found.empty() && taken_up_ > kMaxTakenUp)
-            spare_contacts_ = static_cast<int>(groups_.reached.size()) + kLoopsOfRow;
+        if (spare_ < more_in_row) spare_contacts_ = static_cast<int>(groups_.reached.size()) + kLoopsOfRow;
         // Each has been met from both of its bodies.
         return contact_ends <= 2 * spare_contacts_;
     }
@@ -241,7 +239,6 @@ class Growth {
     DirectGroups& groups_;
     int spare_ = 0;  // bodies that may still be taken up
     int spare_joined_ = 0;
-    int taken_up_ = 0;  // that are in no structure
     int spare_contacts_ = 0;
 };
 
