@@ -236,15 +236,17 @@ void load_joints(Reader& in, JointStore& joints) {
 void save_joint_lists(const JointStore& joints, Writer& out) {
     StateAccess::list(joints.active, [&](const std::vector<int>& list) { out.list(list); });
     StateAccess::list(joints.swept, [&](const std::vector<int>& list) { out.list(list); });
-    StateAccess::joints(joints.lanes, [&](const auto& pins, const auto& drives, float h_s,
-                                          bool springs_changed, bool has_loads, float dt_s) {
-        save_pool(pins, out);
-        save_pool(drives, out);
-        out.value(h_s);
-        out.value(springs_changed);
-        out.value(has_loads);
-        out.value(dt_s);
-    });
+    StateAccess::joints(joints.lanes,
+                        [&](const auto& pins, const auto& drives, float h_s, bool springs_changed,
+                            bool has_crowded_springs, bool has_loads, float dt_s) {
+                            save_pool(pins, out);
+                            save_pool(drives, out);
+                            out.value(h_s);
+                            out.value(springs_changed);
+                            out.value(has_crowded_springs);
+                            out.value(has_loads);
+                            out.value(dt_s);
+                        });
 }
 
 void load_joint_lists(Reader& in, Stores& stores) {
@@ -262,12 +264,13 @@ void load_joint_lists(Reader& in, Stores& stores) {
               [](const JointRecord& record) { return record.active_index != kNone; });
     if (!in.ok()) return;
     StateAccess::joints(joints.lanes, [&](auto& pins, auto& drives, float& h_s, bool& springs_changed,
-                                          bool& has_loads, float& dt_s) {
+                                          bool& has_crowded_springs, bool& has_loads, float& dt_s) {
         Seating seating(in, stores);
         seating.load_pool(pins, false);
         if (in.ok()) seating.load_pool(drives, true);
         in.value(h_s);
         in.value(springs_changed);
+        in.value(has_crowded_springs);
         in.value(has_loads);
         in.value(dt_s);
     });

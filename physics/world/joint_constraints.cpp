@@ -203,11 +203,12 @@ void prepare_joints(Stores& stores, const StepTime& time, StepScratch& scratch, 
             lanes.hide_tears(softness_of(JointStiffness{}, time.h_s).bias_rate, scratch.torn);
         lanes.take_off_loads(scratch.motions, loads, tasks);
     }
+    scratch.has_crowded_springs = false;
     if (!springs && !lanes.springs_changed()) return;
-    scratch.spring_loads.assign(static_cast<std::size_t>(scratch.motions.size()), 0);
+    scratch.spring_loads.assign(static_cast<std::size_t>(scratch.motions.size()), {});
     add_spring_loads(joints, scratch.joint_places, scratch.motions, scratch.spring_loads);
     lanes.add_spring_loads(scratch.motions, scratch.spring_loads, tasks);
-    make_springs(joints, time.h_s, scratch.spring_loads);
+    scratch.has_crowded_springs = make_springs(joints, time.h_s, scratch.spring_loads);
     start_springs(joints, scratch.joint_places, time.h_s, scratch.motions);
     lanes.settle_springs(scratch.spring_loads, springs, tasks);
 }

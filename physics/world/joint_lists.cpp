@@ -63,6 +63,7 @@ DriveLane make_drive(const RevoluteJointDef& def, float h_s) {
     if (def.enable_spring) {
         drive.spring_frequency_rad_s = 2 * kPi * def.frequency_hz;
         drive.square = (drive.spring_frequency_rad_s * h_s) * (drive.spring_frequency_rad_s * h_s);
+        drive.damping = 2 * def.damping_ratio * (drive.spring_frequency_rad_s * h_s);
         drive.spring = make_exact_spring(static_cast<double>(def.frequency_hz),
                                          static_cast<double>(def.damping_ratio), static_cast<double>(h_s), 1);
         drive.spring_target = def.target_rad - frames;

@@ -172,6 +172,24 @@ inline void warm_start_contacts(StepScratch& scratch, const StepTime& time, Task
     warm_start(scratch.batches->rest_runs(), scratch.motions, time.step_ratio, time.impulse_ratio, tasks);
 }
 
+inline void sweep_crowded_springs(JointLanes& lanes, StepScratch& scratch) {
+    const bool some_joints = scratch.has_crowded_springs;
+    const bool some_lanes = lanes.has_crowded_springs();
+    const auto sweep_joints = [&](bool back) {
+        if (some_joints) sweep_crowded_springs(scratch.joints, scratch.joint_places, scratch.motions, back);
+    };
+    const auto sweep_lanes = [&](bool back) {
+        if (some_lanes) lanes.sweep_crowded_springs(scratch.motions, back);
+    };
+    if (!some_joints && !some_lanes) return;
+    for (int i = 0; i < kCrowdedSweeps; ++i) {
+        sweep_joints(false);
+        sweep_lanes(false);
+        sweep_lanes(true);
+        sweep_joints(true);
+    }
+}
+
 /// The passes of joints: biased ones start from the impulses of the last substep.
 inline void solve_joints(JointLanes& lanes, StepScratch& scratch, float h_s, Acting acting, Pass pass,
                          TaskPool& tasks) {
@@ -186,6 +204,7 @@ inline void solve_joints(JointLanes& lanes, StepScratch& scratch, float h_s, Act
     if (pass == Pass::Biased) {
         warm_start_joints(scratch.joints, scratch.joint_places, motions);
         lanes.warm_start(motions, tasks);
+        sweep_crowded_springs(lanes, scratch);
     }
     solve_joints(scratch.joints, scratch.joint_places, motions, h_s, pass);
     if (pass == Pass::Biased) {

@@ -352,8 +352,9 @@ struct StepScratch {
     std::vector<JointConstraint> joints;      // the swept ones, in their order
     std::vector<JointPlace> joint_places;
     std::vector<TornJoint> torn;
-    std::vector<int> unseated;  // joints that may get a lane, or break
-    std::vector<double> spring_loads;
+    std::vector<int> unseated;         // joints that may get a lane, or break
+    bool has_crowded_springs = false;  // outside of lanes
+    std::vector<SpringLoad> spring_loads;
     std::vector<int> met;      // contacts that were near and have points now
     std::vector<int> parted;   // contacts that have none any more
     std::vector<int> gone;     // contacts whose boxes no longer overlap

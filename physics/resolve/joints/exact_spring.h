@@ -10,6 +10,13 @@ struct ExactSpring {
     float d0 = 0;
     float stiffness_per_s = 0;  // W^2 / h, with W = w h
     bool damped = false;
+    bool crowded = false;
+};
+
+/// What the springs at one body amount to.
+struct SpringLoad {
+    double together_1_s2 = 0;  // the sum of w^2, each times the share of the body in J 1/M J^T
+    int springs = 0;
 };
 
 /// frequency_hz > 0, damping_ratio >= 0. Springs that share bodies stiffen each other: `stiffening` is how
@@ -24,5 +31,14 @@ float starting_speed(double frequency_hz, double damping_ratio, double h_s, doub
 
 /// The same of a spring that was made for itself alone, (w h)^2 its square.
 ExactSpring calmed(ExactSpring spring, double square, double stiffening);
+
+/// Whether the springs at a body are crowded: so stiff together that each undoes what the last one did, and
+/// one sweep is far from what they come to. One by itself never is.
+bool is_crowd(const SpringLoad& load, double h_s);
+
+/// A spring with a crowded body: the same if it is soft by itself, or else implicit Euler, damped more.
+/// It rests where it did when swept to the end. Crowded springs are swept apart (joint_solver.h). `damping`
+/// is 2 z w h.
+ExactSpring crowded(ExactSpring spring, double square, double damping);
 
 }  // namespace cairn::physics

@@ -63,10 +63,12 @@ struct alignas(32) DriveBlock {
     Lanes<float> upper_impulse;
     Lanes<float> start_angle;
     Lanes<float> total_angular;  // N m s, over the step
+    Lanes<float> crowded;        // 1: the spring is (exact_spring.h)
     // What springs that share bodies make of theirs is found once per step from these.
     Lanes<float> own_d1;
     Lanes<float> own_d0;
     Lanes<float> square;     // (w h)^2
+    Lanes<float> damping;    // 2 z w h
     Lanes<float> frequency;  // w, rad/s
     // As defined, less the angle between the frames.
     Lanes<float> own_target;

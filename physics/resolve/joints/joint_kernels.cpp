@@ -197,14 +197,24 @@ class Drive {
         mass_ = inverse_or_zero(k);
     }
 
-    HWY_INLINE void spring() {
+    // Those that are not crowded.
+    HWY_INLINE void spring() { spring(hn::Not(crowded())); }
+    HWY_INLINE void crowded_spring() { spring(crowded()); }
+    HWY_INLINE void forget_crowded_spring() {
+        const V impulse = load(block_.spring_impulse, lane_);
+        store(hn::IfThenZeroElse(crowded(), impulse), block_.spring_impulse, lane_);
+    }
+    [[nodiscard]] HWY_INLINE M crowded() const { return hn::Gt(load(block_.crowded, lane_), hn::Zero(D())); }
+
+    HWY_INLINE void spring(M wanted_lanes) {
         const V d1 = load(block_.spring_d1, lane_);
         const V old = load(block_.spring_impulse, lane_);
         const V error = hn::Sub(load(block_.angle, lane_), load(block_.spring_target, lane_));
         const V force = hn::Add(hn::Add(hn::Mul(d1, speed()), hn::Mul(load(block_.spring_d0, lane_),
                                                                       load(block_.speed_before, lane_))),
                                 hn::Mul(load(block_.spring_stiffness, lane_), error));
-        const V wanted = hn::Div(hn::Sub(hn::Mul(d1, old), hn::Mul(mass_, force)), hn::Add(set(1), d1));
+        const V solved = hn::Div(hn::Sub(hn::Mul(d1, old), hn::Mul(mass_, force)), hn::Add(set(1), d1));
+        const V wanted = hn::IfThenElse(wanted_lanes, solved, old);
         store(wanted, block_.spring_impulse, lane_);
         push(hn::Sub(wanted, old));
     }
@@ -280,8 +290,17 @@ struct WarmStart {
     template <JointBlockKind kKind>
     HWY_INLINE void operator()(DriveBlock& block, int lane, Pair<kKind>& pair) const {
         Drive<kKind> drive(block, lane, pair);
+        drive.forget_crowded_spring();
         drive.push(drive.impulse());
         point(block.pin, lane, pair);
+    }
+};
+
+struct SweepCrowdedSprings {
+    template <JointBlockKind kKind>
+    HWY_INLINE void operator()(DriveBlock& block, int lane, Pair<kKind>& pair) const {
+        Drive<kKind> drive(block, lane, pair);
+        if (!hn::AllFalse(D(), drive.crowded())) drive.crowded_spring();
     }
 };
 
@@ -372,6 +391,9 @@ void warm_start_pins(PinBlock* pool, std::span<const int> blocks, JointBlockKind
 void warm_start_drives(DriveBlock* pool, std::span<const int> blocks, JointBlockKind kind, float* velocity) {
     for_all(pool, blocks, kind, velocity, WarmStart{});
 }
+void sweep_crowded(DriveBlock* pool, std::span<const int> blocks, JointBlockKind kind, float* velocity) {
+    for_all(pool, blocks, kind, velocity, SweepCrowdedSprings{});
+}
 void solve_pins(PinBlock* pool, std::span<const int> blocks, JointBlockKind kind, float* velocity,
                 const JointPassTime& time) {
     for_all(pool, blocks, kind, velocity, Solve{time});
@@ -399,6 +421,7 @@ namespace cairn::physics {
 HWY_EXPORT(note_speeds);
 HWY_EXPORT(warm_start_pins);
 HWY_EXPORT(warm_start_drives);
+HWY_EXPORT(sweep_crowded);
 HWY_EXPORT(solve_pins);
 HWY_EXPORT(solve_drives);
 HWY_EXPORT(relax_pins);
@@ -414,6 +437,10 @@ void warm_start_joints(PinBlock* pool, std::span<const int> blocks, JointBlockKi
 void warm_start_joints(DriveBlock* pool, std::span<const int> blocks, JointBlockKind kind,
                        VelocityRow* velocity) {
     HWY_DYNAMIC_DISPATCH(warm_start_drives)(pool, blocks, kind, &velocity->v.x);
+}
+void sweep_crowded_springs(DriveBlock* pool, std::span<const int> blocks, JointBlockKind kind,
+                           VelocityRow* velocity) {
+    HWY_DYNAMIC_DISPATCH(sweep_crowded)(pool, blocks, kind, &velocity->v.x);
 }
 void solve_joints(PinBlock* pool, std::span<const int> blocks, JointBlockKind kind, VelocityRow* velocity,
                   const JointPassTime& time) {

@@ -45,6 +45,9 @@ void warm_start_joints(PinBlock* pool, std::span<const int> blocks, JointBlockKi
                        VelocityRow* velocity);
 void warm_start_joints(DriveBlock* pool, std::span<const int> blocks, JointBlockKind kind,
                        VelocityRow* velocity);
+/// Those of one colour at once; bodies that are in none of them keep their velocities to the bit.
+void sweep_crowded_springs(DriveBlock* pool, std::span<const int> blocks, JointBlockKind kind,
+                           VelocityRow* velocity);
 void solve_joints(PinBlock* pool, std::span<const int> blocks, JointBlockKind kind, VelocityRow* velocity,
                   const JointPassTime& time);
 void solve_joints(DriveBlock* pool, std::span<const int> blocks, JointBlockKind kind, VelocityRow* velocity,

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cstring>
+#include <utility>
 
 #include "base/colored_runs.h"
 
@@ -242,6 +243,7 @@ void JointLanes::set_drive(int lane, const DriveLane& drive) {
     block.own_d0[at] = block.spring_d0[at] = drive.spring.d0;
     block.spring_stiffness[at] = drive.spring.stiffness_per_s;
     block.square[at] = drive.square;
+    block.damping[at] = drive.damping;
     block.frequency[at] = drive.spring_frequency_rad_s;
     block.own_target[at] = drive.spring_target;
     block.motor_speed[at] = drive.motor_speed;
@@ -391,7 +393,7 @@ void JointLanes::hide_tears(float rigid_rate, std::vector<TornJoint>& torn) {
     });
 }
 
-void JointLanes::add_spring_loads(const Motions& motions, std::vector<double>& together,
+void JointLanes::add_spring_loads(const Motions& motions, std::vector<SpringLoad>& loads,
                                   TaskPool& tasks) const {
     const auto response = [&](std::size_t row) {
         const auto k = static_cast<double>(motions.pose[row].k);
@@ -406,8 +408,11 @@ void JointLanes::add_spring_loads(const Motions& motions, std::vector<double>& t
         const double of_b = response(b);
         const double sum = of_a + of_b;
         // What cannot be moved may stand in several lanes of a colour.
-        if (of_a > 0) together[a] += w * w * of_a / sum;
-        if (of_b > 0) together[b] += w * w * of_b / sum;
+        for (const auto& [row, of_body] : {std::pair{a, of_a}, std::pair{b, of_b}}) {
+            if (!(of_body > 0)) continue;
+            loads[row].together_1_s2 += w * w * of_body / sum;
+            ++loads[row].springs;
+        }
     };
     drives_.for_each_bucket(tasks, [&](std::span<const int> blocks, JointBlockKind) {
         for (const int block : blocks) {
@@ -419,19 +424,27 @@ void JointLanes::add_spring_loads(const Motions& motions, std::vector<double>& t
     });
 }
 
-void JointLanes::settle_springs(const std::vector<double>& together, bool others, TaskPool& tasks) {
+void JointLanes::settle_springs(const std::vector<SpringLoad>& loads, bool others, TaskPool& tasks) {
     springs_changed_ = others;  // theirs may be gone in the next step
     const std::span<const int> blocks = drives_.blocks();
+    std::atomic<bool> some_crowded = false;
     const auto settle = [&](DriveBlock& block, std::size_t lane) {
+        block.crowded[lane] = 0;
         const auto w = static_cast<double>(block.frequency[lane]);
         if (w == 0) return;
-        const double sum = together[static_cast<std::size_t>(block.pin.a[lane])] +
-                           together[static_cast<std::size_t>(block.pin.b[lane])];
-        const ExactSpring own{block.own_d1[lane], block.own_d0[lane], 0, true};
-        const ExactSpring calm =
-            calmed(own, static_cast<double>(block.square[lane]), std::max(sum / (w * w), 1.0));
-        block.spring_d1[lane] = calm.d1;
-        block.spring_d0[lane] = calm.d0;
+        const SpringLoad& of_a = loads[static_cast<std::size_t>(block.pin.a[lane])];
+        const SpringLoad& of_b = loads[static_cast<std::size_t>(block.pin.b[lane])];
+        const double sum = of_a.together_1_s2 + of_b.together_1_s2;
+        const auto square = static_cast<double>(block.square[lane]);
+        ExactSpring spring{block.own_d1[lane], block.own_d0[lane], 0, true};
+        spring = calmed(spring, square, std::max(sum / (w * w), 1.0));
+        if (is_crowd(of_a, static_cast<double>(h_s)) || is_crowd(of_b, static_cast<double>(h_s))) {
+            spring = crowded(spring, square, static_cast<double>(block.damping[lane]));
+            block.crowded[lane] = 1;
+            some_crowded.store(true, std::memory_order_relaxed);
+        }
+        block.spring_d1[lane] = spring.d1;
+        block.spring_d0[lane] = spring.d0;
     };
     tasks.parallel_for(static_cast<int>(blocks.size()), kBlocksPerChunk, [&](const Chunk& chunk) {
         for (int i = chunk.begin; i < chunk.end; ++i) {
@@ -442,6 +455,7 @@ void JointLanes::settle_springs(const std::vector<double>& together, bool others
             }
         }
     });
+    has_crowded_springs_ = some_crowded.load(std::memory_order_relaxed);
 }
 
 void JointLanes::note_spring_speeds(const Motions& motions, TaskPool& tasks) {
@@ -458,6 +472,20 @@ void JointLanes::warm_start(Motions& motions, TaskPool& tasks) {
     };
     warm_start_all(pins_);
     warm_start_all(drives_);
+}
+
+// On one thread: crowds are few.
+void JointLanes::sweep_crowded_springs(Motions& motions, bool back) {
+    const auto sweep = [&](int bucket) {
+        physics::sweep_crowded_springs(drives_.data(), drives_.blocks(bucket), joint_block_kind(bucket),
+                                       motions.velocity.data());
+    };
+    const std::span<const int> buckets = drives_.buckets();
+    if (back) {
+        std::for_each(buckets.rbegin(), buckets.rend(), sweep);
+    } else {
+        std::for_each(buckets.begin(), buckets.end(), sweep);
+    }
 }
 
 void JointLanes::solve(Motions& motions, const JointPassTime& time, TaskPool& tasks) {

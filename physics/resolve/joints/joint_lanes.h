@@ -74,7 +74,8 @@ struct AnchorLane {
 struct DriveLane {
     Softness softness;
     float spring_frequency_rad_s = 0;
-    float square = 0;  // (w h)^2
+    float square = 0;   // (w h)^2
+    float damping = 0;  // 2 z w h
     ExactSpring spring{0, 0, 0, true};
     float spring_target = 0;
     float motor_speed = 0;
@@ -239,10 +240,13 @@ class JointLanes {
     /// Whether springs came, went or changed since `settle_springs` was last told of none that are swept.
     [[nodiscard]] bool springs_changed() const { return springs_changed_; }
     /// As prepare_springs, in two halves: what each row has of springs, and what comes of it.
-    void add_spring_loads(const Motions& motions, std::vector<double>& together, TaskPool& tasks) const;
-    void settle_springs(const std::vector<double>& together, bool others, TaskPool& tasks);
+    void add_spring_loads(const Motions& motions, std::vector<SpringLoad>& loads, TaskPool& tasks) const;
+    void settle_springs(const std::vector<SpringLoad>& loads, bool others, TaskPool& tasks);
     void note_spring_speeds(const Motions& motions, TaskPool& tasks);
     void warm_start(Motions& motions, TaskPool& tasks);
+    [[nodiscard]] bool has_crowded_springs() const { return has_crowded_springs_; }
+    /// As the function of the same name in joint_solver.h.
+    void sweep_crowded_springs(Motions& motions, bool back);
     void solve(Motions& motions, const JointPassTime& time, TaskPool& tasks);
     void relax(Motions& motions, const JointPassTime& time, TaskPool& tasks);
 
@@ -252,6 +256,7 @@ class JointLanes {
     JointPool<PinBlock> pins_;
     JointPool<DriveBlock> drives_;
     bool springs_changed_ = false;
+    bool has_crowded_springs_ = false;
     bool has_loads_ = false;  // some pin may have one
     float dt_s_ = 0;
 };

@@ -6,7 +6,7 @@
 //     with
 //                        Jv+ = J v + K (p+ - p))
 // Springs are left alone while relaxing: that would take their force out again, a damping that nobody asked
-// for.
+// for. Crowded springs are swept apart, with the same law.
 #include "resolve/joints/joint_solver.h"
 
 #include <algorithm>
@@ -268,6 +268,10 @@ void start_spring(const Task<kCount>& task, Along<kMany>& along, float h_s) {
 
 template <int kCount, int kMany>
 void warm_start_law(const Task<kCount>& task, Along<kMany>& along) {
+    if (task.law.kind == LawKind::Spring && task.law.spring.crowded) {
+        for (int i = 0; i < kCount; ++i) task.impulse(i) = 0;
+        return;
+    }
     if (task.law.kind == LawKind::Spring && !task.law.spring.damped) {
         // The impulse of the last substep is a quarter of a period late for what swings freely.
         Values guess = spring_impulse(task, {task.law.speed_before[0], task.law.speed_before[1]});
@@ -291,7 +295,7 @@ void solve_law(const Task<kCount>& task, Along<kMany>& along, float h_s, Pass pa
         case LawKind::Hold:
             return solve_hold(task, along, pass);
         case LawKind::Spring:
-            if (pass == Pass::Biased) solve_spring(task, along);
+            if (pass == Pass::Biased && !task.law.spring.crowded) solve_spring(task, along);
             return;
         case LawKind::Motor:
             return solve_motor(task, along, h_s, pass);
@@ -341,30 +345,39 @@ void place_joints(std::span<const JointConstraint> joints, const Motions& motion
 }
 
 void add_spring_loads(std::span<const JointConstraint> joints, std::span<const JointPlace> places,
-                      const Motions& motions, std::vector<double>& together) {
+                      const Motions& motions, std::vector<SpringLoad>& loads) {
     for_each_spring(joints, [&](std::size_t joint, const JointLaw& law) {
         const JointConstraint& c = joints[joint];
         const Direction& d = places[joint].directions[law.direction];
         const double w = 2 * static_cast<double>(kPi) * static_cast<double>(law.spring_frequency_hz);
         const float k = places[joint].inverse_mass[law.direction][law.direction];
         for (int i = 0; k > 0 && i < c.bodies; ++i) {
-            together[static_cast<std::size_t>(c.rows[i])] +=
-                w * w * static_cast<double>(share(motions.get(c.rows[i]), d.j[i], d.j[i]) / k);
+            const float of_body = share(motions.get(c.rows[i]), d.j[i], d.j[i]);
+            if (!(of_body > 0)) continue;
+            SpringLoad& load = loads[static_cast<std::size_t>(c.rows[i])];
+            load.together_1_s2 += w * w * static_cast<double>(of_body / k);
+            ++load.springs;
         }
     });
 }
 
-void make_springs(std::span<JointConstraint> joints, float h_s, const std::vector<double>& together) {
+bool make_springs(std::span<JointConstraint> joints, float h_s, const std::vector<SpringLoad>& loads) {
     // One spring follows another that is mostly alike.
     float last_frequency_hz = 0;
     float last_damping_ratio = 0;
     ExactSpring alone;
+    bool some_crowded = false;
     for_each_spring(joints, [&](std::size_t joint, JointLaw& law) {
         const JointConstraint& c = joints[joint];
         const double frequency = static_cast<double>(law.spring_frequency_hz);
         const double w = 2 * static_cast<double>(kPi) * frequency;
         double sum = 0;
-        for (int i = 0; i < c.bodies; ++i) sum += together[static_cast<std::size_t>(c.rows[i])];
+        bool is_crowded = false;
+        for (int i = 0; i < c.bodies; ++i) {
+            const SpringLoad& load = loads[static_cast<std::size_t>(c.rows[i])];
+            sum += load.together_1_s2;
+            is_crowded = is_crowded || is_crowd(load, static_cast<double>(h_s));
+        }
         if (law.spring_frequency_hz != last_frequency_hz || law.spring_damping_ratio != last_damping_ratio) {
             last_frequency_hz = law.spring_frequency_hz;
             last_damping_ratio = law.spring_damping_ratio;
@@ -373,7 +386,12 @@ void make_springs(std::span<JointConstraint> joints, float h_s, const std::vecto
         }
         const double angle = w * static_cast<double>(h_s);
         law.spring = calmed(alone, angle * angle, std::max(sum / (w * w), 1.0));
+        if (c.direct || !is_crowded) return;
+        law.spring =
+            crowded(law.spring, angle * angle, 2 * static_cast<double>(law.spring_damping_ratio) * angle);
+        some_crowded = true;
     });
+    return some_crowded;
 }
 
 void start_springs(std::span<JointConstraint> joints, std::span<const JointPlace> places, float h_s,
@@ -406,6 +424,22 @@ void warm_start_joints(std::span<JointConstraint> joints, std::span<const JointP
         JointConstraint& c = joints[joint];
         if (c.direct) continue;
         with_bodies(c, places[joint], motions, [&](auto& along) { warm_start(c, places[joint], along); });
+    }
+}
+
+void sweep_crowded_springs(std::span<JointConstraint> joints, std::span<const JointPlace> places,
+                           Motions& motions, bool back) {
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+        const std::size_t joint = back ? joints.size() - 1 - i : i;
+        JointConstraint& c = joints[joint];
+        if (!c.has_spring) continue;
+        for (int l = 0; l < c.law_count; ++l) {
+            JointLaw& law = c.laws[back ? c.law_count - 1 - l : l];
+            if (law.kind != LawKind::Spring || !law.spring.crowded) continue;
+            with_bodies(c, places[joint], motions, [&](auto& along) {
+                with_task(c, law, places[joint], [&](const auto& task) { solve_spring(task, along); });
+            });
+        }
     }
 }
 

@@ -60,11 +60,13 @@ Softness softness_of(const JointStiffness&, float) {
 }
 void note_spring_speeds(std::span<JointConstraint>, std::span<const JointPlace>, const Motions&) {}
 void warm_start_joints(std::span<JointConstraint>, std::span<const JointPlace>, Motions&) {}
+void sweep_crowded_springs(std::span<JointConstraint>, std::span<const JointPlace>, Motions&, bool) {}
 void solve_joints(std::span<JointConstraint>, std::span<JointPlace>, Motions&, float, Pass) {}
 void close_tears(std::span<const TornJoint>, Motions&) {}
 void JointLanes::arrange() {}
 void JointLanes::note_spring_speeds(const Motions&, TaskPool&) {}
 void JointLanes::warm_start(Motions&, TaskPool&) {}
+void JointLanes::sweep_crowded_springs(Motions&, bool) {}
 void JointLanes::solve(Motions&, const JointPassTime&, TaskPool&) {}
 void JointLanes::relax(Motions&, const JointPassTime&, TaskPool&) {}
 

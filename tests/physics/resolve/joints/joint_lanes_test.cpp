@@ -43,13 +43,13 @@ struct Twins {
             add_body(random, true);
         }
         for (int pair = 0; pair < kPairs; ++pair) join(random, pair, drives, anchored);
-        std::vector<double> together(places.size(), 0);
+        std::vector<SpringLoad> loads(places.size());
         lanes.arrange();
         lanes.place(places, in_lanes, 1, 4 * kSubstep_s, tasks);
         place_joints(constraints, swept, joint_places);
-        add_spring_loads(constraints, joint_places, swept, together);
-        make_springs(constraints, kSubstep_s, together);
-        lanes.settle_springs(together, false, tasks);
+        add_spring_loads(constraints, joint_places, swept, loads);
+        make_springs(constraints, kSubstep_s, loads);
+        lanes.settle_springs(loads, false, tasks);
     }
 
     void add_body(Random& random, bool pushed) {
