@@ -36,7 +36,7 @@ struct ContactInput {
     float rolling_m = 0;          // torque that resists rolling, per normal force
     float surface_speed_m_s = 0;  // of b past a along the tangent, which friction brings about
     float unit = 1;               // of lengths (world/tiny_contacts.h)
-    float reached_s = 0;          // of what turns far: from when on it acts (world/awaited_contacts.h)
+    float reached_s = 0;          // of what is predicted: when in the step the two meet
 };
 
 /// m/s. A new contact that closes slower than this is one of things put down, not of an impact.

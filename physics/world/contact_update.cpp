@@ -10,6 +10,7 @@
 
 #include "base/ample.h"
 #include "base/prefetch.h"
+#include "world/bent_ways.h"
 #include "world/contact_events.h"
 #include "world/contact_lists.h"
 #include "world/contacts.h"
@@ -225,6 +226,7 @@ class Update {
         input.contact = contact;
         input.unit = length_unit(stores_, c);
         plain_.add(input, c.memory);
+        expect_bends(stores_, input, time_.dt_s, scratch_);
         return true;
     }
 

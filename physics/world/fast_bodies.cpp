@@ -186,11 +186,7 @@ bool predict_contact(const Stores& stores, const ContactRecord& contact, const A
         p.separation =
             m.points[i].separation - dot(moved(b, p.r_b, *time) - moved(a, p.r_a, *time), input.normal);
     }
-    const auto whirls = [&](int body) {
-        return (bodies.places[body].flags & place_flag::kWhirls) != 0 &&
-               bodies.slots[body].turn_arm_m > tuning::kLinearSlop_m;
-    };
-    if (whirls(contact.body_a) || whirls(contact.body_b)) input.reached_s = *time;
+    input.reached_s = *time;
     input.friction = contact.friction;
     input.restitution = contact.restitution;
     input.radius_a = a.shape->radius();

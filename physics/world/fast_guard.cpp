@@ -11,13 +11,12 @@
 
 #include "base/ample.h"
 #include "collide/place_lanes.h"
-#include "collide/ray_cast.h"
 #include "world/edge_list.h"
 #include "world/fast_bodies.h"
 #include "world/filtering.h"
 #include "world/finalize.h"
+#include "world/last_way.h"
 #include "world/special_contacts.h"
-#include "world/sweep_guard.h"
 #include "world/sweeping_contacts.h"
 
 namespace cairn::physics {
@@ -35,101 +34,11 @@ constexpr int kRowsAhead = 12;
 // Each turns a body back to less than the angle that was too much.
 constexpr int kMostRounds = 8;
 
-// Of a way, how far float may put what lies along it aside.
-constexpr float kRounding = 1e-6f;
-
-// Whether a straight way stays farther from the origin than the reach.
-bool stays_outside(Vec2 from, Vec2 way, float reach) {
-    const float whole = length_squared(way);
-    const float share = whole > 0 ? std::clamp(-dot(from, way) / whole, 0.0f, 1.0f) : 0;
-    const float rounding = kRounding * (length(from) + length(way));
-    return length(from + share * way) > reach + rounding;
-}
-
-// The way of a point during the last step against another shape, as seen from that shape: what moved along
-// with the point, or was pushed ahead of it, was not passed. Ways up to the least one are not looked at.
-std::optional<LocalRayHit> cast_relative_way(const Stores& stores, int shape, Position from, Vec2 way,
-                                             float least_way) {
-    const int body = stores.shapes[shape].body;
-    const Place& place = stores.bodies.places[body];
-    if (place.row == kWorldRow) {
-        const Transform now = stores.bodies.transform(body);
-        return cast_ray(stores.shapes[shape].convex(), inverse_transform_point(now, from),
-                        inverse_rotate(now.q, way));
-    }
-    const BodyRows& awake = stores.bodies.rows(RowSet::Awake);
-    const Vec2 moved = awake.moved[place.row - 1];
-    // In the frame of what whirls nothing goes straight: it counts as having stood as it does now.
-    const bool whirls = (place.flags & place_flag::kWhirls) != 0;
-    const Rotation q = whirls ? place.rotation : awake.rotation_before[place.row - 1];
-    const Position center = place.center + -moved;
-    // Turning moves a point by the chord of the angle.
-    const float chord = length(Vec2{place.rotation.c - q.c, place.rotation.s - q.s});
-    const Vec2 seen = from - center;
-    const Vec2 straight_way = way - moved;
-    if (length(straight_way) + chord * length(seen) <= least_way) return {};
-    const BodyRecord& record = stores.bodies.slots[body];
-    if (stays_outside(seen, straight_way, record.extent_m + chord * length(seen + straight_way))) return {};
-    const Transform now = stores.bodies.transform(body);
-    const Convex& convex = stores.shapes[shape].convex();
-    const Vec2 start = inverse_transform_point({center + -rotate(q, record.mass.center_m), q}, from);
-    const Vec2 relative_way = inverse_transform_point(now, from + way) - start;
-    if (length(relative_way) <= least_way) return {};
-    return cast_ray(convex, start, relative_way);
-}
-
-// How much of its last way a shape could go before its centre met the surface of the other shape, less its
-// own thickness; 1 when it met nothing.
-class Way {
-  public:
-    Way(const Stores& stores, int shape, float fast_share = kFastShare)
-        : stores_(stores), shape_(shape), convex_(stores.shapes[shape].convex()) {
-        const int body = stores.shapes[shape].body;
-        const BodyRecord& record = stores.bodies.slots[body];
-        const BodyRows& awake = stores.bodies.rows(RowSet::Awake);
-        const Vec2 arm = convex_.centroid - record.mass.center_m;
-        from_ = stores.bodies.places[body].center + -awake.moved[record.row] +
-                rotate(awake.rotation_before[record.row], arm);
-        way_ = transform_point(stores.bodies.transform(body), convex_.centroid) - from_;
-        length_ = length(way_);
-        least_way_ = fast_share * record.inner_radius_m;
-        farthest_way_ = record.inner_radius_m / kRounding;
-    }
-
-    [[nodiscard]] Position from() const { return from_; }
-    [[nodiscard]] Vec2 way() const { return way_; }
-
-    /// Not where it is too short to have taken the centre through anything, nor where it is so long that
-    /// float cannot tell what lies beside it.
-    [[nodiscard]] bool is_looked_at() const { return length_ > least_way_ && length_ <= farthest_way_; }
-
-    [[nodiscard]] float free_share(int other) const {
-        if (!is_looked_at() || is_carried(stores_, shape_, other)) return 1;
-        const auto hit = cast_relative_way(stores_, other, from_, way_, least_way_);
-        return hit ? std::max(hit->fraction - inner_radius(convex_) / length_, 0.0f) : 1;
-    }
-
-  private:
-    const Stores& stores_;
-    int shape_;
-    const Convex& convex_;
-    Position from_;
-    Vec2 way_;
-    float length_ = 0;
-    float least_way_ = 0;
-    float farthest_way_ = 0;
-};
-
 // While centres stay in the boxes that their shapes had when contacts were updated, those of a pair without a
 // contact are in boxes apart, and neither can get past the other. What was hurled out of its own has to ask
 // the trees.
 bool is_lost(const Stores& stores, int body) {
     return (stores.bodies.places[body].flags & place_flag::kLost) != 0;
-}
-
-bool is_guarded(const Stores& stores, int body) {
-    return (stores.bodies.places[body].flags & place_flag::kFast) != 0 && stores.bodies.is_awake(body) &&
-           stores.bodies.slots[body].type == BodyType::Dynamic;
 }
 
 // Written where it stays: put together elsewhere and copied it would wait for its own parts.
@@ -399,12 +308,16 @@ class Guard {
     const Place* places_;
 };
 
-// Turning takes the centre of a shape along only where that is not the body's.
+}  // namespace
+
+bool is_guarded(const Stores& stores, int body) {
+    return (stores.bodies.places[body].flags & place_flag::kFast) != 0 && stores.bodies.is_awake(body) &&
+           stores.bodies.slots[body].type == BodyType::Dynamic;
+}
+
 bool takes_shapes_round(const BodyRecord& record) {
     return record.center_arm_m > tuning::kLinearSlop_m;
 }
-
-}  // namespace
 
 void put_back(Stores& stores, int body, float share, bool turns) {
     BodyRows& awake = stores.bodies.rows(RowSet::Awake);
@@ -455,7 +368,7 @@ float free_share_of_pressed(const Stores& stores, int body) {
         const bool is_b = side == 1;
         if (!is_b || stores.bodies.slots[c.body_a].type == BodyType::Dynamic) return;
         if (special::has(c, special::kRefused | special::kPassing)) return;
-        free_share = std::min(free_share, Way(stores, c.shape_b, kAllWays).free_share(c.shape_a));
+        free_share = std::min(free_share, Way(stores, c.shape_b, {}, kAllWays).free_share(c.shape_a));
     });
     return free_share;
 }

@@ -6,6 +6,12 @@
 
 namespace cairn::physics {
 
+/// Whether it is looked at: fast, and free to be put back.
+bool is_guarded(const Stores& stores, int body);
+
+/// Turning takes the centre of a shape along only where that is not the body's.
+bool takes_shapes_round(const BodyRecord& record);
+
 /// As far as it was free to go of what it moved by in the last step, and of what it turned by if it `turns`.
 void put_back(Stores& stores, int body, float share, bool turns);
 

@@ -25,6 +25,7 @@ void PlainContacts::begin() {
     scratch_.scalar_contacts.clear();
     scratch_.deep.clear();
     scratch_.awaited.clear();
+    scratch_.bent.bends.clear();
     scratch_.sweeping.clear();
     mark_what_was_put_in();
 }
@@ -74,7 +75,7 @@ void PlainContacts::add(ContactInput input, const ContactMemory& memory) {
     const bool pushed_apart = is_pushed_apart(constraint);
     if (pushed_apart) note_deep();
     const ContactRecord& c = stores_.contacts.slots[input.contact];
-    const bool awaits = input.reached_s > 0 && !is_direct(c);
+    const bool awaits = input.reached_s > 0 && (whirls(c.body_a) || whirls(c.body_b)) && !is_direct(c);
     if (awaits) await_contact(input, stores_.bodies.center_offset(c.body_a, c.body_b), time_, scratch_);
     if (!pushed_apart && sweeps(constraint)) {
         add_sweeping(scratch_, awaits ? scratch_.awaited.back().substep + 1 : 0);
@@ -143,6 +144,12 @@ bool PlainContacts::is_direct(const ContactRecord& record) const {
 bool PlainContacts::sweeps(const ContactConstraint& c) const {
     const ContactRecord& record = stores_.contacts.slots[c.contact];
     return has_flag(record, place_flag::kSweeps) && c.unit == 1 && !is_direct(record);
+}
+
+// What is round meets nothing by turning.
+bool PlainContacts::whirls(int body) const {
+    return (stores_.bodies.places[body].flags & place_flag::kWhirls) != 0 &&
+           stores_.bodies.slots[body].turn_arm_m > tuning::kLinearSlop_m;
 }
 
 bool PlainContacts::has_flag(const ContactRecord& record, std::uint32_t flag) const {

@@ -37,6 +37,7 @@ class PlainContacts {
     [[nodiscard]] bool was_put_in(const ContactRecord& record) const;
     [[nodiscard]] bool is_direct(const ContactRecord& record) const;
     [[nodiscard]] bool sweeps(const ContactConstraint& c) const;
+    [[nodiscard]] bool whirls(int body) const;
     [[nodiscard]] bool has_flag(const ContactRecord& record, std::uint32_t flag) const;
 
     Stores& stores_;

@@ -67,8 +67,9 @@ void set_motions(BodyStore& bodies, Vec2 gravity_m_s2, float dt_s, int first, St
                 if (turn > kWhirl_rad) flags |= place_flag::kWhirls;
                 if (is_swept) flags |= place_flag::kSweeps;
             }
-            if (locked_axes(record) != 0 || (is_swept && record.type == BodyType::Kinematic))
-                noted.items().push_back(row);
+            const bool carries =
+                record.type == BodyType::Kinematic && (is_swept || (flags & place_flag::kFast) != 0);
+            if (locked_axes(record) != 0 || carries) noted.items().push_back(row);
         }
     });
     scratch.motions.some_turn_far |= some_turn_far;

@@ -7,6 +7,7 @@
 #include "integrator/integrate.h"
 #include "world/awaited_contacts.h"
 #include "world/batches.h"
+#include "world/bent_ways.h"
 #include "world/bounce_energy.h"
 #include "world/bounces.h"
 #include "world/breakables.h"
@@ -114,6 +115,7 @@ void step_world(WorldState& world, float dt_s) {
     finalize_bodies(stores, scratch, time.dt_s, def.enable_sleep, tasks);
     clock.enter(Stage::Continuous);
     carry_swept_bodies(stores, scratch);
+    hold_bent_ways(stores, scratch, time.dt_s, tasks);
     hold_fast_bodies(stores, scratch, tasks);
     hold_sweeping_bodies(stores, scratch);
     hold_pressed_bodies(stores, scratch);

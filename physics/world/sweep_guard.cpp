@@ -231,7 +231,7 @@ void for_each_met(const Stores& stores, int body, const Visit& visit) {
 }
 
 bool is_paddle(const Stores& stores, int body) {
-    return (stores.bodies.places[body].flags & place_flag::kSweeps) != 0 &&
+    return (stores.bodies.places[body].flags & (place_flag::kSweeps | place_flag::kFast)) != 0 &&
            stores.bodies.slots[body].type == BodyType::Kinematic;
 }
 
@@ -258,7 +258,8 @@ void carry(Stores& stores, StepScratch& scratch, int body, Vec2 way) {
     update_boxes(stores, body);
 }
 
-// What hangs on something that moves on would be torn off it, and drawn through others by its joint.
+}  // namespace
+
 bool hangs_on_what_moves(const Stores& stores, int body) {
     bool hangs = false;
     for_each_edge(stores.joints.slots, stores.bodies.slots[body].first_joint, [&](int joint, int side) {
@@ -267,8 +268,6 @@ bool hangs_on_what_moves(const Stores& stores, int body) {
     });
     return hangs;
 }
-
-}  // namespace
 
 bool is_carried(const Stores& stores, int shape, int paddle_shape) {
     return is_paddle(stores, stores.shapes[paddle_shape].body) &&

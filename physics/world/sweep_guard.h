@@ -11,8 +11,12 @@ namespace cairn::physics {
 /// velocity, so that the next step sees them meet. Not where a joint holds it to something that moves.
 void hold_sweeping_bodies(Stores& stores, StepScratch& scratch);
 
-/// Whether a kinematic body that sweeps carries the other, which is dynamic, with it: by two shapes of
-/// theirs.
+/// Whether a joint holds a body to something that moves: put back or moved on it would be torn off that, and
+/// drawn through others by its joint.
+bool hangs_on_what_moves(const Stores& stores, int body);
+
+/// Whether a kinematic body that sweeps, or is fast, carries the other, which is dynamic, with it: by two
+/// shapes of theirs.
 bool is_carried(const Stores& stores, int shape, int paddle_shape);
 
 /// Stage before it: what a kinematic body swept over, which nothing turns back, is carried in front of it. It

@@ -132,7 +132,8 @@ void with_both(const ContactConstraint& c, Motions& motions, const Act& act) {
 
 void add_sweeping(StepScratch& scratch, int first_substep) {
     scratch.contacts.back().in_lane = false;
-    scratch.sweeping.push_back({static_cast<int>(scratch.contacts.size()) - 1, first_substep});
+    scratch.sweeping.push_back(
+        {static_cast<int>(scratch.contacts.size()) - 1, first_substep, scratch.contacts.back().normal});
 }
 
 void collide_sweeping(const Stores& stores, StepScratch& scratch, int substep, const ContactRules& rules,

@@ -250,10 +250,34 @@ struct AwaitedContact {
     Vec2 between;        ///< centre of b less centre of a, m, at the start of the step
 };
 
+/// Where a predicted contact may have turned a body aside (world/bent_ways.h).
+struct Bend {
+    int body;
+    int contact;        ///< in the plain form
+    float share;        ///< of the step, at which it acts
+    Vec2 moved;         ///< from the start of the step until then
+    Rotation rotation;  ///< then
+};
+
+/// A body that whirls at what it touches, and how much of its way it may go (world/bent_ways.h).
+struct Whirled {
+    int body;
+    float share;
+};
+
+/// For bodies that predicted contacts turn aside.
+struct BentScratch {
+    std::vector<Bend> bends;     // in the order of the contacts; of all that are expected
+    std::vector<Bend> followed;  // those of which the rest of the way may lead through something
+    std::vector<float> shares;   // of that rest, beside them: how much is free
+    std::vector<Whirled> whirled;
+};
+
 /// A contact that is collided anew in each substep (world/sweeping_contacts.h).
 struct SweepingContact {
     int contact;        ///< in the plain form
     int first_substep;  ///< in which it is
+    Vec2 first_normal;  ///< as it was when it was added
 };
 
 /// What was found in a block of pairs that had no points, as bits by lane.
@@ -340,6 +364,7 @@ struct StepScratch {
         contacts;  // in plain form: solved as scalars, or wanted for restitution or events
     std::vector<int> scalar_contacts;       // those of them
     std::vector<AwaitedContact> awaited;    // those that are reached in the course of the step
+    BentScratch bent;                       // of bodies that may be turned aside in it
     std::vector<SweepingContact> sweeping;  // those that are collided anew in each substep
     std::vector<DeepOverlap> deep;          // those of them that overlap deeply
     LaneOrder lane_order;
@@ -366,7 +391,7 @@ struct StepScratch {
     // m. By no more than this they may leave their boxes: half the least inner radius, so that of two whose
     // boxes keep apart no centre has met the other then.
     float stray_m = 0;
-    std::vector<int> paddles;  // kinematic bodies that sweep in this step
+    std::vector<int> paddles;  // kinematic bodies that sweep, or are fast, in this step
     ChunkedList<int> fast_found;
     std::unique_ptr<PressedScratch> pressed;      // none before the first step
     ChunkedList<int> untold_boxes;                // of shapes: written, but not known to the broad phase yet
