@@ -20,6 +20,7 @@ inline constexpr std::uint32_t kWhirls = 32;     ///< turns so far that no strai
 inline constexpr std::uint32_t kStrayed = 128;   ///< has a way, and went another one than was expected
 inline constexpr std::uint32_t kHasWay = 256;    ///< so fast that its boxes go with it: BroadPhase::move
 inline constexpr std::uint32_t kSweeps = 1024;   ///< is long, and turns so far that its normals do too
+inline constexpr std::uint32_t kHasty = 2048;    ///< could be deep in others before their contacts see it
 inline constexpr std::uint32_t kLost = 512;      ///< fast, and the centre of a shape left the box it began in
 }  // namespace place_flag
 

@@ -57,7 +57,7 @@ HWY_INLINE Vec between(const Place* places, const std::int32_t* a, const std::in
 
 void load_places(const Place* places, const Lanes<std::int32_t>& body_a, const Lanes<std::int32_t>& body_b,
                  unsigned lanes, BlockPlaces& out) {
-    out.fast = out.turn_far = out.boxes_moved = out.direct = out.rouses = 0;
+    out.hasty = out.turn_far = out.boxes_moved = out.direct = out.rouses = 0;
     for (int lane = 0; lane < kLanes; lane += kStep) {
         const M wanted = wanted_lanes(lanes, lane);
         alignas(32) std::int32_t a[kLanes];
@@ -78,13 +78,13 @@ void load_places(const Place* places, const Lanes<std::int32_t>& body_a, const L
         store(hn::IfThenElse(wanted_int, hn::BitCast(DI(), turn_a.z), set_int(kWorldRow)), out.row_a, lane);
         store(hn::IfThenElse(wanted_int, hn::BitCast(DI(), turn_b.z), set_int(kWorldRow)), out.row_b, lane);
         const VI flags = hn::Or(hn::BitCast(DI(), turn_a.u), hn::BitCast(DI(), turn_b.u));
-        out.fast |= flagged(flags, place_flag::kFast) << lane;
+        out.hasty |= flagged(flags, place_flag::kHasty) << lane;
         out.turn_far |= flagged(flags, place_flag::kTurnsFar) << lane;
         out.boxes_moved |= flagged(flags, place_flag::kBoxesMoved) << lane;
         out.direct |= flagged(flags, place_flag::kDirect) << lane;
         out.rouses |= flagged(flags, place_flag::kRouses) << lane;
     }
-    out.fast &= lanes;
+    out.hasty &= lanes;
     out.turn_far &= lanes;
     out.boxes_moved &= lanes;
     out.direct &= lanes;
@@ -128,12 +128,12 @@ void look_near(const Place* places, const Lanes<std::int32_t>& body_a, const Lan
         const Columns advance_b = load_rows(&advances->velocity_m_s.x, b);
         const Vec velocity = sub({advance_b.x, advance_b.y}, {advance_a.x, advance_a.y});
         const VI flags = hn::Or(hn::BitCast(DI(), turn_a.u), hn::BitCast(DI(), turn_b.u));
-        constexpr auto kLooksAhead = static_cast<std::int32_t>(place_flag::kFast | place_flag::kRouses);
-        const VI fast = hn::And(flags, set_int(kLooksAhead));
+        constexpr auto kLooksAhead = static_cast<std::int32_t>(place_flag::kHasty | place_flag::kRouses);
+        const VI ahead = hn::And(flags, set_int(kLooksAhead));
         const V distance = hn::Sqrt(dot(d, d));
         const V opening = hn::Div(hn::Mul(set(dt_s), dot(velocity, d)), distance);
-        const M is_fast = hn::RebindMask(D(), hn::Ne(fast, hn::Zero(DI())));
-        const V least = hn::IfThenElseZero(is_fast, hn::Min(opening, hn::Zero(D())));
+        const M looks_ahead = hn::RebindMask(D(), hn::Ne(ahead, hn::Zero(DI())));
+        const V least = hn::IfThenElseZero(looks_ahead, hn::Min(opening, hn::Zero(D())));
         const V reach = load(reach_m, lane);
         const V gap = hn::Add(hn::Sub(distance, reach), least);
         // So that a distance of 0, which has no direction, counts as close.
@@ -146,7 +146,7 @@ void look_near(const Place* places, const Lanes<std::int32_t>& body_a, const Lan
         const V way = hn::Mul(set(dt_s), hn::Add(hn::Sqrt(dot(velocity, velocity)), turning));
         const V left =
             gap_left(sights + lane, reach, {turn_a.x, turn_a.y}, {turn_b.x, turn_b.y}, d, distance);
-        const M apart = hn::Gt(hn::Sub(left, hn::IfThenElseZero(is_fast, way)), near);
+        const M apart = hn::Gt(hn::Sub(left, hn::IfThenElseZero(looks_ahead, way)), near);
         out.close &= ~((bits_of(apart) << lane) & seen);
     }
     out.close &= lanes;

@@ -16,7 +16,7 @@ struct BlockPlaces {
     PoseLanes poses;
     alignas(32) Lanes<std::int32_t> row_a;
     alignas(32) Lanes<std::int32_t> row_b;
-    unsigned fast = 0;
+    unsigned hasty = 0;
     unsigned turn_far = 0;
     unsigned boxes_moved = 0;
     unsigned direct = 0;
@@ -31,7 +31,7 @@ void load_places(const Place* places, const Lanes<std::int32_t>& body_a, const L
 struct alignas(16) Advance {
     Vec2 velocity_m_s;      // mean over the step, of the centre of mass
     float turning_m_s = 0;  // speed of the farthest point about it
-    float thin_m = 0;       // ways up to this pass through nothing
+    float calm_way_m = 0;   // ways up to this neither pass through anything nor end deep in it
 };
 
 struct NearLanes {

@@ -12,7 +12,7 @@ namespace {
 
 // Flags that mean nothing between steps: groups that are solved directly are chosen anew in each.
 constexpr std::uint32_t kKeptFlags = place_flag::kFast | place_flag::kTurnsFar | place_flag::kBoxesMoved |
-                                     place_flag::kRouses | place_flag::kHasWay;
+                                     place_flag::kRouses | place_flag::kHasWay | place_flag::kHasty;
 
 constexpr std::size_t kMakeBytes = packed_size<BodyRecord>() + packed_size<MassLedger::Entry>();
 

@@ -76,6 +76,7 @@ void look_ahead(const BodyStore& bodies, const BodyLanes& lanes, Vec2 gravity_m_
     const V dt = set(dt_s);
     const V zero = hn::Zero(D());
     unsigned fast = 0;
+    unsigned hasty = 0;
     unsigned far_ways = 0;
     unsigned seen_late = 0;
     for (int lane = 0; lane < kLanes; lane += kStep) {
@@ -90,9 +91,11 @@ void look_ahead(const BodyStore& bodies, const BodyLanes& lanes, Vec2 gravity_m_
                            hn::IfThenElse(falls, hn::Add(v.y, hn::Mul(pull, set(gravity_m_s2.y))), v.y)};
         const V turning = hn::Mul(hn::Abs(spin), mass.u);
         const V thin = hn::Mul(set(kFastShare), drive.x);
+        const V calm = hn::Min(thin, set(kCalmWay_m));
         const V speed = length(expected);
         const V farthest = hn::Mul(dt, hn::Add(speed, turning));
         fast |= bits_of(hn::Gt(farthest, thin)) << lane;
+        hasty |= bits_of(hn::Gt(farthest, calm)) << lane;
         far_ways |= bits_of(hn::Gt(hn::Mul(dt, speed), mass.z)) << lane;
         seen_late |= bits_of(hn::Gt(farthest, set(seen_m))) << lane;
 
@@ -109,9 +112,10 @@ void look_ahead(const BodyStore& bodies, const BodyLanes& lanes, Vec2 gravity_m_
         store(hn::Add(aside, rounding), ahead.room, lane);
         alignas(32) std::int32_t rows[kStep];
         for (int i = 0; i < kStep; ++i) rows[i] = lane + i;
-        store_rows(&ahead.advances[0].velocity_m_s.x, rows, {expected.x, expected.y, turning, thin});
+        store_rows(&ahead.advances[0].velocity_m_s.x, rows, {expected.x, expected.y, turning, calm});
     }
     ahead.fast = static_cast<LaneBits>(fast);
+    ahead.hasty = static_cast<LaneBits>(hasty);
     ahead.far_ways = static_cast<LaneBits>(far_ways);
     ahead.seen_late = static_cast<LaneBits>(seen_late);
 }
@@ -151,25 +155,29 @@ PlaceOutcome take_places(BodyStore& bodies, const BodyLanes& lanes, const Motion
         const V turned = hn::Mul(pose.z, pose.u);
         const V spin = hn::Mul(velocity.z, pose.u);
 
-        // The box of a fast body has room about where it was expected.
+        // The box of a hasty body has room about where it was expected.
         const VI flags = hn::BitCast(DI(), place.u);
-        const M fast =
-            hn::RebindMask(D(), hn::Ne(hn::And(flags, set_int(place_flag::kFast)), hn::Zero(DI())));
-        const Vec aside =
-            select(fast, {hn::Sub(pose.x, hn::Mul(dt, expected.x)), hn::Sub(pose.y, hn::Mul(dt, expected.y))},
-                   {pose.x, pose.y});
-        const V turned_aside = hn::IfThenElse(fast, hn::Sub(turned, hn::Mul(dt, spin_before)), turned);
+        const auto flagged = [&](std::uint32_t flag) HWY_ATTR {
+            return hn::RebindMask(D(), hn::Ne(hn::And(flags, set_int(flag)), hn::Zero(DI())));
+        };
+        const M hasty = flagged(place_flag::kHasty);
+        const Vec aside = select(
+            hasty, {hn::Sub(pose.x, hn::Mul(dt, expected.x)), hn::Sub(pose.y, hn::Mul(dt, expected.y))},
+            {pose.x, pose.y});
+        const V turned_aside = hn::IfThenElse(hasty, hn::Sub(turned, hn::Mul(dt, spin_before)), turned);
         const V went = hn::Add(length(aside), hn::Mul(hn::Abs(turned_aside), mass.u));
         const V slack = hn::Sub(load_column(lanes, lane, awake.box_slack), went);
         store_column(slack, lanes, lane, awake.box_slack);
         box_left |= bits_of(hn::Not(hn::Gt(slack, zero))) << lane;
-        hurled |= bits_of(hn::AndNot(fast, hn::Gt(went, hn::Mul(set(kFastShare), thin.x)))) << lane;
+        const V moved = length({pose.x, pose.y});
+        const V farthest_point = hn::Add(moved, hn::Mul(hn::Abs(turned), mass.u));
+        const M is_far = hn::Gt(farthest_point, hn::Mul(set(kFastShare), thin.x));
+        hurled |= bits_of(hn::AndNot(flagged(place_flag::kFast), is_far)) << lane;
         store_column(spin, lanes, lane, awake.spin);
 
         // What is pushed out of an overlap moves, though that speed is taken from it again at once: it would
         // sleep where it is, and keep the overlap.
         const Columns sleep = load_records(lanes, lane, kSleepRow);
-        const V moved = length({pose.x, pose.y});
         const V fastest = greatest(length({velocity.x, velocity.y}), hn::Mul(hn::Abs(spin), mass.z));
         const V farthest = greatest(moved, hn::Mul(hn::Abs(turned), mass.z));
         const VI head = hn::BitCast(DI(), load_records(lanes, lane, 0).x);  // type, set, whether it may sleep

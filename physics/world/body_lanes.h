@@ -29,6 +29,7 @@ struct alignas(32) AheadLanes {
         room{};  // m: no point goes further aside from the straight way between its ends; rounding included
     Lanes<Advance> advances{};
     LaneBits fast = 0;       // a point goes further than half of what is solid about the thinnest shape
+    LaneBits hasty = 0;      // further than `calm_way_m`: all fast ones, too
     LaneBits far_ways = 0;   // the centre of mass goes further than the body's extent
     LaneBits seen_late = 0;  // a point goes further than `seen_m`
 };

@@ -21,11 +21,15 @@ constexpr float kImpactGap_m = 0.25f * tuning::kLinearSlop_m;
 // m. Ways up to this end where the solver sees the other shape before they begin, and wakes it.
 constexpr float kSeenAhead_m = tuning::kSpeculativeDistance_m;
 
+// What turns by less in a step moves straight enough: a point 1 m from the centre goes 8 mm beside its chord.
+constexpr float kStraightTurn_rad = 0.25f;
+
 // Flags of bodies of which boxes cover the way.
-constexpr std::uint32_t kCovered = place_flag::kFast | place_flag::kRouses;
+constexpr std::uint32_t kCovered = place_flag::kHasty | place_flag::kRouses;
 
 // What is left of the step before.
-constexpr std::uint32_t kOutdated = kCovered | place_flag::kStrayed | place_flag::kHasWay | place_flag::kLost;
+constexpr std::uint32_t kOutdated =
+    kCovered | place_flag::kFast | place_flag::kStrayed | place_flag::kHasWay | place_flag::kLost;
 
 // What a thread takes at once.
 constexpr int kRowsPerChunk = 512;
@@ -42,7 +46,7 @@ Advance advance_of(const BodyStore& bodies, int body, Vec2 gravity, float dt_s) 
     const BodyRecord& record = bodies.slots[body];
     return {expected_velocity(bodies, body, gravity, dt_s),
             std::fabs(bodies.rows_of(body).spin[record.row]) * record.turn_arm_m,
-            kFastShare * record.inner_radius_m};
+            std::min(kFastShare * record.inner_radius_m, kCalmWay_m)};
 }
 
 struct Marks {
@@ -55,15 +59,17 @@ struct Marks {
 Marks mark_ahead(std::uint32_t& flags, const AheadLanes& ahead, int lane, bool some_sleep) {
     const std::uint32_t outdated = flags & kOutdated;
     const bool is_fast = (ahead.fast >> lane & 1) != 0;
-    const bool rouses = some_sleep && !is_fast && (ahead.seen_late >> lane & 1) != 0;
+    const bool is_hasty = (ahead.hasty >> lane & 1) != 0;
+    const bool rouses = some_sleep && !is_hasty && (ahead.seen_late >> lane & 1) != 0;
     const std::uint32_t before = outdated & kCovered;
-    const std::uint32_t now = is_fast ? place_flag::kFast : rouses ? place_flag::kRouses : 0;
+    const std::uint32_t now = is_hasty ? place_flag::kHasty : rouses ? place_flag::kRouses : 0;
     // Boxes over ways that are longer than the body overlap those of many that go along; boxes over shorter
     // ones hold for several steps.
     const bool has_way = is_fast && (ahead.far_ways >> lane & 1) != 0;
     const bool had_way = (outdated & place_flag::kHasWay) != 0;
-    flags = (flags & ~kOutdated) | now | (has_way ? place_flag::kHasWay : 0);
-    return {now != 0, has_way, (before != 0 && before != now && !is_fast) || (had_way && !has_way)};
+    flags =
+        (flags & ~kOutdated) | now | (is_fast ? place_flag::kFast : 0) | (has_way ? place_flag::kHasWay : 0);
+    return {now != 0, has_way, (before != 0 && before != now && !is_hasty) || (had_way && !has_way)};
 }
 
 Sweep make_sweep(const Stores& stores, int shape, Position origin, Vec2 gravity, float dt_s) {
@@ -77,6 +83,45 @@ Sweep make_sweep(const Stores& stores, int shape, Position origin, Vec2 gravity,
             record.mass.center_m,
             expected_velocity(stores.bodies, body, gravity, dt_s),
             rows.spin[record.row]};
+}
+
+// How far the other shape stays before a side of this one, at a moment of the step.
+float gap_before(const Sweep& own, int side, const Sweep& other, float time_s) {
+    const SweptPose at = pose_at(own, time_s);
+    const SweptPose of_other = pose_at(other, time_s);
+    const Vec2 normal = rotate(at.rotation, own.shape->normals[side]);
+    const Vec2 seen = inverse_rotate(of_other.rotation, normal);
+    float nearest = dot(seen, other.shape->point(0));
+    for (int i = 1; i < other.shape->count(); ++i)
+        nearest = std::min(nearest, dot(seen, other.shape->point(i)));
+    const Vec2 on_side = at.origin + rotate(at.rotation, own.shape->point(side));
+    return nearest + dot(normal, of_other.origin - on_side) - own.shape->radius() - other.shape->radius();
+}
+
+// Whether all of the other shape stays before a side of this one for the whole step.
+bool stays_before_a_side(const Sweep& own, const Sweep& other, float dt_s, float depth_m) {
+    const int sides = own.shape->count() > 1 ? own.shape->count() : 0;
+    for (int side = 0; side < sides; ++side) {
+        if (gap_before(own, side, other, 0) < -std::min(depth_m, tuning::kLinearSlop_m)) continue;
+        if (gap_before(own, side, other, dt_s) >= -depth_m) return true;
+    }
+    return false;
+}
+
+// A corner that slides over the seam of two floors meets the side of the second, but is never deep in it.
+// What ends the step a little deep gets its contact in the next one.
+bool passes_along(const Sweep& a, const Sweep& b, float dt_s, float depth_m) {
+    if (dt_s * (std::fabs(a.spin) + std::fabs(b.spin)) > kStraightTurn_rad) return false;
+    return stays_before_a_side(a, b, dt_s, depth_m) || stays_before_a_side(b, a, dt_s, depth_m);
+}
+
+// m. How deep a pair may be when its contact is made: not so deep that the centre of one is in the other.
+float surprise_of(const BodyRecord& a, const BodyRecord& b) {
+    float depth_m = kSurprise_m;
+    for (const BodyRecord* body : {&a, &b}) {
+        if (body->type == BodyType::Dynamic) depth_m = std::min(depth_m, kFastShare * body->inner_radius_m);
+    }
+    return depth_m;
 }
 
 // How far the solver will see a point moved that it knows by this arm, when the body has moved on by time_s.
@@ -142,8 +187,8 @@ void extend_advances(Stores& stores, Vec2 gravity_m_s2, float dt_s, StepScratch&
 bool could_meet(const Advance& a, const Advance& b, const AxisGap& seen, float dt_s) {
     const Vec2 velocity = b.velocity_m_s - a.velocity_m_s;
     const float turning = a.turning_m_s + b.turning_m_s;
-    // What moves along with the other cannot pass through it.
-    if (dt_s * (length(velocity) + turning) <= std::min(a.thin_m, b.thin_m)) return false;
+    // What moves along with the other neither passes through it nor gets deep into it.
+    if (dt_s * (length(velocity) + turning) <= std::min(a.calm_way_m, b.calm_way_m)) return false;
     return seen.gap_m <= 0 || seen.gap_m - dt_s * (turning - dot(velocity, seen.axis)) <= kImpactGap_m;
 }
 
@@ -165,6 +210,7 @@ bool predict_contact(const Stores& stores, const ContactRecord& contact, const A
     const Sweep a = make_sweep(stores, contact.shape_a, origin, gravity_m_s2, dt_s);
     const Sweep b = make_sweep(stores, contact.shape_b, origin, gravity_m_s2, dt_s);
     const float unit = length_unit(stores, contact);
+    if (passes_along(a, b, dt_s, surprise_of(body_a, body_b))) return false;
     const std::optional<float> time = time_of_impact(a, b, dt_s, unit * kImpactGap_m, apart);
     if (!time) return false;
 

@@ -2,9 +2,12 @@
 // step: boxes cover it, and a pair that will meet gets its contact from the place where it meets. The solver
 // then stops them there, in the substep in which it happens, against static, kinematic and dynamic bodies
 // alike. What passes all the same is put back by fast_guard.h.
-// Slower bodies that could reach something that sleeps before the solver sees it have their way covered too,
-// so that the sleeper wakes in the step in which it is reached.
+// Hasty bodies are slower, but would be deep in others before a contact is made. Their contacts come ahead,
+// too, and nobody needs to guard them. Slower bodies that could reach something that sleeps before the solver
+// sees it have their way covered too, so that the sleeper wakes in the step in which it is reached.
 #pragma once
+
+#include <cairn/physics/tuning.h>
 
 #include "continuous/sweep.h"
 #include "world/world_state.h"
@@ -13,6 +16,12 @@ namespace cairn::physics {
 
 /// Of what is solid about the thinnest shape: moving further than this in a step is fast.
 inline constexpr float kFastShare = 0.5f;
+
+/// m. What would be deeper in another shape than this, before its contact acts, gets its contact ahead.
+inline constexpr float kSurprise_m = 2 * tuning::kLinearSlop_m;
+
+/// Moving further than this in a step is hasty: contacts see the rest.
+inline constexpr float kCalmWay_m = tuning::kSpeculativeDistance_m + kSurprise_m;
 
 /// Stage: the boxes of fast bodies, and of those that rouse sleepers, cover the way of the coming step. The
 /// fast bodies are noted in `fast`, and what all awake ones are expected to do in `advances`.

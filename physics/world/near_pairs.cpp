@@ -23,7 +23,7 @@ AxisGap seen_gap(const ManifoldLanes& manifold, int lane) {
 // By what was seen along the normal.
 bool may_meet_ahead(const std::vector<Advance>& advances, const BlockPlaces& places,
                     const ManifoldLanes& manifold, int lane, float dt_s) {
-    return (places.fast >> lane & 1) != 0 &&
+    return (places.hasty >> lane & 1) != 0 &&
            could_meet(advances[places.row_a[lane]], advances[places.row_b[lane]], seen_gap(manifold, lane),
                       dt_s);
 }

@@ -30,6 +30,7 @@ struct Crowd {
             place.rotation = Rotation::from_angle(random.real(-3, 3));
             place.row = body % 5 == 0 ? 0 : body + 1;
             place.flags = static_cast<std::uint32_t>(random.below(8));
+            if (random.chance(0.5)) place.flags |= place_flag::kHasty;
         }
         for (int lane = 0; lane < kLanes; ++lane) {
             body_a[lane] = random.below(kBodies);
@@ -72,7 +73,7 @@ TEST_CASE("places in lanes are those of the bodies, and lanes that nobody wants 
             const Crowd crowd(seed);
             BlockPlaces found;
             load_places(crowd.places.data(), crowd.body_a, crowd.body_b, crowd.lanes, found);
-            unsigned fast = 0;
+            unsigned hasty = 0;
             unsigned turn_far = 0;
             unsigned boxes_moved = 0;
             for (int lane = 0; lane < kLanes; ++lane) {
@@ -94,18 +95,18 @@ TEST_CASE("places in lanes are those of the bodies, and lanes that nobody wants 
                 REQUIRE(found.row_a[lane] == a.row);
                 REQUIRE(found.row_b[lane] == b.row);
                 const std::uint32_t flags = a.flags | b.flags;
-                fast |= (flags & place_flag::kFast) != 0 ? 1u << lane : 0;
+                hasty |= (flags & place_flag::kHasty) != 0 ? 1u << lane : 0;
                 turn_far |= (flags & place_flag::kTurnsFar) != 0 ? 1u << lane : 0;
                 boxes_moved |= (flags & place_flag::kBoxesMoved) != 0 ? 1u << lane : 0;
             }
-            REQUIRE(found.fast == fast);
+            REQUIRE(found.hasty == hasty);
             REQUIRE(found.turn_far == turn_far);
             REQUIRE(found.boxes_moved == boxes_moved);
         }
     });
 }
 
-TEST_CASE("pairs are called apart when their discs are, for the whole step if one of them is fast") {
+TEST_CASE("pairs are called apart when their discs are, for the whole step if one of them is hasty") {
     at_every_level([] {
         int close = 0;
         int apart = 0;
@@ -124,10 +125,10 @@ TEST_CASE("pairs are called apart when their discs are, for the whole step if on
                 if ((crowd.lanes >> lane & 1) == 0) continue;
                 const Place& a = crowd.places[crowd.body_a[lane]];
                 const Place& b = crowd.places[crowd.body_b[lane]];
-                const bool fast = ((a.flags | b.flags) & place_flag::kFast) != 0;
+                const bool hasty = ((a.flags | b.flags) & place_flag::kHasty) != 0;
                 const Vec2 velocity = advances[b.row].velocity_m_s - advances[a.row].velocity_m_s;
                 float least = length(b.center - a.center);
-                for (int i = 1; fast && i <= 64; ++i) {
+                for (int i = 1; hasty && i <= 64; ++i) {
                     const float time_s = kDt_s * static_cast<float>(i) / 64;
                     least = std::min(least, length((b.center - a.center) + time_s * velocity));
                 }
@@ -136,7 +137,7 @@ TEST_CASE("pairs are called apart when their discs are, for the whole step if on
                 if (come_near) REQUIRE(is_close);
                 // Of what does not move, nothing else is close.
                 const bool far = least - reach_m[lane] > tuning::kSpeculativeDistance_m + 1e-5f;
-                if (far && !fast) REQUIRE_FALSE(is_close);
+                if (far && !hasty) REQUIRE_FALSE(is_close);
                 (is_close ? close : apart) += 1;
             }
         }
@@ -194,7 +195,7 @@ TEST_CASE("a pair that was seen apart is called close before its points are, whe
                 if ((crowd.lanes >> lane & 1) == 0) continue;
                 const Place& a = crowd.places[crowd.body_a[lane]];
                 const Place& b = crowd.places[crowd.body_b[lane]];
-                const bool fast = ((a.flags | b.flags) & place_flag::kFast) != 0;
+                const bool hasty = ((a.flags | b.flags) & place_flag::kHasty) != 0;
                 const auto way = [&](int body, float share) {
                     const Place& place = crowd.places[body];
                     const Displacement moved{.moved = kDt_s * advances[place.row].velocity_m_s};
@@ -202,7 +203,7 @@ TEST_CASE("a pair that was seen apart is called close before its points are, whe
                                        share);
                 };
                 float least = std::numeric_limits<float>::infinity();
-                for (int i = 0; i <= (fast ? 64 : 0); ++i) {
+                for (int i = 0; i <= (hasty ? 64 : 0); ++i) {
                     const float share = static_cast<float>(i) / 64;
                     least = std::min(least, length((b.center - a.center) + way(crowd.body_b[lane], share) -
                                                    way(crowd.body_a[lane], share)));
@@ -219,7 +220,7 @@ TEST_CASE("a pair that was seen apart is called close before its points are, whe
 
 TEST_CASE("what moves along with its neighbour is not looked at again") {
     at_every_level([] {
-        std::vector<Place> places(2, Place{.flags = place_flag::kFast});
+        std::vector<Place> places(2, Place{.flags = place_flag::kHasty});
         places[1].center = {1, 0};
         alignas(32) const Lanes<std::int32_t> body_a{};
         alignas(32) const Lanes<std::int32_t> body_b{1, 1, 1, 1, 1, 1, 1, 1};
@@ -251,7 +252,7 @@ TEST_CASE("what moves along with its neighbour is not looked at again") {
 
 TEST_CASE("two bodies in the same place are close") {
     at_every_level([] {
-        const std::vector<Place> places(2, Place{.flags = place_flag::kFast});
+        const std::vector<Place> places(2, Place{.flags = place_flag::kHasty});
         const std::vector<Advance> advances(1);
         alignas(32) const Lanes<std::int32_t> body_a{};
         alignas(32) const Lanes<std::int32_t> body_b{1, 1, 1, 1, 1, 1, 1, 1};

@@ -54,7 +54,9 @@ struct Crowd {
             rows.force[static_cast<std::size_t>(i)] = random.vector(-1, 1);
             rows.torque[static_cast<std::size_t>(i)] = random.real_f(-1, 1);
             rows.box_slack[static_cast<std::size_t>(i)] = random.real_f(0, 0.3);
-            if (random.chance(0.4)) place.flags |= place_flag::kFast;
+            if (random.chance(0.6)) place.flags |= place_flag::kHasty;
+            if (random.chance(0.6) && (place.flags & place_flag::kHasty) != 0)
+                place.flags |= place_flag::kFast;
             motions.add(random.vector(-speed, speed), random.real_f(-speed, speed), record.inverse_mass,
                         record.inverse_inertia);
             motions.pose.back().d = kDt_s * random.vector(-speed, speed);
@@ -89,7 +91,9 @@ TEST_CASE("what a step is expected to do with bodies, eight at once") {
                 INFO(name(level) << ", row " << row);
                 CHECK(ahead.advances[lane].velocity_m_s == velocity);
                 CHECK(ahead.advances[lane].turning_m_s == turning);
-                CHECK(ahead.advances[lane].thin_m == 0.5f * record.inner_radius_m);
+                const float calm_way = std::min(0.5f * record.inner_radius_m, 0.03f);
+                CHECK(ahead.advances[lane].calm_way_m == calm_way);
+                CHECK((ahead.hasty >> lane & 1) == (farthest > calm_way ? 1 : 0));
                 CHECK((ahead.fast >> lane & 1) == (farthest > 0.5f * record.inner_radius_m ? 1 : 0));
                 CHECK((ahead.seen_late >> lane & 1) == (farthest > kSeen_m ? 1 : 0));
                 CHECK((ahead.far_ways >> lane & 1) == (kDt_s * length(velocity) > record.extent_m ? 1 : 0));
@@ -133,6 +137,7 @@ TEST_CASE("bodies take their places, eight at once") {
                 const Vec2 moved = crowd.motions.pose[row + 1].d;
                 const float turned = crowd.motions.angle(motion);
                 const bool fast = (places_before[body].flags & place_flag::kFast) != 0;
+                const bool hasty = (places_before[body].flags & place_flag::kHasty) != 0;
                 INFO(name(level) << ", row " << row);
                 CHECK(now.moved[row] == moved);
                 CHECK(now.rotation_before[row] == places_before[body].rotation);
@@ -144,12 +149,13 @@ TEST_CASE("bodies take their places, eight at once") {
                 CHECK(now.force[row] == Vec2{});
                 CHECK(now.torque[row] == 0);
 
-                const Vec2 aside = fast ? moved - kDt_s * crowd.advances[row + 1].velocity_m_s : moved;
-                const float turned_aside = fast ? turned - kDt_s * before.spin[row] : turned;
+                const Vec2 aside = hasty ? moved - kDt_s * crowd.advances[row + 1].velocity_m_s : moved;
+                const float turned_aside = hasty ? turned - kDt_s * before.spin[row] : turned;
                 const float went = length(aside) + std::fabs(turned_aside) * record.turn_arm_m;
                 CHECK(now.box_slack[row] == before.box_slack[row] - went);
                 CHECK((outcome.box_left >> lane & 1) == (now.box_slack[row] > 0 ? 0 : 1));
-                const bool hurled = !fast && went > 0.5f * record.inner_radius_m;
+                const float all = length(moved) + std::fabs(turned) * record.turn_arm_m;
+                const bool hurled = !fast && all > 0.5f * record.inner_radius_m;
                 CHECK((outcome.hurled >> lane & 1) == (hurled ? 1 : 0));
 
                 const bool by_rule = record.type == BodyType::Kinematic || record.extent_m < 0.005f;

@@ -55,10 +55,12 @@ TEST_CASE(
     "a heavy box dropped on light ones goes in by less than 25 mm, comes to rest, and throws nothing out") {
     const float ratio = GENERATE(1e2f, 1e4f, 1e6f);
     const int boxes = GENERATE(2, 5);
+    // Steps see it at other places before it meets them.
+    const double height_m = GENERATE(0.81, 0.88, 0.93, 1.0, 1.03, 1.08, 1.14, 1.2);
     World world;
     add_ground(world);
-    const std::vector<BodyId> tower = add_tower(world, boxes, ratio, 1);
-    CAPTURE(ratio, boxes);
+    const std::vector<BodyId> tower = add_tower(world, boxes, ratio, height_m);
+    CAPTURE(ratio, boxes, height_m);
     double sunk = 0;
     double fastest = 0;
     for (int i = 0; i < 600; ++i) {
@@ -69,7 +71,7 @@ TEST_CASE(
     }
     CHECK(sunk < 0.025);
     CHECK(deepest(world, tower) < 2e-3);
-    CHECK(fastest < 1.1 * std::sqrt(2 * 10 * 1.0));
+    CHECK(fastest < 1.1 * std::sqrt(2 * 10 * height_m));
     CHECK(world.counts().awake_bodies == 0);
 }
 
