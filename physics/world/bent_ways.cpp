@@ -49,8 +49,8 @@ void keep_first_bends(const Stores& stores, StepScratch& scratch) {
     std::ranges::sort(bends, [](const Bend& a, const Bend& b) {
         return a.body != b.body ? a.body < b.body : a.share < b.share;
     });
-    const auto rest = std::ranges::unique(bends, {}, &Bend::body);
-    bends.erase(rest.begin(), rest.end());
+    const auto of_one_body = [](const Bend& a, const Bend& b) { return a.body == b.body; };
+    bends.erase(std::unique(bends.begin(), bends.end(), of_one_body), bends.end());
 }
 
 // Whether what was left of the step could have taken the body through something.

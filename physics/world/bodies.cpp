@@ -13,6 +13,7 @@
 #include "world/joints.h"
 #include "world/one_way.h"
 #include "world/sleep.h"
+#include "world/unheld.h"
 
 namespace cairn::physics {
 namespace {
@@ -39,6 +40,7 @@ void destroy_contacts_of(WorldState& world, int shape) {
                       if (c.shape_a == shape || c.shape_b == shape)
                           destroy_contact(stores, world.events, contact);
                   });
+    forget_unheld(stores);
 }
 
 void unlink_shape(Stores& stores, int shape) {
@@ -88,6 +90,7 @@ void destroy_body(WorldState& world, int body) {
     while (record.first_joint != kNone) destroy_joint(stores, edge_record(record.first_joint));
     for_each_edge(stores.contacts.slots, record.first_contact,
                   [&](int contact, int) { destroy_contact(stores, world.events, contact); });
+    forget_unheld(stores);
     for_each_shape(stores, body, [&](int shape) {
         const int chain = stores.shapes[shape].chain;
         if (chain != kNone && stores.chains.alive(chain)) stores.chains.erase(chain);
@@ -163,6 +166,7 @@ void refilter_shape(WorldState& world, int shape) {
                       if (stores.rules.filter.may_collide || !may_collide(stores, c.shape_a, c.shape_b))
                           destroy_contact(stores, world.events, contact);
                   });
+    forget_unheld(stores);
     stores.broad.touch(shape);
     wake_body(stores, stores.shapes[shape].body);
 }

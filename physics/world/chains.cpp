@@ -9,6 +9,7 @@
 #include "world/contacts.h"
 #include "world/finalize.h"
 #include "world/sleep.h"
+#include "world/unheld.h"
 
 namespace cairn::physics {
 namespace {
@@ -44,6 +45,7 @@ void end_contacts(WorldState& world, int body, std::vector<int> shapes) {
         const ContactRecord& c = stores.contacts.slots[contact];
         if (is_one(side == 0 ? c.shape_a : c.shape_b)) destroy_contact(stores, world.events, contact);
     });
+    forget_unheld(stores);
 }
 
 // What sleeps where segments have come to be would sleep on inside of them.

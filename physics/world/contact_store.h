@@ -63,6 +63,7 @@ struct ContactStore {
     SlotMap<ContactRecord, Handle<struct ContactTag>> slots;
     ContactLanes lanes;
     std::vector<int> loose;
+    std::vector<int> unheld;  // bodies that lost what held them, while a call is under way
     std::vector<int> put_in;  // those of which the bodies were put into each other, and some that went
     int tiny = 0;             // how many of them are (world/tiny_contacts.h)
     ActiveList<&ContactRecord::uneven_index> uneven;  // of those that are listed: world/direct_groups.h

@@ -8,6 +8,7 @@
 #include "world/filtering.h"
 #include "world/sleep.h"
 #include "world/special_contacts.h"
+#include "world/unheld.h"
 
 namespace cairn::physics {
 namespace {
@@ -120,6 +121,7 @@ void destroy_contact(Stores& stores, Events& events, int contact) {
         wake_body(stores, c.body_b);
     }
     report_parting(stores, c, events.pending_ends);
+    note_unheld(stores, contact);
     remove_contact(stores, contact);
 }
 

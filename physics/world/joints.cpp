@@ -7,6 +7,7 @@
 #include "world/joint_rules.h"
 #include "world/pin_loads.h"
 #include "world/sleep.h"
+#include "world/unheld.h"
 
 namespace cairn::physics {
 namespace {
@@ -19,6 +20,7 @@ void destroy_contacts_between(WorldState& world, int body_a, int body_b) {
                       if ((side == 0 ? c.body_b : c.body_a) == body_b)
                           destroy_contact(stores, world.events, contact);
                   });
+    forget_unheld(stores);
 }
 
 // Asks for the pairs of a body's shapes again: those that the joint kept apart may meet now.
