@@ -10,21 +10,22 @@ namespace {
 
 using namespace test;
 
-// m. In a minute after 15 s: 1 mm in ten minutes.
-constexpr double kStill_m = 1e-4;
+// 1 mm in ten minutes.
+constexpr double kStill_m_s = 1e-3 / 600;
 
-double way_at_rest_m(World& world) {
+// After 15 s.
+double creep_m_s(World& world, double watched_s) {
     run_for(world, 15);
     const std::vector<BodyId> bodies = world.bodies();
     std::vector<Position> before;
     for (const BodyId body : bodies) before.push_back(world.body(body)->position());
-    run_for(world, 60);
+    run_for(world, watched_s);
     double farthest = 0;
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         const Vec2 way = world.body(bodies[i])->position() - before[i];
         farthest = std::max(farthest, static_cast<double>(length(way)));
     }
-    return farthest;
+    return farthest / watched_s;
 }
 
 TEST_CASE("crates on a bridge, level or hanging deep, do not creep down its slopes") {
@@ -33,7 +34,8 @@ TEST_CASE("crates on a bridge, level or hanging deep, do not creep down its slop
         create_bridge(world, {.slack = slack}).value();
         for (int i = 0; i < 3; ++i)
             add(world, {.position_m = {3.0 + 2 * i, 1}}, Box{0.4f, 0.4f}, {.density_kg_m2 = 5});
-        CHECK(way_at_rest_m(world) < kStill_m);
+        // Crates on their corners give way now and then, by some hundredths of a millimetre.
+        CHECK(creep_m_s(world, 60) < kStill_m_s);
     }
 }
 
@@ -42,7 +44,7 @@ TEST_CASE("a vehicle with its brakes on does not creep down a slope") {
     add(world, {.type = BodyType::Static, .angle_rad = 0.15}, Box{50, 1, {0, -1}});
     const Vehicle vehicle = create_vehicle(world, {.position_m = {0, 1}}).value();
     brake_vehicle(world, vehicle).value();
-    CHECK(way_at_rest_m(world) < kStill_m);
+    CHECK(creep_m_s(world, 20) < kStill_m_s);
 }
 
 TEST_CASE("a ragdoll on the ground, a blob, a wall and a loaded elevator do not creep") {
@@ -53,7 +55,7 @@ TEST_CASE("a ragdoll on the ground, a blob, a wall and a loaded elevator do not 
     create_brick_wall(world, {.position_m = {10, 0}}).value();
     create_elevator(world, {.position_m = {20, 1}}).value();
     add(world, {.position_m = {20, 1.5}}, Box{}, {.density_kg_m2 = 100});
-    CHECK(way_at_rest_m(world) < kStill_m);
+    CHECK(creep_m_s(world, 20) < kStill_m_s);
 }
 
 TEST_CASE(

@@ -148,6 +148,7 @@ TEST_CASE("a wall of staggered bricks stands") {
 }
 
 TEST_CASE("ten boxes dropped onto each other come to stand") {
+    std::vector<double> aside_m;
     for (int gap_cm = 1; gap_cm <= 12; ++gap_cm) {
         CAPTURE(gap_cm);
         World world;
@@ -155,16 +156,18 @@ TEST_CASE("ten boxes dropped onto each other come to stand") {
         const std::vector<BodyId> boxes = add_stack(world, 10, 0.01 * gap_cm);
         run_for(world, 10);
         CHECK(world.counts().awake_bodies == 0);
-        double below = 0;
+        double farthest_m = 0;
         for (int i = 0; i < 10; ++i) {
-            // They rock when they fall, but do not get halfway to where they would topple.
-            const double x = world.body(boxes[i])->position().x;
-            CHECK(x == Approx(below).margin(0.25));
+            farthest_m = std::max(farthest_m, std::fabs(world.body(boxes[i])->position().x));
             CHECK(world.body(boxes[i])->position().y == Approx(0.5 + i).margin(0.005));
             CHECK(world.body(boxes[i])->angle() == Approx(0).margin(0.01));
-            below = x;
         }
+        aside_m.push_back(farthest_m);
     }
+    // Now and then one rocks when it falls.
+    std::sort(aside_m.begin(), aside_m.end());
+    CHECK(aside_m[6] < 0.01);
+    CHECK(aside_m.back() < 0.06);
 }
 
 TEST_CASE("a tower of five boxes of different sizes stands") {
