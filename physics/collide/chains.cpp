@@ -124,8 +124,7 @@ struct Front {
 
 Manifold face_manifold(const Surface& surface, const CoreEdges& other, const Front& front, float reach) {
     Manifold m;
-    // A hair's breadth past a join both segments answer, so that rounding cannot let anything through.
-    if (front.is_beside(0.02f * tuning::kLinearSlop_m)) return m;
+    if (front.is_beside(kSharedAtJoin_m)) return m;
     const std::array<Vec2, 2> ends = front.ends();
     // Where the other reaches past a corner that juts out, and deeper there, it touches the corner with its
     // own edge: that contact has another normal, and the corner's owner makes it.
@@ -149,6 +148,12 @@ Manifold face_manifold(const Surface& surface, const CoreEdges& other, const Fro
 
 bool is_behind(const Convex& shape, Vec2 point) {
     return shape.is_chained() && Surface(shape).has_behind(point);
+}
+
+bool leaves_to_neighbour(const Convex& segment, int end) {
+    // Of what is beyond its first end, a segment meets what is in the wedge of a corner that juts out, by
+    // however little.
+    return end == 0 ? cross(segment.normals[2], segment.normals[0]) <= 0 : !segment.owns_end;
 }
 
 Manifold collide_chain_and_circle(const Convex& a, const Convex& b, const RelativePose& b_in_a,

@@ -78,4 +78,12 @@ Manifold collide_chain_and_hull(const Convex& a, const Convex& b, const Relative
 /// than to its front there. Other shapes have no back.
 bool is_behind(const Convex& shape, Vec2 point);
 
+/// m. A hair's breadth past a join of a chain both segments answer, so that rounding cannot let anything
+/// through.
+inline constexpr float kSharedAtJoin_m = 0.02f * tuning::kLinearSlop_m;
+
+/// Whether a segment of a chain never meets what is beyond one of its ends, 0 or 1, by more than
+/// kSharedAtJoin_m.
+bool leaves_to_neighbour(const Convex& segment, int end);
+
 }  // namespace cairn::physics

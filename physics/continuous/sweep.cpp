@@ -10,14 +10,6 @@ SweptPose pose_at(const Sweep& sweep, float time_s) {
     return {sweep.center + time_s * sweep.velocity - rotate(q, sweep.local_center), q};
 }
 
-namespace {
-
-RelativePose relative_pose(const SweptPose& a, const SweptPose& b) {
-    return {inverse_rotate(a.rotation, b.origin - a.origin), inverse(a.rotation) * b.rotation};
-}
-
-}  // namespace
-
 RelativePose relative_pose_at(const Sweep& a, const Sweep& b, float time_s) {
     return relative_pose(pose_at(a, time_s), pose_at(b, time_s));
 }

@@ -28,7 +28,12 @@ struct SweptPose {
 
 SweptPose pose_at(const Sweep& sweep, float time_s);
 
-/// The pose of b in the frame of a after time_s.
+/// The pose of b in the frame of a.
+inline RelativePose relative_pose(const SweptPose& a, const SweptPose& b) {
+    return {inverse_rotate(a.rotation, b.origin - a.origin), inverse(a.rotation) * b.rotation};
+}
+
+/// The same after time_s.
 RelativePose relative_pose_at(const Sweep& a, const Sweep& b, float time_s);
 
 /// An axis along which two shapes are at least this far apart; 0 says nothing.

@@ -7,6 +7,7 @@
 #include <cairn/physics/tuning.h>
 
 #include "base/ample.h"
+#include "continuous/passage.h"
 #include "world/body_lanes.h"
 #include "world/box_cover.h"
 #include "world/finalize.h"
@@ -20,9 +21,6 @@ constexpr float kImpactGap_m = 0.25f * tuning::kLinearSlop_m;
 
 // m. Ways up to this end where the solver sees the other shape before they begin, and wakes it.
 constexpr float kSeenAhead_m = tuning::kSpeculativeDistance_m;
-
-// What turns by less in a step moves straight enough: a point 1 m from the centre goes 8 mm beside its chord.
-constexpr float kStraightTurn_rad = 0.25f;
 
 // Flags of bodies of which boxes cover the way.
 constexpr std::uint32_t kCovered = place_flag::kHasty | place_flag::kRouses;
@@ -83,36 +81,6 @@ Sweep make_sweep(const Stores& stores, int shape, Position origin, Vec2 gravity,
             record.mass.center_m,
             expected_velocity(stores.bodies, body, gravity, dt_s),
             rows.spin[record.row]};
-}
-
-// How far the other shape stays before a side of this one, at a moment of the step.
-float gap_before(const Sweep& own, int side, const Sweep& other, float time_s) {
-    const SweptPose at = pose_at(own, time_s);
-    const SweptPose of_other = pose_at(other, time_s);
-    const Vec2 normal = rotate(at.rotation, own.shape->normals[side]);
-    const Vec2 seen = inverse_rotate(of_other.rotation, normal);
-    float nearest = dot(seen, other.shape->point(0));
-    for (int i = 1; i < other.shape->count(); ++i)
-        nearest = std::min(nearest, dot(seen, other.shape->point(i)));
-    const Vec2 on_side = at.origin + rotate(at.rotation, own.shape->point(side));
-    return nearest + dot(normal, of_other.origin - on_side) - own.shape->radius() - other.shape->radius();
-}
-
-// Whether all of the other shape stays before a side of this one for the whole step.
-bool stays_before_a_side(const Sweep& own, const Sweep& other, float dt_s, float depth_m) {
-    const int sides = own.shape->count() > 1 ? own.shape->count() : 0;
-    for (int side = 0; side < sides; ++side) {
-        if (gap_before(own, side, other, 0) < -std::min(depth_m, tuning::kLinearSlop_m)) continue;
-        if (gap_before(own, side, other, dt_s) >= -depth_m) return true;
-    }
-    return false;
-}
-
-// A corner that slides over the seam of two floors meets the side of the second, but is never deep in it.
-// What ends the step a little deep gets its contact in the next one.
-bool passes_along(const Sweep& a, const Sweep& b, float dt_s, float depth_m) {
-    if (dt_s * (std::fabs(a.spin) + std::fabs(b.spin)) > kStraightTurn_rad) return false;
-    return stays_before_a_side(a, b, dt_s, depth_m) || stays_before_a_side(b, a, dt_s, depth_m);
 }
 
 // m. How deep a pair may be when its contact is made: not so deep that the centre of one is in the other.
@@ -210,14 +178,16 @@ bool predict_contact(const Stores& stores, const ContactRecord& contact, const A
     const Sweep a = make_sweep(stores, contact.shape_a, origin, gravity_m_s2, dt_s);
     const Sweep b = make_sweep(stores, contact.shape_b, origin, gravity_m_s2, dt_s);
     const float unit = length_unit(stores, contact);
-    if (passes_along(a, b, dt_s, surprise_of(body_a, body_b))) return false;
+    const Passage passage(a, b, dt_s);
+    if (passage.keeps_apart(apart, unit * kImpactGap_m)) return false;
+    if (passage.goes_along(surprise_of(body_a, body_b))) return false;
     const std::optional<float> time = time_of_impact(a, b, dt_s, unit * kImpactGap_m, apart);
     if (!time) return false;
 
-    const RelativePose b_in_a = relative_pose_at(a, b, *time);
+    const SweptPose pose_a = pose_at(a, *time);
+    const RelativePose b_in_a = relative_pose(pose_a, pose_at(b, *time));
     const Manifold m = unit == 1 ? collide(*a.shape, *b.shape, b_in_a, tuning::kSpeculativeDistance_m)
                                  : collide_in_unit(*a.shape, *b.shape, b_in_a, unit);
-    const SweptPose pose_a = pose_at(a, *time);
     input = {};
     input.normal = rotate(pose_a.rotation, m.normal);
     input.count = m.count;

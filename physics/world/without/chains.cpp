@@ -44,5 +44,8 @@ Manifold collide_chain_and_hull(const Convex&, const Convex&, const RelativePose
 bool is_behind(const Convex&, Vec2) {
     return false;
 }
+bool leaves_to_neighbour(const Convex&, int) {
+    return false;
+}
 
 }  // namespace cairn::physics

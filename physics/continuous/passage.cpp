@@ -1,0 +1,134 @@
+// Gaps along an axis that one of the two keeps are linear in time while nothing turns.
+#include "continuous/passage.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <cairn/physics/tuning.h>
+
+namespace cairn::physics {
+namespace {
+
+// What turns by less in a step moves straight enough: a point 1 m from the centre goes 8 mm beside its chord.
+constexpr float kStraightTurn_rad = 0.25f;
+
+// The core of a shape in the frame of another one, at a moment.
+struct SeenCore {
+    std::array<Vec2, kMaxPolygonVertices> points;
+    int count;
+
+    SeenCore(const Convex& shape, const RelativePose& pose) : count(shape.count()) {
+        for (int i = 0; i < count; ++i) points[i] = pose.p + rotate(pose.q, shape.point(i));
+    }
+
+    struct Nearest {
+        int corner;
+        float distance;
+    };
+    // Along a direction.
+    [[nodiscard]] Nearest least_along(Vec2 direction) const {
+        Nearest least{0, dot(points[0], direction)};
+        for (int i = 1; i < count; ++i) {
+            const float distance = dot(points[i], direction);
+            if (distance < least.distance) least = {i, distance};
+        }
+        return least;
+    }
+};
+
+// How far the farthest point of the core lies along a direction of the world.
+float most_along(const Convex& shape, const SweptPose& pose, Vec2 direction) {
+    const Vec2 own = inverse_rotate(pose.rotation, direction);
+    float most = dot(own, shape.point(0));
+    for (int i = 1; i < shape.count(); ++i) most = std::max(most, dot(own, shape.point(i)));
+    return most + dot(direction, pose.origin);
+}
+
+// A corner that slides over the seam of two floors meets the side of the second, but is never deep in it.
+// What ends the step a little deep gets its contact in the next one.
+bool stays_before_a_side(const Convex& own, const SeenCore& first, const SeenCore& last, float radius,
+                         float depth_m) {
+    for (int side = 0; side < own.count(); ++side) {
+        const Vec2 normal = own.normals[side];
+        const float surface = dot(normal, own.point(side)) + own.radius() + radius;
+        if (first.least_along(normal).distance - surface < -std::min(depth_m, tuning::kLinearSlop_m))
+            continue;
+        if (last.least_along(normal).distance - surface >= -depth_m) return true;
+    }
+    return false;
+}
+
+// Of that edge of the other's core which faces the segment, the corner that is nearest to its end.
+int facing_corner(const Convex& other, const RelativePose& pose, Vec2 normal, Vec2 outward) {
+    const Vec2 facing = inverse_rotate(pose.q, normal);
+    int edge = 0;
+    for (int i = 1; i < other.count(); ++i) {
+        if (dot(other.normals[i], facing) < dot(other.normals[edge], facing)) edge = i;
+    }
+    const int next = other.count() > 1 ? other.next(edge) : edge;
+    const Vec2 along = rotate(pose.q, other.point(next) - other.point(edge));
+    return dot(along, outward) < 0 ? next : edge;
+}
+
+// What comes from beyond an end may meet the end first, which the neighbour holds: its contact with the
+// segment begins when it is over it. That is so where of what faces the segment the corner is below the face,
+// and the foremost corner is not: what is between the two meets the end while the first is still beyond it.
+bool comes_from_beyond(const Convex& segment, const Convex& other, const RelativePose& pose,
+                       const SeenCore& first, const SeenCore& last) {
+    const Vec2 normal = segment.normals[0];
+    const Vec2 along = left_perp(normal);
+    const float surface = dot(segment.point(0), normal);
+    for (const int end : {0, 1}) {
+        if (!leaves_to_neighbour(segment, end)) continue;
+        const Vec2 outward = end == 0 ? -along : along;
+        const float beyond = dot(segment.point(end), outward) + kSharedAtJoin_m;
+        const int foremost = first.least_along(outward).corner;
+        if (dot(first.points[foremost], outward) <= beyond) continue;
+        if (last.least_along(outward).distance > beyond) return true;
+        const int corner = facing_corner(other, pose, normal, outward);
+        const auto meets_end = [&](const SeenCore& at) {
+            return dot(at.points[corner], normal) - surface < other.radius() &&
+                   dot(at.points[foremost], normal) - surface >= -other.radius();
+        };
+        if (meets_end(first) && meets_end(last)) return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+Passage::Ends Passage::ends_of(const Sweep& sweep, float duration_s) {
+    return {{sweep.center - rotate(sweep.rotation, sweep.local_center), sweep.rotation},
+            pose_at(sweep, duration_s)};
+}
+
+Passage::Passage(const Sweep& a, const Sweep& b, float duration_s)
+    : a_(*a.shape),
+      b_(*b.shape),
+      of_a_(ends_of(a, duration_s)),
+      of_b_(ends_of(b, duration_s)),
+      is_straight_(duration_s * (std::fabs(a.spin) + std::fabs(b.spin)) <= kStraightTurn_rad) {}
+
+bool Passage::keeps_apart(const AxisGap& seen, float gap_m) const {
+    if (!is_straight_ || !(seen.gap_m > gap_m)) return false;
+    const float between = -most_along(b_, of_b_.last, -seen.axis) - most_along(a_, of_a_.last, seen.axis);
+    return between - a_.radius() - b_.radius() > gap_m;
+}
+
+bool Passage::goes_along(float depth_m) const {
+    return is_straight_ &&
+           (stays_outside(a_, of_a_, b_, of_b_, depth_m) || stays_outside(b_, of_b_, a_, of_a_, depth_m));
+}
+
+bool Passage::stays_outside(const Convex& own, const Ends& of_own, const Convex& other, const Ends& of_other,
+                            float depth_m) {
+    if (own.count() == 1) return false;
+    const RelativePose pose = relative_pose(of_own.first, of_other.first);
+    const SeenCore first(other, pose);
+    const SeenCore last(other, relative_pose(of_own.last, of_other.last));
+    if (own.is_chained() && comes_from_beyond(own, other, pose, first, last)) return true;
+    return stays_before_a_side(own, first, last, other.radius(), depth_m);
+}
+
+}  // namespace cairn::physics
