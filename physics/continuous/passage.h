@@ -17,6 +17,10 @@ class Passage {
     /// beyond an end of a chain's segment, where the neighbour meets what comes.
     [[nodiscard]] bool goes_along(float depth_m) const;
 
+    /// Whether two that are about to touch, with this normal from a to b, do so at the end of a side of one
+    /// before which the other stays: to within .25 mm, which is more than what lies on a floor is deep in it.
+    [[nodiscard]] bool goes_over_corner(Vec2 normal) const;
+
   private:
     struct Ends {
         SweptPose first;
@@ -32,6 +36,8 @@ class Passage {
     static Ends ends_of(const Sweep& sweep, float duration_s);
     static bool stays_outside(const Convex& own, const Ends& of_own, const Convex& other,
                               const Ends& of_other, float depth_m);
+    static bool stays_before_another_side(const Convex& own, const Ends& of_own, const Convex& other,
+                                          const Ends& of_other, Vec2 normal);
 };
 
 }  // namespace cairn::physics

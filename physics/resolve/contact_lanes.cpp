@@ -139,6 +139,7 @@ int ContactLanes::add_near(PairGeometry geometry, const PairLane& pair) {
     const int block = lane / kLanes;
     if (block == static_cast<int>(blocks.size())) {
         push_amply(blocks, {});
+        clear_pairs(blocks.back());
         push_amply(near_reaches_[index(geometry)], {});
         cover_amply(near_sights_[index(geometry)], blocks.size() * kLanes);
     }
@@ -155,6 +156,7 @@ int ContactLanes::remove_near(PairGeometry geometry, int lane) {
     if ((from.seen >> last % kLanes & 1) != 0)
         near_sights_[index(geometry)][lane] = near_sights_[index(geometry)][last];
     copy_pair(to, lane % kLanes, from, last % kLanes);
+    write_pair(from, last % kLanes, PairLane{});
     std::vector<NearReaches>& reaches = near_reaches_[index(geometry)];
     reaches[lane / kLanes].m[lane % kLanes] = reaches[last / kLanes].m[last % kLanes];
     return last == lane ? kNone : to.contact[lane % kLanes];

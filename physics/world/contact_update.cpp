@@ -493,6 +493,9 @@ class Update {
             if (may_reach(scratch_.advances, places_, manifold_, 0, time_.dt_s)) rouse(c);
             return;
         }
+        if (!c.has_points &&
+            passes_corner(stores_, manifold_, 0, contact, world_.def.gravity_m_s2, time_.dt_s))
+            return;
         const bool was_loose = is_loose(c);
         if (special::has(c, special::kOneWay) && !is_held_out(stores_, c)) {
             if (c.has_points) lose_points(contact);

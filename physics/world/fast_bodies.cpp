@@ -22,6 +22,10 @@ constexpr float kImpactGap_m = 0.25f * tuning::kLinearSlop_m;
 // m. Ways up to this end where the solver sees the other shape before they begin, and wakes it.
 constexpr float kSeenAhead_m = tuning::kSpeculativeDistance_m;
 
+// Of what is solid about the thinner shape: so deep a corner may be in it. With a half, balls of 1 cm fell
+// through gaps that were narrower than they.
+constexpr float kCornerShare = 0.1f;
+
 // Flags of bodies of which boxes cover the way.
 constexpr std::uint32_t kCovered = place_flag::kHasty | place_flag::kRouses;
 
@@ -92,6 +96,26 @@ float surprise_of(const BodyRecord& a, const BodyRecord& b) {
     return depth_m;
 }
 
+// m. How far gravity moves the two of a contact apart or together in the step, at most.
+float fall_of(const BodyStore& bodies, const ContactRecord& contact, Vec2 gravity, float dt_s) {
+    const auto fall = [&](int body) {
+        return dt_s * length(expected_velocity(bodies, body, gravity, dt_s) -
+                             expected_velocity(bodies, body, {}, dt_s));
+    };
+    return fall(contact.body_a) + fall(contact.body_b);
+}
+
+// m. How deep a corner may be when it is met that is passed at first: so little that it does not go through.
+float may_fall(const BodyStore& bodies, const ContactRecord& contact) {
+    float depth_m = tuning::kLinearSlop_m;
+    for (const int body : {contact.body_a, contact.body_b}) {
+        const BodyRecord& record = bodies.slots[body];
+        if (record.type == BodyType::Dynamic)
+            depth_m = std::min(depth_m, kCornerShare * record.inner_radius_m);
+    }
+    return depth_m;
+}
+
 // How far the solver will see a point moved that it knows by this arm, when the body has moved on by time_s.
 Vec2 moved(const Sweep& sweep, Vec2 arm, float time_s) {
     const Rotation turned = Rotation::from_small_angle(sweep.spin * time_s);
@@ -158,6 +182,16 @@ bool could_meet(const Advance& a, const Advance& b, const AxisGap& seen, float d
     // What moves along with the other neither passes through it nor gets deep into it.
     if (dt_s * (length(velocity) + turning) <= std::min(a.calm_way_m, b.calm_way_m)) return false;
     return seen.gap_m <= 0 || seen.gap_m - dt_s * (turning - dot(velocity, seen.axis)) <= kImpactGap_m;
+}
+
+bool goes_over_corner(const Stores& stores, const ContactRecord& contact, Vec2 gravity_m_s2, Vec2 normal,
+                      float dt_s) {
+    // What it comes from holds it, so it does not fall; if not, it may fall in by so much until it is met.
+    if (fall_of(stores.bodies, contact, gravity_m_s2, dt_s) > may_fall(stores.bodies, contact)) return false;
+    const Position origin = stores.bodies.places[contact.body_a].center;
+    const Sweep a = make_sweep(stores, contact.shape_a, origin, {}, dt_s);
+    const Sweep b = make_sweep(stores, contact.shape_b, origin, {}, dt_s);
+    return Passage(a, b, dt_s).goes_over_corner(normal);
 }
 
 bool predict_contact(const Stores& stores, const ContactRecord& contact, const AxisGap& seen,

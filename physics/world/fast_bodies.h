@@ -34,6 +34,12 @@ void extend_advances(Stores& stores, Vec2 gravity_m_s2, float dt_s, StepScratch&
 /// without their shapes.
 bool could_meet(const Advance& a, const Advance& b, const AxisGap& seen, float dt_s);
 
+/// Whether one of two that are about to touch, with this normal, goes over a corner of the other: it stays
+/// before a side for the whole step, and what is about to touch is the end of that side. On the next floor,
+/// flush with this one, it would be met as if that stood in its way.
+bool goes_over_corner(const Stores& stores, const ContactRecord& contact, Vec2 gravity_m_s2, Vec2 normal,
+                      float dt_s);
+
 /// The contact of a pair that is apart now but meets within the step, as seen from now; false when it does
 /// not.
 bool predict_contact(const Stores& stores, const ContactRecord& contact, const AxisGap& seen,

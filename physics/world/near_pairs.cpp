@@ -92,7 +92,10 @@ class NearLook {
             NearFindings& found = scratch_.near_findings[from_[lane] / kLanes - first_block_];
             const auto bit = static_cast<std::uint8_t>(1 << from_[lane] % kLanes);
             if (manifold_.points[0].id[lane] != kNoFeature) {
-                found.meets |= bit;
+                const bool is_new = (found.remembers & bit) == 0;
+                if (!is_new ||
+                    !passes_corner(stores_, manifold_, lane, pairs.contact[lane], gravity_m_s2_, dt_s_))
+                    found.meets |= bit;
                 continue;
             }
             sights_[from_[lane]] = make_sight(places_.poses, lane, manifold_.gap[lane]);
@@ -140,6 +143,12 @@ bool meets_ahead(const Stores& stores, const std::vector<Advance>& advances, con
     return may_meet_ahead(advances, places, manifold, lane, dt_s) &&
            predict_contact(stores, stores.contacts.slots[contact], seen_gap(manifold, lane), gravity_m_s2,
                            dt_s, input);
+}
+
+bool passes_corner(const Stores& stores, const ManifoldLanes& manifold, int lane, int contact,
+                   Vec2 gravity_m_s2, float dt_s) {
+    return goes_over_corner(stores, stores.contacts.slots[contact], gravity_m_s2,
+                            {manifold.normal_x[lane], manifold.normal_y[lane]}, dt_s);
 }
 
 bool may_reach(const std::vector<Advance>& advances, const BlockPlaces& places, const ManifoldLanes& manifold,

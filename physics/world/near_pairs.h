@@ -22,7 +22,13 @@ bool meets_ahead(const Stores& stores, const std::vector<Advance>& advances, con
                  const ManifoldLanes& manifold, int lane, int contact, Vec2 gravity_m_s2, float dt_s,
                  ContactInput& input);
 
-/// Whether one body of such a pair may reach the other, which stands still or sleeps, by the end of the step.
+/// Whether a pair that had no points in the last step, and has some in a lane of a block just looked at, is
+/// not to meet yet: one goes over a corner of the other, as over the seam of two floors.
+bool passes_corner(const Stores& stores, const ManifoldLanes& manifold, int lane, int contact,
+                   Vec2 gravity_m_s2, float dt_s);
+
+/// Whether one body of a pair that has no points may reach the other, which stands still or sleeps, by the
+/// end of the step.
 bool may_reach(const std::vector<Advance>& advances, const BlockPlaces& places, const ManifoldLanes& manifold,
                int lane, float dt_s);
 
