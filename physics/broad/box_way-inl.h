@@ -15,15 +15,20 @@ HWY_BEFORE_NAMESPACE();
 namespace cairn::physics {
 namespace HWY_NAMESPACE {
 
-HWY_INLINE V least_overlap(V way_a, V way_b) {
-    const V zero = hn::Zero(D());
-    return hn::Sub(hn::Sub(hn::Min(way_a, zero), hn::Max(way_b, zero)), hn::Min(hn::Sub(way_a, way_b), zero));
+/// Of start_of, along one axis.
+HWY_INLINE V start_lower(V lower, V way) {
+    return hn::Sub(lower, hn::Min(way, hn::Zero(D())));
+}
+HWY_INLINE V start_upper(V upper, V way) {
+    return hn::Sub(upper, hn::Max(way, hn::Zero(D())));
 }
 
-/// Along one axis.
+/// Along one axis, by where both set out.
 HWY_INLINE M keep_apart_along(V lower_a, V upper_a, V way_a, V lower_b, V upper_b, V way_b) {
-    return hn::Or(hn::Gt(hn::Sub(lower_a, upper_b), least_overlap(way_a, way_b)),
-                  hn::Gt(hn::Sub(lower_b, upper_a), least_overlap(way_b, way_a)));
+    const V zero = hn::Zero(D());
+    const V opening = hn::Sub(way_a, way_b);
+    return hn::Or(hn::Gt(hn::Add(hn::Sub(lower_a, upper_b), hn::Min(opening, zero)), zero),
+                  hn::Gt(hn::Sub(hn::Sub(lower_b, upper_a), hn::Max(opening, zero)), zero));
 }
 
 }  // namespace HWY_NAMESPACE

@@ -5,10 +5,12 @@
 
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
+#include <optional>
 
 #include "base/ample.h"
 #include "base/simd_rows-inl.h"
 #include "broad/box_way-inl.h"
+#include "broad/box_way.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace cairn::physics {
@@ -33,20 +35,38 @@ HWY_INLINE LaneMask overlapping_lanes(const BoxGroup& group, const Aabb& box) {
     return found;
 }
 
-// The lanes that keep apart from the given one.
-LaneMask lanes_apart(const BoxGroup& group, const GroupWays& ways, const Aabb& box, Vec2 way) {
-    const V way_x = set(way.x);
-    const V way_y = set(way.y);
-    LaneMask apart = 0;
-    for (int lane = 0; lane < kLanes; lane += kStep) {
-        const M x = keep_apart_along(load(group.lower_x, lane), load(group.upper_x, lane), load(ways.x, lane),
-                                     set(box.lower.x), set(box.upper.x), way_x);
-        const M y = keep_apart_along(load(group.lower_y, lane), load(group.upper_y, lane), load(ways.y, lane),
-                                     set(box.lower.y), set(box.upper.y), way_y);
-        apart |= bits_of(hn::Or(x, y)) << lane;
+// A group that moves, and where its boxes set out.
+struct GroupOnWay {
+    BoxGroup start;
+    const GroupWays& ways;
+
+    GroupOnWay(const BoxGroup& group, const GroupWays& of_group) : ways(of_group) {
+        for (int lane = 0; lane < kLanes; lane += kStep) {
+            const V way_x = load(ways.x, lane);
+            const V way_y = load(ways.y, lane);
+            store(start_lower(load(group.lower_x, lane), way_x), start.lower_x, lane);
+            store(start_upper(load(group.upper_x, lane), way_x), start.upper_x, lane);
+            store(start_lower(load(group.lower_y, lane), way_y), start.lower_y, lane);
+            store(start_upper(load(group.upper_y, lane), way_y), start.upper_y, lane);
+        }
     }
-    return apart;
-}
+
+    // The lanes that keep apart from a box.
+    [[nodiscard]] LaneMask lanes_apart(const Aabb& box, Vec2 way) const {
+        const Aabb other = start_of(box, way);
+        const V way_x = set(way.x);
+        const V way_y = set(way.y);
+        LaneMask apart = 0;
+        for (int lane = 0; lane < kLanes; lane += kStep) {
+            const M x = keep_apart_along(load(start.lower_x, lane), load(start.upper_x, lane),
+                                         load(ways.x, lane), set(other.lower.x), set(other.upper.x), way_x);
+            const M y = keep_apart_along(load(start.lower_y, lane), load(start.upper_y, lane),
+                                         load(ways.y, lane), set(other.lower.y), set(other.upper.y), way_y);
+            apart |= bits_of(hn::Or(x, y)) << lane;
+        }
+        return apart;
+    }
+};
 
 Aabb bounds_of(const BoxGroup& group, LaneMask lanes) {
     Aabb all;
@@ -64,7 +84,11 @@ class GroupSearch {
           own_(moved.groups[index]),
           tree_(*layers[static_cast<std::size_t>(own_.layer)].tree),
           now_(tree_.level(0)[own_.group]),
-          found_(found) {}
+          found_(found) {
+        if (ways_.empty()) return;
+        on_way_.emplace(now_, ways_of(own_.ways));
+        was_on_way_.emplace(own_.before, ways_of(own_.ways_before));
+    }
 
     void run() {
         const Aabb reach = bounds_of(now_, own_.lanes);
@@ -131,15 +155,14 @@ class GroupSearch {
         const MovedGroup* other = moved == kNone ? nullptr : &moved_[moved];
         const Aabb now = searched.tree->level(0)[group].box(lane);
         const int item = searched.tree->items()[kGroupSize * group + lane];
-        const LaneMask apart =
-            found & lanes_apart(now_, ways_of(own_.ways), now, way_of(other, &MovedGroup::ways, lane));
+        const LaneMask apart = found & on_way_->lanes_apart(now, way_of(other, &MovedGroup::ways, lane));
         if (apart != 0) push_amply(found_.beside, PairsBeside{index_, item, apart});
         const LaneMask meeting = found & ~apart;
         if (meeting == 0) return;
         const Aabb before = other == nullptr ? now : other->before.box(lane);
-        const LaneMask known = overlapping_lanes(own_.before, before) &
-                               ~lanes_apart(own_.before, ways_of(own_.ways_before), before,
-                                            way_of(other, &MovedGroup::ways_before, lane));
+        const LaneMask known =
+            overlapping_lanes(own_.before, before) &
+            ~was_on_way_->lanes_apart(before, way_of(other, &MovedGroup::ways_before, lane));
         tell(meeting & ~known, item);
     }
     [[nodiscard]] bool has_ways(int moved) const {
@@ -168,6 +191,9 @@ class GroupSearch {
     const BoxTree& tree_;
     const BoxGroup& now_;
     const FoundPairs& found_;
+    // Where some item has a way:
+    std::optional<GroupOnWay> on_way_;
+    std::optional<GroupOnWay> was_on_way_;
 };
 
 void find_pairs(const SearchedLayers& layers, const MovedGroups& moved, int first, int last,

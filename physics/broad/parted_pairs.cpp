@@ -33,6 +33,14 @@ HWY_INLINE M do_overlap(const BoxColumns& a, const BoxColumns& b) {
     return hn::And(x, y);
 }
 
+HWY_INLINE M keep_apart(const BoxColumns& a, Vec way_a, const BoxColumns& b, Vec way_b) {
+    const M x = keep_apart_along(start_lower(a.lower.x, way_a.x), start_upper(a.upper.x, way_a.x), way_a.x,
+                                 start_lower(b.lower.x, way_b.x), start_upper(b.upper.x, way_b.x), way_b.x);
+    const M y = keep_apart_along(start_lower(a.lower.y, way_a.y), start_upper(a.upper.y, way_a.y), way_a.y,
+                                 start_lower(b.lower.y, way_b.y), start_upper(b.upper.y, way_b.y), way_b.y);
+    return hn::Or(x, y);
+}
+
 void parted_lanes(const Aabb* boxes, const Vec2* ways, const Lanes<std::int32_t>& item_a,
                   const Lanes<std::int32_t>& item_b, unsigned lanes, unsigned& parted) {
     parted = 0;
@@ -45,15 +53,8 @@ void parted_lanes(const Aabb* boxes, const Vec2* ways, const Lanes<std::int32_t>
         const BoxColumns box_a = load_boxes(boxes, a);
         const BoxColumns box_b = load_boxes(boxes, b);
         M apart = hn::Not(do_overlap(box_a, box_b));
-        if (ways != nullptr) {
-            const Vec way_a = load_vecs(ways, a);
-            const Vec way_b = load_vecs(ways, b);
-            const M x = keep_apart_along(box_a.lower.x, box_a.upper.x, way_a.x, box_b.lower.x, box_b.upper.x,
-                                         way_b.x);
-            const M y = keep_apart_along(box_a.lower.y, box_a.upper.y, way_a.y, box_b.lower.y, box_b.upper.y,
-                                         way_b.y);
-            apart = hn::Or(apart, hn::Or(x, y));
-        }
+        if (ways != nullptr)
+            apart = hn::Or(apart, keep_apart(box_a, load_vecs(ways, a), box_b, load_vecs(ways, b)));
         parted |= bits_of(apart) << lane;
     }
     parted &= lanes;
