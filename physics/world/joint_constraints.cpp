@@ -1,6 +1,7 @@
 // Joints within a step.
 #include "world/joint_constraints.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "resolve/joints/joint_solver.h"
@@ -176,6 +177,25 @@ PinLoads pin_loads(float h_s) {
     return {h_s, soft.impulse_scale / (soft.mass_scale * soft.bias_rate)};
 }
 
+// Where joints are few among many bodies, the rows of theirs.
+void list_jointed_rows(const Stores& stores, StepScratch& scratch) {
+    constexpr std::size_t kManyBodies = 32;
+    const JointLanes& lanes = stores.joints.lanes;
+    const std::size_t most = kMaxJointBodies * scratch.joints.size() + 2 * kLanes * lanes.block_count();
+    std::vector<int>& rows = scratch.jointed_rows;
+    rows.clear();
+    scratch.few_are_jointed = most * kManyBodies <= static_cast<std::size_t>(scratch.motions.size());
+    if (!scratch.few_are_jointed) return;
+    for (const JointConstraint& c : scratch.joints)
+        rows.insert(rows.end(), c.rows.begin(), c.rows.begin() + c.bodies);
+    lanes.for_each_joint([&](int, const AnchorBlock& anchors, std::size_t lane) {
+        for (const int body : {anchors.body_a[lane], anchors.body_b[lane]})
+            rows.push_back(stores.bodies.places[static_cast<std::size_t>(body)].row);
+    });
+    std::sort(rows.begin(), rows.end());
+    rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+}
+
 }  // namespace
 
 void prepare_joints(Stores& stores, const StepTime& time, StepScratch& scratch, TaskPool& tasks) {
@@ -203,6 +223,7 @@ void prepare_joints(Stores& stores, const StepTime& time, StepScratch& scratch, 
             lanes.hide_tears(softness_of(JointStiffness{}, time.h_s).bias_rate, scratch.torn);
         lanes.take_off_loads(scratch.motions, loads, tasks);
     }
+    list_jointed_rows(stores, scratch);
     scratch.has_crowded_springs = false;
     if (!springs && !lanes.springs_changed()) return;
     scratch.spring_loads.assign(static_cast<std::size_t>(scratch.motions.size()), {});

@@ -197,6 +197,10 @@ inline void solve_joints(JointLanes& lanes, StepScratch& scratch, float h_s, Act
     Motions& motions = scratch.motions;
     const auto for_rows = [&](auto&& work) {
         if (!acting.contacts) return;
+        if (scratch.few_are_jointed) {
+            for (const int row : scratch.jointed_rows) work(motions, row, row + 1);
+            return;
+        }
         for_rest_rows(*scratch.batches, tasks, [&](int first, int last) { work(motions, first, last); });
     };
     const JointPassTime time = joint_time(h_s);

@@ -376,6 +376,8 @@ struct StepScratch {
     std::unique_ptr<BounceScratch> bouncing;  // none before the first bounce
     std::vector<JointConstraint> joints;      // the swept ones, in their order
     std::vector<JointPlace> joint_places;
+    std::vector<int> jointed_rows;  // where joints are few: what they can move
+    bool few_are_jointed = false;
     std::vector<TornJoint> torn;
     std::vector<int> unseated;         // joints that may get a lane, or break
     bool has_crowded_springs = false;  // outside of lanes
