@@ -60,28 +60,44 @@ float most_along(const Convex& shape, const SweptPose& pose, Vec2 direction) {
     return most + dot(direction, pose.origin);
 }
 
-// A core on its way.
-struct SeenWay {
-    SeenCore first;
-    SeenCore last;
-    float radius;
+// The core of a shape on its way, in the frame of another one on its own.
+class SeenWay {
+  public:
+    SeenWay(SweepEnds& own, SweepEnds& other)
+        : own_(own),
+          other_(other),
+          pose_(relative_pose(own.first(), other.first())),
+          first_(other.shape(), pose_) {}
 
-    SeenWay(const Convex& shape, const RelativePose& at_first, const RelativePose& at_last)
-        : first(shape, at_first), last(shape, at_last), radius(shape.radius()) {}
-
-    [[nodiscard]] bool stays_before_side(const Convex& own, int side, float depth_m) const {
-        const Vec2 normal = own.normals[side];
-        const float surface = dot(normal, own.point(side)) + own.radius() + radius;
-        return first.least_along(normal).distance - surface >= -std::min(depth_m, tuning::kLinearSlop_m) &&
-               last.least_along(normal).distance - surface >= -depth_m;
+    [[nodiscard]] const RelativePose& pose() const { return pose_; }
+    [[nodiscard]] float radius() const { return other_.shape().radius(); }
+    [[nodiscard]] const SeenCore& first() const { return first_; }
+    [[nodiscard]] const SeenCore& last() {
+        if (!last_) last_.emplace(other_.shape(), relative_pose(own_.last(), other_.last()));
+        return *last_;
     }
+
+    [[nodiscard]] bool stays_before_side(int side, float depth_m) {
+        const Convex& own = own_.shape();
+        const Vec2 normal = own.normals[side];
+        const float surface = dot(normal, own.point(side)) + own.radius() + radius();
+        return first().least_along(normal).distance - surface >= -std::min(depth_m, tuning::kLinearSlop_m) &&
+               last().least_along(normal).distance - surface >= -depth_m;
+    }
+
+  private:
+    SweepEnds& own_;
+    SweepEnds& other_;
+    RelativePose pose_;
+    SeenCore first_;
+    std::optional<SeenCore> last_;
 };
 
 // A corner that slides over the seam of two floors meets the side of the second, but is never deep in it.
 // What ends the step a little deep gets its contact in the next one.
-bool stays_before_a_side(const Convex& own, const SeenWay& other, float depth_m) {
+bool stays_before_a_side(const Convex& own, SeenWay& way, float depth_m) {
     for (int side = 0; side < own.count(); ++side) {
-        if (other.stays_before_side(own, side, depth_m)) return true;
+        if (way.stays_before_side(side, depth_m)) return true;
     }
     return false;
 }
@@ -101,10 +117,8 @@ int facing_corner(const Convex& other, const RelativePose& pose, Vec2 normal, Ve
 // What comes from beyond an end may meet the end first, which the neighbour holds: its contact with the
 // segment begins when it is over it. That is so where of what faces the segment the corner is below the face,
 // and the foremost corner is not: what is between the two meets the end while the first is still beyond it.
-bool comes_from_beyond(const Convex& segment, const Convex& other, const RelativePose& pose,
-                       const SeenWay& way) {
-    const SeenCore& first = way.first;
-    const SeenCore& last = way.last;
+bool comes_from_beyond(const Convex& segment, const Convex& other, SeenWay& way) {
+    const SeenCore& first = way.first();
     const Vec2 normal = segment.normals[0];
     const Vec2 along = left_perp(normal);
     const float surface = dot(segment.point(0), normal);
@@ -114,68 +128,58 @@ bool comes_from_beyond(const Convex& segment, const Convex& other, const Relativ
         const float beyond = dot(segment.point(end), outward) + kSharedAtJoin_m;
         const int foremost = first.least_along(outward).corner;
         if (dot(first.points[foremost], outward) <= beyond) continue;
-        if (last.least_along(outward).distance > beyond) return true;
-        const int corner = facing_corner(other, pose, normal, outward);
+        if (way.last().least_along(outward).distance > beyond) return true;
+        const int corner = facing_corner(other, way.pose(), normal, outward);
         const auto meets_end = [&](const SeenCore& at) {
-            return dot(at.points[corner], normal) - surface < way.radius &&
-                   dot(at.points[foremost], normal) - surface >= -way.radius;
+            return dot(at.points[corner], normal) - surface < way.radius() &&
+                   dot(at.points[foremost], normal) - surface >= -way.radius();
         };
-        if (meets_end(first) && meets_end(last)) return true;
+        if (meets_end(first) && meets_end(way.last())) return true;
+    }
+    return false;
+}
+
+bool stays_outside(SweepEnds& own, SweepEnds& other, float depth_m) {
+    if (own.shape().count() == 1) return false;
+    SeenWay way(own, other);
+    if (own.shape().is_chained() && comes_from_beyond(own.shape(), other.shape(), way)) return true;
+    return stays_before_a_side(own.shape(), way, depth_m);
+}
+
+// The contact with this normal, from the owner of the sides, is not on that side: so it is at its end.
+bool stays_before_another_side(SweepEnds& own, SweepEnds& other, Vec2 normal) {
+    const Convex& shape = own.shape();
+    if (shape.count() == 1) return false;
+    SeenWay way(own, other);
+    for (int side = 0; side < shape.count(); ++side) {
+        const Vec2 out = rotate(own.first().rotation, shape.normals[side]);
+        const bool is_on_side = dot(out, normal) > 0 && std::fabs(cross(out, normal)) < kOnSide;
+        if (!is_on_side && way.stays_before_side(side, kLyingDepth_m)) return true;
     }
     return false;
 }
 
 }  // namespace
 
-Passage::Ends Passage::ends_of(const Sweep& sweep, float duration_s) {
-    return {{sweep.center - rotate(sweep.rotation, sweep.local_center), sweep.rotation},
-            pose_at(sweep, duration_s)};
-}
-
 Passage::Passage(const Sweep& a, const Sweep& b, float duration_s)
-    : a_(*a.shape),
-      b_(*b.shape),
-      of_a_(ends_of(a, duration_s)),
-      of_b_(ends_of(b, duration_s)),
+    : a_(a, duration_s),
+      b_(b, duration_s),
       is_straight_(turn_of(a, duration_s) + turn_of(b, duration_s) <= kStraightTurn_rad) {}
 
-bool Passage::keeps_apart(const AxisGap& seen, float gap_m) const {
+bool Passage::keeps_apart(const AxisGap& seen, float gap_m) {
     if (!is_straight_ || !(seen.gap_m > gap_m)) return false;
-    const float between = -most_along(b_, of_b_.last, -seen.axis) - most_along(a_, of_a_.last, seen.axis);
-    return between - a_.radius() - b_.radius() > gap_m;
+    const float between =
+        -most_along(b_.shape(), b_.last(), -seen.axis) - most_along(a_.shape(), a_.last(), seen.axis);
+    return between - a_.shape().radius() - b_.shape().radius() > gap_m;
 }
 
-bool Passage::goes_along(float depth_m) const {
+bool Passage::goes_along(float depth_m) {
+    return is_straight_ && (stays_outside(a_, b_, depth_m) || stays_outside(b_, a_, depth_m));
+}
+
+bool Passage::goes_over_corner(Vec2 normal) {
     return is_straight_ &&
-           (stays_outside(a_, of_a_, b_, of_b_, depth_m) || stays_outside(b_, of_b_, a_, of_a_, depth_m));
-}
-
-bool Passage::goes_over_corner(Vec2 normal) const {
-    return is_straight_ && (stays_before_another_side(a_, of_a_, b_, of_b_, normal) ||
-                            stays_before_another_side(b_, of_b_, a_, of_a_, -normal));
-}
-
-bool Passage::stays_outside(const Convex& own, const Ends& of_own, const Convex& other, const Ends& of_other,
-                            float depth_m) {
-    if (own.count() == 1) return false;
-    const RelativePose pose = relative_pose(of_own.first, of_other.first);
-    const SeenWay way(other, pose, relative_pose(of_own.last, of_other.last));
-    if (own.is_chained() && comes_from_beyond(own, other, pose, way)) return true;
-    return stays_before_a_side(own, way, depth_m);
-}
-
-// The contact with this normal, from the owner of the sides, is not on that side: so it is at its end.
-bool Passage::stays_before_another_side(const Convex& own, const Ends& of_own, const Convex& other,
-                                        const Ends& of_other, Vec2 normal) {
-    if (own.count() == 1) return false;
-    const SeenWay way(other, relative_pose(of_own.first, of_other.first),
-                      relative_pose(of_own.last, of_other.last));
-    for (int side = 0; side < own.count(); ++side) {
-        const Vec2 out = rotate(of_own.first.rotation, own.normals[side]);
-        const bool is_on_side = dot(out, normal) > 0 && std::fabs(cross(out, normal)) < kOnSide;
-        if (!is_on_side && way.stays_before_side(own, side, kLyingDepth_m)) return true;
-    }
-    return false;
+           (stays_before_another_side(a_, b_, normal) || stays_before_another_side(b_, a_, -normal));
 }
 
 }  // namespace cairn::physics

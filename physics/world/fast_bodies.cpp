@@ -212,7 +212,7 @@ bool predict_contact(const Stores& stores, const ContactRecord& contact, const A
     const Sweep a = make_sweep(stores, contact.shape_a, origin, gravity_m_s2, dt_s);
     const Sweep b = make_sweep(stores, contact.shape_b, origin, gravity_m_s2, dt_s);
     const float unit = length_unit(stores, contact);
-    const Passage passage(a, b, dt_s);
+    Passage passage(a, b, dt_s);
     if (passage.keeps_apart(apart, unit * kImpactGap_m)) return false;
     if (passage.goes_along(surprise_of(body_a, body_b))) return false;
     const std::optional<float> time = time_of_impact(a, b, dt_s, unit * kImpactGap_m, apart);

@@ -6,18 +6,18 @@
 
 #include <cairn/physics/math.h>
 
+#include "physics/support/precise.h"
 #include "physics/support/random.h"
 
 namespace cairn::physics {
 namespace {
 
+using namespace test;
 namespace own = deterministic;
-using test::Random;
 
 constexpr double kPromised = 1e-12;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double kPiD = 3.14159265358979323846;
 
 // Largest relative error of f against the reference over random arguments.
 template <class Function, class Reference, class Draw>

@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "physics/support/precise.h"
 #include "physics/support/random_shapes.h"
 #include "physics/support/rounded_hull.h"
 
@@ -12,7 +13,6 @@ namespace {
 
 using namespace test;
 
-constexpr double kPiD = 3.14159265358979323846;
 // The shapes are given in float (6e-8 relative); a moment of second order carries four lengths.
 constexpr double kFloat = 1e-6;
 

@@ -4,15 +4,12 @@
 #include <cmath>
 
 #include "physics/support/making.h"
+#include "physics/support/precise.h"
 
 namespace cairn::physics {
 namespace {
 
 using namespace test;
-
-double d(float x) {
-    return static_cast<double>(x);
-}
 
 }  // namespace
 

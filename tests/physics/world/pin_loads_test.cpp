@@ -5,15 +5,12 @@
 #include <vector>
 
 #include "physics/support/making.h"
+#include "physics/support/precise.h"
 
 namespace cairn::physics {
 namespace {
 
 using namespace test;
-
-double d(float x) {
-    return static_cast<double>(x);
-}
 
 // Discs a metre apart, pinned half-way between. Three in the middle of the top row are held.
 struct Grid {

@@ -8,15 +8,12 @@
 #include <cairn/physics/prefabs/rope.h>
 
 #include "physics/support/making.h"
+#include "physics/support/precise.h"
 
 namespace cairn::physics {
 namespace {
 
 using namespace test;
-
-double d(float x) {
-    return static_cast<double>(x);
-}
 
 double energy(const World& world, double gravity_m_s2) {
     double sum = 0;

@@ -5,15 +5,12 @@
 #include <vector>
 
 #include "physics/support/making.h"
+#include "physics/support/precise.h"
 
 namespace cairn::physics {
 namespace {
 
 using namespace test;
-
-double d(float x) {
-    return static_cast<double>(x);
-}
 
 // Links of 1 kg and half a metre, straight down from the origin or level from it, and a ball at the end.
 struct Hanging {

@@ -9,17 +9,12 @@
 #include <cairn/physics/simd.h>
 
 #include "physics/support/making.h"
+#include "physics/support/precise.h"
 
 namespace cairn::physics {
 namespace {
 
 using namespace test;
-
-constexpr double kPiD = 3.14159265358979323846;
-
-double d(float x) {
-    return static_cast<double>(x);
-}
 
 struct Spring {
     float frequency_hz;

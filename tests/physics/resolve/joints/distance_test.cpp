@@ -5,17 +5,12 @@
 #include <vector>
 
 #include "physics/support/making.h"
+#include "physics/support/precise.h"
 
 namespace cairn::physics {
 namespace {
 
 using namespace test;
-
-constexpr double kPiD = 3.14159265358979323846;
-
-double d(float x) {
-    return static_cast<double>(x);
-}
 
 // A ball below a fixed point, hung on a joint.
 struct Hung {

@@ -4,17 +4,12 @@
 #include <vector>
 
 #include "physics/support/making.h"
+#include "physics/support/precise.h"
 
 namespace cairn::physics {
 namespace {
 
 using namespace test;
-
-constexpr double kPiD = 3.14159265358979323846;
-
-double d(float x) {
-    return static_cast<double>(x);
-}
 
 // The complete elliptic integral of the first kind, by the arithmetic-geometric mean (Gauss).
 double elliptic_k(double modulus) {
