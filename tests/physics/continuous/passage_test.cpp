@@ -35,8 +35,8 @@ TEST_CASE("what keeps apart along an axis meets at no moment of the step") {
     Random random(1);
     int apart = 0;
     for (int round = 0; round < 3'000; ++round) {
-        const Convex shape_a = random_convex(random, kForms[static_cast<std::size_t>(random.below(6))]);
-        const Convex shape_b = random_convex(random, kForms[static_cast<std::size_t>(random.below(6))]);
+        const Convex shape_a = random_solid(random);
+        const Convex shape_b = random_solid(random);
         const Sweep a = sweep_of(shape_a, random.vector(-1, 1), random.real(-4, 4), random.vector(-20, 20));
         const Sweep b = sweep_of(shape_b, {random.real_f(1, 4), random.real_f(-2, 2)}, random.real(-4, 4),
                                  random.vector(-60, 60));
@@ -71,8 +71,8 @@ TEST_CASE("what goes along a side of another ends no deeper than it may") {
     Random random(2);
     int along = 0;
     for (int round = 0; round < 4'000; ++round) {
-        const Convex shape_a = random_convex(random, kForms[static_cast<std::size_t>(random.below(6))]);
-        const Convex shape_b = random_convex(random, kForms[static_cast<std::size_t>(random.below(6))]);
+        const Convex shape_a = random_solid(random);
+        const Convex shape_b = random_solid(random);
         const Sweep a = sweep_of(shape_a, {}, random.real(-4, 4), {});
         const Sweep b = sweep_of(shape_b, random.vector(-2, 2), random.real(-4, 4), random.vector(-60, 60));
         if (gap_at(a, b, 0) <= 0 || !Passage(a, b, kStep_s).goes_along(kDepth_m)) continue;

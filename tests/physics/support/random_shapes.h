@@ -52,4 +52,10 @@ inline Convex random_convex(Random& random, Form form) {
     return {};
 }
 
+/// Of any form that has an inside.
+inline Convex random_solid(Random& random) {
+    return random_convex(random,
+                         kForms[static_cast<std::size_t>(random.below(static_cast<int>(kForms.size())))]);
+}
+
 }  // namespace cairn::physics::test

@@ -335,4 +335,35 @@ TEST_CASE("a chain of twenty links with a heavy ball holds together") {
     CHECK(apart < 0.05);  // a tenth of a link, in the worst jerk
 }
 
+// Joints that are few among many bodies are told apart from contacts at their own bodies only, others at all.
+TEST_CASE("a joint between bodies on the ground does the same among few bodies and among many") {
+    const auto way = [](int others) {
+        World world({.joint_solver = JointSolver::Sweeping, .enable_sleep = false});
+        add(world, {.type = BodyType::Static}, Box{1'500, 0.5f, {0, -0.5f}});
+        for (int i = 0; i < others; ++i) add(world, {.position_m = {50.0 + i, 0.3}}, Box{0.3f, 0.3f});
+        const BodyId left = add(world, {.position_m = {0, 0.5}}, Box{0.5f, 0.3f});
+        const BodyId right =
+            add(world, {.position_m = {1, 0.5}, .linear_velocity_m_s = {3, 0}}, Box{0.5f, 0.3f});
+        world
+            .create_joint(RevoluteJointDef{.body_a = left,
+                                           .body_b = right,
+                                           .local_anchor_a_m = {0.5f, 0},
+                                           .local_anchor_b_m = {-0.5f, 0}})
+            .value();
+        std::vector<Position> positions;
+        for (int step = 0; step < 60; ++step) {
+            world.step(kStep_s).value();
+            for (const BodyId body : {left, right}) positions.push_back(world.body(body)->position());
+        }
+        return positions;
+    };
+    const std::vector<Position> among_few = way(0);
+    const std::vector<Position> among_many = way(1'100);
+    for (std::size_t i = 0; i < among_few.size(); ++i) {
+        INFO("after step " << i / 2);
+        CHECK(length(among_many[i] - among_few[i]) < 1e-4f);
+    }
+    CHECK(among_few.back().x > 1.1);  // it slid, by .3 m
+}
+
 }  // namespace cairn::physics
