@@ -156,9 +156,12 @@ HWY_INLINE void store_no_points(int lane, ManifoldLanes& out) {
     }
 }
 
+// kThin: no core has more than two points. Loops of known length leave all of them in registers.
+template <bool kThin>
 HWY_INLINE unsigned collide_part(const PoseLanes& poses, const BoxLanes& offsets, const HullRows& rows_a,
-                                 const HullRows& rows_b, int count, float reach_m, int lane,
+                                 const HullRows& rows_b, int most_points, float reach_m, int lane,
                                  ManifoldLanes& out) {
+    const int count = kThin ? 2 : most_points;
     const V zero = hn::Zero(D());
     const V one = set(1);
     const Vec q_a{load(poses.cos_a, lane), load(poses.sin_a, lane)};
@@ -312,7 +315,10 @@ unsigned collide_hull_lanes(const PoseLanes& poses, const BoxLanes& offsets, con
     const int count = count_a > count_b ? count_a : count_b;
     unsigned undecided = 0;
     for (int lane = 0; lane < kLanes; lane += kStep) {
-        undecided |= collide_part(poses, offsets, rows_a, rows_b, count, reach_m, lane, out) << lane;
+        const unsigned part =
+            count <= 2 ? collide_part<true>(poses, offsets, rows_a, rows_b, count, reach_m, lane, out)
+                       : collide_part<false>(poses, offsets, rows_a, rows_b, count, reach_m, lane, out);
+        undecided |= part << lane;
     }
     return undecided;
 }

@@ -19,36 +19,28 @@ class BoxCover {
     BoxCover(Stores& stores, std::vector<int>& untold) : stores_(stores), untold_(untold) {}
 
     /// Boxes about where the body is.
-    void add(int body) { add(body, {}); }
+    void add(int body) { add_shapes(body, kStands, 0, false); }
     /// Boxes about its way within the step, which is that of a lane. `goes_along`: they are made anew, and
     /// hold each shape in each of its turns at any place of the way (broad/box_way.h).
-    void add(int body, const AheadLanes& ahead, int lane, bool goes_along);
+    void add(int body, const AheadLanes& ahead, int lane, bool goes_along) {
+        moving_ = true;
+        add_shapes(body, ahead, lane, goes_along);
+    }
     void finish() {
-        take_waiting();
         if (count_ > 0) flush();
     }
 
   private:
-    struct Way {
-        Vec2 way_m;
-        float turn_rad = 0;
-        float room_m = 0;
-        float rounding_m = 0;
-        bool goes_along = false;
-    };
+    static constexpr AheadLanes kStands{};
 
-    void add(int body, const Way& way);
-    void take_waiting();
-    void take(int body, const Way& way);
+    void add_shapes(int body, const AheadLanes& ahead, int lane, bool goes_along);
+    void look_at_shapes();
     void flush();
 
     Stores& stores_;
     std::vector<int>& untold_;
-    // Bodies whose shapes have been asked for.
-    Lanes<int> waiting_{};
-    Lanes<Way> ways_{};
-    int waiting_count_ = 0;
     CoverLanes lanes_;
+    // Shapes that have been asked for, and how their bodies are known.
     Lanes<int> shapes_{};
     Lanes<int> rows_{};
     Lanes<float> rounding_{};

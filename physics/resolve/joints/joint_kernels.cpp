@@ -235,11 +235,13 @@ class Drive {
 
     HWY_INLINE void lower_limit(const SoftLanes& soft, V inverse_h) {
         const V gap = hn::Sub(load(block_.angle, lane_), load(block_.lower, lane_));
-        push(limit(soft, inverse_h, gap, speed(), block_.lower_impulse));
+        const V change = limit(soft, inverse_h, gap, speed(), block_.lower_impulse);
+        if (acts(change)) push(change);
     }
     HWY_INLINE void upper_limit(const SoftLanes& soft, V inverse_h) {
         const V gap = hn::Sub(load(block_.upper, lane_), load(block_.angle, lane_));
-        push(hn::Neg(limit(soft, inverse_h, gap, hn::Neg(speed()), block_.upper_impulse)));
+        const V change = limit(soft, inverse_h, gap, hn::Neg(speed()), block_.upper_impulse);
+        if (acts(change)) push(hn::Neg(change));
     }
 
     [[nodiscard]] HWY_INLINE V impulse() const {
@@ -253,6 +255,11 @@ class Drive {
   private:
     HWY_INLINE static V closing_speed(const SoftLanes& soft, V inverse_h, V gap) {
         return hn::Mul(gap, hn::IfThenElse(hn::Gt(gap, hn::Zero(D())), inverse_h, soft.bias_rate));
+    }
+
+    // Most limits are not met. What comes next need not wait then until that has been found out.
+    [[nodiscard]] HWY_INLINE static bool acts(V change) {
+        return !hn::AllTrue(D(), hn::Eq(change, hn::Zero(D())));
     }
 
     // A gap may close, but no further. The result is by how much the impulse changed.
