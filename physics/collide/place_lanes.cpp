@@ -94,14 +94,21 @@ void load_places(const Place* places, const Lanes<std::int32_t>& body_a, const L
 // What rounding may make of a gap, as a share of what the bodies measure and how far apart they are.
 constexpr float kRounding = 1e-5f;
 
+// Rows of four numbers of some pairs, from the one at `offset` on.
+HWY_INLINE Columns load_pairs(const NearPair* pairs, std::size_t offset) {
+    const float* from[kStep];
+    for (int i = 0; i < kStep; ++i)
+        from[i] = reinterpret_cast<const float*>(reinterpret_cast<const char*>(pairs + i) + offset);
+    return load_rows(from, 0);
+}
+
 // How far apart the shapes are at least, by when they were looked at. Seen from a, no point of b has gone
 // further since than its centre and its own turn took it.
-HWY_INLINE V gap_left(const NearSight* sights, V reach, Vec q_a, Vec q_b, Vec between, V distance) {
-    static_assert(sizeof(NearSight) == 32 && offsetof(NearSight, turn) == 12);
-    const float* from[kStep];
-    for (int i = 0; i < kStep; ++i) from[i] = &sights[i].gap_m;
-    const Columns head = load_rows(from, 0);  // gap, centre, cosine
-    const Columns tail = load_rows(from, 4);  // sine
+HWY_INLINE V gap_left(const NearPair* pairs, V reach, Vec q_a, Vec q_b, Vec between, V distance) {
+    constexpr std::size_t kSightRow = offsetof(NearPair, sight);
+    static_assert(kSightRow == 16 && sizeof(NearSight) == 20 && offsetof(NearSight, turn) == 12);
+    const Columns head = load_pairs(pairs, kSightRow);       // gap, centre, cosine
+    const Columns tail = load_pairs(pairs, kSightRow + 16);  // sine
     const Vec moved = sub(inverse_rotate(q_a, between), {head.y, head.z});
     const Vec chord = sub(inverse_rotate(q_a, q_b), {head.u, tail.x});
     const V turned = hn::Mul(reach, hn::Sqrt(dot(chord, chord)));
@@ -110,15 +117,17 @@ HWY_INLINE V gap_left(const NearSight* sights, V reach, Vec q_a, Vec q_b, Vec be
 }
 
 // Discs that hold the shapes, along the line between their centres; and what earlier looks said.
-void look_near(const Place* places, const Lanes<std::int32_t>& body_a, const Lanes<std::int32_t>& body_b,
-               const Lanes<float>& reach_m, const NearSight* sights, unsigned seen, const Advance* advances,
-               float dt_s, unsigned lanes, NearLanes& out) {
+void look_near(const Place* places, const NearPair* pairs, const Advance* advances, float dt_s,
+               unsigned lanes, NearLanes& out) {
+    static_assert(offsetof(NearPair, body_b) == 4 && offsetof(NearPair, reach_m) == 8 &&
+                  offsetof(NearPair, flags) == 12);
     for (int lane = 0; lane < kLanes; lane += kStep) {
         const M wanted = wanted_lanes(lanes, lane);
+        const Columns head = load_pairs(pairs + lane, 0);  // bodies, reach, flags
         alignas(32) std::int32_t a[kLanes];
         alignas(32) std::int32_t b[kLanes];
-        load_wanted(body_a, wanted, lane, a);
-        load_wanted(body_b, wanted, lane, b);
+        hn::Store(hn::BitCast(DI(), hn::IfThenElseZero(wanted, head.x)), DI(), a);
+        hn::Store(hn::BitCast(DI(), hn::IfThenElseZero(wanted, head.y)), DI(), b);
         const Columns turn_a = load_turns(places, a);
         const Columns turn_b = load_turns(places, b);
         const Vec d = between(places, a, b);
@@ -134,23 +143,26 @@ void look_near(const Place* places, const Lanes<std::int32_t>& body_a, const Lan
         const V opening = hn::Div(hn::Mul(set(dt_s), dot(velocity, d)), distance);
         const M looks_ahead = hn::RebindMask(D(), hn::Ne(ahead, hn::Zero(DI())));
         const V least = hn::IfThenElseZero(looks_ahead, hn::Min(opening, hn::Zero(D())));
-        const V reach = load(reach_m, lane);
+        const V reach = head.z;
         const V gap = hn::Add(hn::Sub(distance, reach), least);
         // So that a distance of 0, which has no direction, counts as close.
         const V near = set(tuning::kSpeculativeDistance_m);
+        const VI own_flags = hn::BitCast(DI(), head.u);
         out.boxes_moved |= flagged(flags, place_flag::kBoxesMoved) << lane;
+        out.remembers |= flagged(own_flags, near_flag::kRemembers) << lane;
         const M close = hn::And(wanted, hn::Not(hn::Gt(gap, near)));
+        const unsigned seen = flagged(own_flags, near_flag::kSeen);
         out.close |= bits_of(close) << lane;
-        if ((out.close & seen) >> lane == 0) continue;
+        if ((bits_of(close) & seen) == 0) continue;
         const V turning = hn::Add(advance_a.z, advance_b.z);
         const V way = hn::Mul(set(dt_s), hn::Add(hn::Sqrt(dot(velocity, velocity)), turning));
-        const V left =
-            gap_left(sights + lane, reach, {turn_a.x, turn_a.y}, {turn_b.x, turn_b.y}, d, distance);
+        const V left = gap_left(pairs + lane, reach, {turn_a.x, turn_a.y}, {turn_b.x, turn_b.y}, d, distance);
         const M apart = hn::Gt(hn::Sub(left, hn::IfThenElseZero(looks_ahead, way)), near);
-        out.close &= ~((bits_of(apart) << lane) & seen);
+        out.close &= ~((bits_of(apart) & seen) << lane);
     }
     out.close &= lanes;
     out.boxes_moved &= lanes;
+    out.remembers &= lanes;
 }
 
 struct DisplacementColumns {
@@ -252,12 +264,10 @@ void load_places(const Place* places, const Lanes<std::int32_t>& body_a, const L
     HWY_DYNAMIC_DISPATCH(load_places)(places, body_a, body_b, lanes, out);
 }
 
-NearLanes look_near(const Place* places, const Lanes<std::int32_t>& body_a, const Lanes<std::int32_t>& body_b,
-                    const Lanes<float>& reach_m, const NearSight* sights, unsigned seen,
-                    const Advance* advances, float dt_s, unsigned lanes) {
+NearLanes look_near(const Place* places, const NearPair* pairs, const Advance* advances, float dt_s,
+                    unsigned lanes) {
     NearLanes out;
-    HWY_DYNAMIC_DISPATCH(look_near)
-    (places, body_a, body_b, reach_m, sights, seen, advances, dt_s, lanes, out);
+    HWY_DYNAMIC_DISPATCH(look_near)(places, pairs, advances, dt_s, lanes, out);
     return out;
 }
 

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "base/place.h"
+#include "base/slot_map.h"
 #include "collide/box_lanes.h"
 
 namespace cairn::physics {
@@ -34,14 +35,9 @@ struct alignas(16) Advance {
     float calm_way_m = 0;   // ways up to this neither pass through anything nor end deep in it
 };
 
-struct NearLanes {
-    unsigned close = 0;  // bits: the shapes could have points, or meet within the step
-    unsigned boxes_moved = 0;
-};
-
 /// What was seen of a pair without points. How one body lies as seen from the other tells how much of the gap
 /// can be gone by now: what moves along with its neighbour need not be looked at again.
-struct alignas(32) NearSight {
+struct NearSight {
     float gap_m = 0;  // the shapes were at least this far apart
     Vec2 center;      // m, of b, in the frame of a
     Rotation turn;    // of b as seen from a
@@ -50,11 +46,37 @@ struct alignas(32) NearSight {
 /// `poses` of a pair of which the shapes are so far apart.
 NearSight make_sight(const PoseLanes& poses, int lane, float gap_m);
 
-/// Of some lanes. `reach_m`: sum of the radii of the discs about the centres of mass that hold the shapes;
-/// `sights` are those of the lanes that have a bit in `seen`, `advances` are by row.
-NearLanes look_near(const Place* places, const Lanes<std::int32_t>& body_a, const Lanes<std::int32_t>& body_b,
-                    const Lanes<float>& reach_m, const NearSight* sights, unsigned seen,
-                    const Advance* advances, float dt_s, unsigned lanes);
+namespace near_flag {
+inline constexpr std::uint32_t kRemembers = 1;  ///< it had points in the last step
+inline constexpr std::uint32_t kSeen = 2;       ///< its sight holds; only speed depends on it
+}  // namespace near_flag
+
+/// A pair without points. Such pairs come and go in crowds, and to take one somewhere else is to take one
+/// cache line. What a look at all of them reads comes first.
+struct alignas(64) NearPair {
+    std::int32_t body_a = kNone;
+    std::int32_t body_b = kNone;
+    float reach_m = 0;  // sum of the radii of the discs about the centres of mass that hold the shapes
+    std::uint32_t flags = 0;
+    NearSight sight;
+    std::int32_t contact = kNone;
+    std::int32_t shape_a = kNone;
+    std::int32_t shape_b = kNone;
+    Vec2 offset_a;  // as in BoxLanes
+    Vec2 offset_b;
+};
+static_assert(sizeof(NearPair) == 64);
+
+/// Of eight pairs, as bits.
+struct NearLanes {
+    unsigned close = 0;  // the shapes could have points, or meet within the step
+    unsigned boxes_moved = 0;
+    unsigned remembers = 0;
+};
+
+/// Of some of eight pairs, all of which are there to be read. `advances` are by row.
+NearLanes look_near(const Place* places, const NearPair* pairs, const Advance* advances, float dt_s,
+                    unsigned lanes);
 
 /// What a body did in a step.
 struct alignas(32) Displacement {

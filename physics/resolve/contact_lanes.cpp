@@ -9,14 +9,25 @@ namespace cairn::physics {
 namespace {
 
 void copy_pair(PairBlock& to, int to_lane, const PairBlock& from, int from_lane) {
-    copy_geometry(to, to_lane, from, from_lane);
-    for (int i = 0; i < 2; ++i) to.features[i][to_lane] = from.features[i][from_lane];
+    const auto copy = [&](auto& t, const auto& f) { t[to_lane] = f[from_lane]; };
+    copy(to.contact, from.contact);
+    copy(to.body_a, from.body_a);
+    copy(to.body_b, from.body_b);
+    copy(to.shape_a, from.shape_a);
+    copy(to.shape_b, from.shape_b);
+    copy(to.boxes.half_ax, from.boxes.half_ax);
+    copy(to.boxes.half_ay, from.boxes.half_ay);
+    copy(to.boxes.half_bx, from.boxes.half_bx);
+    copy(to.boxes.half_by, from.boxes.half_by);
+    copy(to.boxes.offset_ax, from.boxes.offset_ax);
+    copy(to.boxes.offset_ay, from.boxes.offset_ay);
+    copy(to.boxes.offset_bx, from.boxes.offset_bx);
+    copy(to.boxes.offset_by, from.boxes.offset_by);
+    for (int i = 0; i < 2; ++i) copy(to.features[i], from.features[i]);
     const auto copy_bit = [&](LaneBits& t, LaneBits f) { copy_lane_bit(t, to_lane, f, from_lane); };
     copy_bit(to.reports, from.reports);
     copy_bit(to.impacts, from.impacts);
     copy_bit(to.faint, from.faint);
-    copy_bit(to.remembers, from.remembers);
-    copy_bit(to.seen, from.seen);
 }
 
 void write_pair(PairBlock& to, int lane, const PairLane& from) {
@@ -37,8 +48,6 @@ void write_pair(PairBlock& to, int lane, const PairLane& from) {
     set_lane_bit(to.reports, lane, from.reports);
     set_lane_bit(to.impacts, lane, from.impacts);
     set_lane_bit(to.faint, lane, from.faint);
-    set_lane_bit(to.remembers, lane, from.remembers);
-    set_lane_bit(to.seen, lane, false);
 }
 
 void copy_lane(ImpactLanes& to, int to_lane, const ImpactLanes& from, int from_lane) {
@@ -54,23 +63,6 @@ void clear_pairs(PairBlock& pairs) {
 constexpr std::size_t kFirstBlocks = 32;
 
 }  // namespace
-
-void copy_geometry(PairBlock& to, int to_lane, const PairBlock& from, int from_lane) {
-    const auto copy = [&](auto& t, const auto& f) { t[to_lane] = f[from_lane]; };
-    copy(to.contact, from.contact);
-    copy(to.body_a, from.body_a);
-    copy(to.body_b, from.body_b);
-    copy(to.shape_a, from.shape_a);
-    copy(to.shape_b, from.shape_b);
-    copy(to.boxes.half_ax, from.boxes.half_ax);
-    copy(to.boxes.half_ay, from.boxes.half_ay);
-    copy(to.boxes.half_bx, from.boxes.half_bx);
-    copy(to.boxes.half_by, from.boxes.half_by);
-    copy(to.boxes.offset_ax, from.boxes.offset_ax);
-    copy(to.boxes.offset_ay, from.boxes.offset_ay);
-    copy(to.boxes.offset_bx, from.boxes.offset_bx);
-    copy(to.boxes.offset_by, from.boxes.offset_by);
-}
 
 void ContactLanes::make_room(std::size_t contacts) {
     // The last block of each bucket may stay half empty, and large heaps have buckets in several domains.
@@ -134,32 +126,28 @@ ContactLanes::Moved ContactLanes::move(int bucket, int lane, int to_bucket) {
 }
 
 int ContactLanes::add_near(PairGeometry geometry, const PairLane& pair) {
-    std::vector<PairBlock>& blocks = near_[index(geometry)];
+    std::vector<NearPair>& pairs = near_[index(geometry)];
     const int lane = near_count_[index(geometry)]++;
-    const int block = lane / kLanes;
-    if (block == static_cast<int>(blocks.size())) {
-        push_amply(blocks, {});
-        clear_pairs(blocks.back());
-        push_amply(near_reaches_[index(geometry)], {});
-        cover_amply(near_sights_[index(geometry)], blocks.size() * kLanes);
-    }
-    write_pair(blocks[block], lane % kLanes, pair);
-    near_reaches_[index(geometry)][block].m[lane % kLanes] = pair.reach_m;
+    if (lane == static_cast<int>(pairs.size())) cover_amply(pairs, pairs.size() + kLanes);
+    NearPair& to = pairs[lane];
+    to.body_a = pair.body_a;
+    to.body_b = pair.body_b;
+    to.reach_m = pair.reach_m;
+    to.flags = pair.remembers ? near_flag::kRemembers : 0;
+    to.contact = pair.contact;
+    to.shape_a = pair.shape_a;
+    to.shape_b = pair.shape_b;
+    to.offset_a = pair.offset_a;
+    to.offset_b = pair.offset_b;
     return lane;
 }
 
 int ContactLanes::remove_near(PairGeometry geometry, int lane) {
-    std::vector<PairBlock>& blocks = near_[index(geometry)];
+    std::vector<NearPair>& pairs = near_[index(geometry)];
     const int last = --near_count_[index(geometry)];
-    PairBlock& to = blocks[lane / kLanes];
-    PairBlock& from = blocks[last / kLanes];
-    if ((from.seen >> last % kLanes & 1) != 0)
-        near_sights_[index(geometry)][lane] = near_sights_[index(geometry)][last];
-    copy_pair(to, lane % kLanes, from, last % kLanes);
-    write_pair(from, last % kLanes, PairLane{});
-    std::vector<NearReaches>& reaches = near_reaches_[index(geometry)];
-    reaches[lane / kLanes].m[lane % kLanes] = reaches[last / kLanes].m[last % kLanes];
-    return last == lane ? kNone : to.contact[lane % kLanes];
+    pairs[lane] = pairs[last];
+    pairs[last] = {};
+    return last == lane ? kNone : pairs[lane].contact;
 }
 
 void ContactLanes::shrink_near(PairGeometry geometry, int before) {
@@ -167,14 +155,10 @@ void ContactLanes::shrink_near(PairGeometry geometry, int before) {
     const int now = near_count_[index(geometry)];
     if (near_shrank_[index(geometry)] || before < kMany || now > before / 4) return;
     near_shrank_[index(geometry)] = true;
-    const auto shrink = [](auto& items, int count) {
-        items.resize(static_cast<std::size_t>(count));
-        items.shrink_to_fit();
-    };
+    std::vector<NearPair>& pairs = near_[index(geometry)];
     const int blocks = (now + kLanes - 1) / kLanes;
-    shrink(near_[index(geometry)], blocks);
-    shrink(near_reaches_[index(geometry)], blocks);
-    shrink(near_sights_[index(geometry)], blocks * kLanes);
+    pairs.resize(static_cast<std::size_t>(blocks * kLanes));
+    pairs.shrink_to_fit();
 }
 
 int ContactLanes::open_block(int bucket) {

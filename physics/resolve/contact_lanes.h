@@ -39,11 +39,9 @@ struct alignas(64) PairBlock {
     Lanes<std::int32_t> shape_b;
     BoxLanes boxes;  // of other shapes only the offsets are used: of the body's origin
     FeatureLanes features;
-    LaneBits reports = 0;    // touching is told, which takes the plain form of the contact too
-    LaneBits impacts = 0;    // impacts bounce or are told; they take that form as well
-    LaneBits faint = 0;      // impacts bounce in their lanes
-    LaneBits remembers = 0;  // it had points in the last step, though it is not in a colour
-    LaneBits seen = 0;       // a near pair that has its NearSight
+    LaneBits reports = 0;  // touching is told, which takes the plain form of the contact too
+    LaneBits impacts = 0;  // impacts bounce or are told; they take that form as well
+    LaneBits faint = 0;    // impacts bounce in their lanes
 };
 
 /// Where a block in a colour stands.
@@ -65,20 +63,12 @@ struct PairLane {
     Vec2 half_b;
     Vec2 offset_a;
     Vec2 offset_b;
-    float reach_m = 0;  // see NearReaches
+    float reach_m = 0;  // see NearPair
     bool reports = false;
     bool impacts = false;
     bool faint = false;
     bool remembers = false;
 };
-
-/// Of near pairs: sums of the radii of the discs about the bodies' centres of mass that hold the shapes.
-struct alignas(32) NearReaches {
-    Lanes<float> m;
-};
-
-/// Without what lanes remember.
-void copy_geometry(PairBlock& to, int to_lane, const PairBlock& from, int from_lane);
 
 /// What a contact remembers from step to step.
 struct ContactMemory {
@@ -138,17 +128,11 @@ class ContactLanes {
     void sort(std::span<const Place> places, LaneOrder& order, const Tell& tell);
     void make_room(LaneOrder& order) const { order.make_room(pairs_.size()); }
 
-    /// Blocks of near pairs are numbered on their own, from 0 in each of their buckets.
-    [[nodiscard]] std::vector<PairBlock>& near_pairs(PairGeometry geometry) { return near_[index(geometry)]; }
-    [[nodiscard]] const std::vector<PairBlock>& near_pairs(PairGeometry geometry) const {
+    /// Lanes of near pairs are numbered on their own, from 0 in each of their buckets. As many stand here as
+    /// fill whole blocks of eight; those behind the last pair are empty.
+    [[nodiscard]] std::vector<NearPair>& near_pairs(PairGeometry geometry) { return near_[index(geometry)]; }
+    [[nodiscard]] const std::vector<NearPair>& near_pairs(PairGeometry geometry) const {
         return near_[index(geometry)];
-    }
-    [[nodiscard]] const std::vector<NearReaches>& near_reaches(PairGeometry geometry) const {
-        return near_reaches_[index(geometry)];
-    }
-    /// What was seen of near pairs, by lane, as their blocks say. Only speed depends on it.
-    [[nodiscard]] std::vector<NearSight>& near_sights(PairGeometry geometry) {
-        return near_sights_[index(geometry)];
     }
     [[nodiscard]] int near_count(PairGeometry geometry) const { return near_count_[index(geometry)]; }
     /// Where of many near pairs most went at once, as where a scene begins, gives back the memory that they
@@ -236,9 +220,7 @@ class ContactLanes {
     bool find_order(int bucket, std::span<const Place> places, LaneOrder& order) const;
     void take_order(LaneOrder& order);
 
-    std::array<std::vector<PairBlock>, kPairGeometries> near_;
-    std::array<std::vector<NearReaches>, kPairGeometries> near_reaches_;  // beside the pairs
-    std::array<std::vector<NearSight>, kPairGeometries> near_sights_;     // by lane
+    std::array<std::vector<NearPair>, kPairGeometries> near_;
     std::array<int, kPairGeometries> near_count_{};
     std::array<bool, kPairGeometries> near_shrank_{};
     std::vector<PairBlock> pairs_;

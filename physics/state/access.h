@@ -50,20 +50,20 @@ struct StateAccess {
         return use(layer, listed, moved, touched, unsettled, has_way, had_way);
     }
 
-    /// use(near blocks, their reaches, what was seen of them, their counts), by geometry.
+    /// use(counts of near pairs), by geometry.
     template <class Lanes, class Use>
     static auto near(Lanes& lanes, Use&& use) {
-        auto& [near, near_reaches, near_sights, near_count, near_shrank, pairs, links, blocks, impacts, turns,
-               free, chains, version, is_arranged, order, in_memory, ranges, used] = lanes;
-        return use(near, near_reaches, near_sights, near_count);
+        auto& [near, near_count, near_shrank, pairs, links, blocks, impacts, turns, free, chains, version,
+               is_arranged, order, in_memory, ranges, used] = lanes;
+        return use(near_count);
     }
 
     /// use(pairs, links, blocks, what bouncing takes of them, free blocks, chains, is arranged). The order
     /// follows from the chains.
     template <class Lanes, class Use>
     static auto colored(Lanes& lanes, Use&& use) {
-        auto& [near, near_reaches, near_sights, near_count, near_shrank, pairs, links, blocks, impacts, turns,
-               free, chains, version, is_arranged, order, in_memory, ranges, used] = lanes;
+        auto& [near, near_count, near_shrank, pairs, links, blocks, impacts, turns, free, chains, version,
+               is_arranged, order, in_memory, ranges, used] = lanes;
         return use(pairs, links, blocks, impacts, free, chains, is_arranged);
     }
 

@@ -68,10 +68,9 @@ bool is_unused(const Lanes<T>& lanes, int used, T unused) {
 // As put_lanes leaves them. Passes go over all lanes of a block, so nothing may lie hidden there.
 bool is_unused(const PairBlock& pairs, int used) {
     if (used == kLanes) return true;
-    const auto& [contact, body_a, body_b, shape_a, shape_b, boxes, features, reports, impacts, faint,
-                 remembers, seen] = pairs;
+    const auto& [contact, body_a, body_b, shape_a, shape_b, boxes, features, reports, impacts, faint] = pairs;
     const auto& [half_ax, half_ay, half_bx, half_by, offset_ax, offset_ay, offset_bx, offset_by] = boxes;
-    bool unused = static_cast<unsigned>(reports | impacts | remembers) <= lanes_below(used);
+    bool unused = static_cast<unsigned>(reports | impacts) <= lanes_below(used);
     for (const IntLanes* lanes : {&contact, &shape_a, &shape_b}) unused &= is_unused(*lanes, used, kNone);
     for (const IntLanes& lanes : features) unused &= is_unused(lanes, used, kNoFeature);
     for (const FloatLanes* lanes :
@@ -87,11 +86,8 @@ bool is_unused(const ContactBlock& block, int used) {
     return unused;
 }
 
-// What near blocks and those in colours have in common; features are of the latter.
-std::byte* put_pairs(std::byte* at, const PairBlock& pairs, int used, bool has_features,
-                     RepeatedParts& last) {
-    const auto& [contact, body_a, body_b, shape_a, shape_b, boxes, features, reports, impacts, faint,
-                 remembers, seen] = pairs;
+std::byte* put_pairs(std::byte* at, const PairBlock& pairs, int used, RepeatedParts& last) {
+    const auto& [contact, body_a, body_b, shape_a, shape_b, boxes, features, reports, impacts, faint] = pairs;
     std::byte* const same_at = at++;
     for (const IntLanes* lanes : {&contact, &shape_a, &shape_b}) at = put_lanes(at, *lanes, used, kNone);
     BoxLanes clean_boxes = boxes;
@@ -103,19 +99,18 @@ std::byte* put_pairs(std::byte* at, const PairBlock& pairs, int used, bool has_f
             clear_unused(*lanes, used, 0.0f);
         for (IntLanes& lanes : clean_features) clear_unused(lanes, used, kNoFeature);
     }
-    std::uint8_t same = has_features ? 0 : kSameFeatures;
+    std::uint8_t same = 0;
     at = put_unless_same(at, std::bit_cast<BoxNumbers>(clean_boxes), last.boxes, kSameBoxes, same);
-    if (has_features) at = put_unless_same(at, clean_features, last.features, kSameFeatures, same);
-    for (const std::uint8_t bits : {reports, impacts, remembers})
+    at = put_unless_same(at, clean_features, last.features, kSameFeatures, same);
+    for (const std::uint8_t bits : {reports, impacts})
         at = put(at, static_cast<std::uint8_t>(bits & lanes_below(used)));
     put(same_at, same);
     return at;
 }
 
-// Of a block that has all of its bytes; those that near blocks have of features are none.
+// Of a block that has all of its bytes.
 const std::byte* get_pairs(const std::byte* at, PairBlock& pairs, RepeatedParts& last, Reading& reading) {
-    auto& [contact, body_a, body_b, shape_a, shape_b, boxes, features, reports, impacts, faint, remembers,
-           seen] = pairs;
+    auto& [contact, body_a, body_b, shape_a, shape_b, boxes, features, reports, impacts, faint] = pairs;
     std::uint8_t same = 0;
     at = get(at, same, reading);
     for (IntLanes* lanes : {&contact, &shape_a, &shape_b}) at = get(at, *lanes, reading);
@@ -125,9 +120,8 @@ const std::byte* get_pairs(const std::byte* at, PairBlock& pairs, RepeatedParts&
     features = last.features;
     body_a.fill(kNone);
     body_b.fill(kNone);
-    for (std::uint8_t* bits : {&reports, &impacts, &remembers}) at = get(at, *bits, reading);
+    for (std::uint8_t* bits : {&reports, &impacts}) at = get(at, *bits, reading);
     faint = 0;  // follows from the record
-    seen = 0;   // they are looked at again
     return at;
 }
 
@@ -143,11 +137,10 @@ std::uint8_t touching_lanes(const ContactBlock& block, int used) {
 }
 
 // Where a block begins of which so many bytes follow at least; null when not all of it is there.
-const std::byte* begin_block(Reader& in, std::size_t least, std::uint8_t must_repeat) {
+const std::byte* begin_block(Reader& in, std::size_t least) {
     const std::span<const std::byte> rest = in.rest();
     const auto same = rest.empty() ? std::uint8_t{0} : std::to_integer<std::uint8_t>(rest[0]);
-    const bool fits = same <= kSameAll && (same & must_repeat) == must_repeat &&
-                      least + size_of_repeated(same) <= rest.size();
+    const bool fits = same <= kSameAll && least + size_of_repeated(same) <= rest.size();
     return in.require(fits, "it ends in the middle of a block, or the block repeats what none does")
                ? rest.data()
                : nullptr;
@@ -155,29 +148,16 @@ const std::byte* begin_block(Reader& in, std::size_t least, std::uint8_t must_re
 
 }  // namespace
 
-std::byte* put_near_block(std::byte* at, const PairBlock& pairs, const NearReaches& reaches, int used,
-                          RepeatedParts& last) {
-    return put_lanes(put_pairs(at, pairs, used, false, last), reaches.m, used, 0.0f);
-}
-
 std::byte* put_colored_block(std::byte* at, const PairBlock& pairs, const ContactBlock& block, int used,
                              RepeatedParts& last) {
-    at = put_pairs(at, pairs, used, true, last);
+    at = put_pairs(at, pairs, used, last);
     for (const ContactBlockPoint& point : block.points) at = put_lanes(at, point.impulse, used, 0.0f);
     at = put_lanes(at, block.friction_impulse, used, 0.0f);
     return put(at, touching_lanes(block, used));
 }
 
-bool read_near_block(Reader& in, PairBlock& pairs, NearReaches& reaches, int used, RepeatedParts& last) {
-    const std::byte* at = begin_block(in, kNearBlockBytes.least, kSameFeatures);
-    if (at == nullptr) return false;
-    at = get_pairs(at, pairs, last, in.reading);
-    in.end(get(at, reaches.m, in.reading));
-    return in.require(is_unused(pairs, used) && is_unused(reaches.m, used, 0.0f), kUsed);
-}
-
 bool read_colored_block(Reader& in, PairBlock& pairs, ContactBlock& block, int used, RepeatedParts& last) {
-    const std::byte* at = begin_block(in, kColoredBlockBytes.least, 0);
+    const std::byte* at = begin_block(in, kColoredBlockBytes.least);
     if (at == nullptr) return false;
     at = get_pairs(at, pairs, last, in.reading);
     for (ContactBlockPoint& point : block.points) at = get(at, point.impulse, in.reading);

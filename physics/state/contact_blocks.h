@@ -24,20 +24,15 @@ struct BlockBytes {
     std::size_t most;
 };
 inline constexpr std::size_t kLaneRow = sizeof(Lanes<float>);
-/// What it repeats, contact, two shapes, three bytes of bits, reaches.
-inline constexpr BlockBytes kNearBlockBytes{1 + 4 * kLaneRow + 3, 1 + 4 * kLaneRow + 3 + sizeof(BoxLanes)};
-/// The same but for the reaches; two impulses, that of friction, and who touches.
+/// What it repeats, contact, two shapes, two bytes of bits, two impulses, that of friction, and who touches.
 inline constexpr BlockBytes kColoredBlockBytes{
-    1 + 6 * kLaneRow + 4, 1 + 6 * kLaneRow + 4 + sizeof(BoxLanes) + sizeof(FeatureLanes)};
+    1 + 6 * kLaneRow + 3, 1 + 6 * kLaneRow + 3 + sizeof(BoxLanes) + sizeof(FeatureLanes)};
 
 /// Lanes from `used` on hold what the last one left there, which means nothing, and are written as empty.
-std::byte* put_near_block(std::byte* at, const PairBlock& pairs, const NearReaches& reaches, int used,
-                          RepeatedParts& last);
 std::byte* put_colored_block(std::byte* at, const PairBlock& pairs, const ContactBlock& block, int used,
                              RepeatedParts& last);
 
 /// False after a fault. Which bodies meet, and with which friction, is left to the caller.
-bool read_near_block(Reader& in, PairBlock& pairs, NearReaches& reaches, int used, RepeatedParts& last);
 bool read_colored_block(Reader& in, PairBlock& pairs, ContactBlock& block, int used, RepeatedParts& last);
 
 }  // namespace cairn::physics

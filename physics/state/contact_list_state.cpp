@@ -19,22 +19,22 @@ struct UnlistedContact {
     std::int32_t shape_b = kNone;
 };
 
+// Contact, two shapes, and whether it had points.
+constexpr std::size_t kNearPairBytes = 3 * sizeof(std::int32_t) + 1;
+
+// What else is known of a near pair follows from its shapes and bodies.
 void save_near(const ContactLanes& lanes, Writer& out) {
-    StateAccess::near(lanes, [&](const auto& near, const auto& reaches, const auto&, const auto& counts) {
-        RepeatedParts last;
-        for (std::size_t g = 0; g < near.size(); ++g) {
-            const int count = counts[g];
-            out.count(static_cast<std::size_t>(count));
-            const int blocks = (count + kLanes - 1) / kLanes;
-            std::byte* at = out.room(static_cast<std::size_t>(blocks) * kNearBlockBytes.most);
-            for (int block = 0; block < blocks; ++block) {
-                const int used = std::min(kLanes, count - block * kLanes);
-                const auto i = static_cast<std::size_t>(block);
-                at = put_near_block(at, near[g][i], reaches[g][i], used, last);
-            }
-            out.end(at);
+    for (int g = 0; g < kPairGeometries; ++g) {
+        const auto geometry = static_cast<PairGeometry>(g);
+        const auto count = static_cast<std::size_t>(lanes.near_count(geometry));
+        out.count(count);
+        std::byte* at = out.room(count * kNearPairBytes);
+        for (const NearPair& pair : std::span(lanes.near_pairs(geometry)).first(count)) {
+            at = put(put(put(at, pair.contact), pair.shape_a), pair.shape_b);
+            at = put(at, static_cast<std::uint8_t>(pair.flags & near_flag::kRemembers));
         }
-    });
+        out.end(at);
+    }
 }
 
 void save_colored(const ContactLanes& lanes, Writer& out) {
@@ -160,27 +160,34 @@ class Placing {
     }
 
     void load_near() {
-        StateAccess::near(stores_.contacts.lanes, [&](auto& near, auto& reaches, auto& sights, auto& counts) {
-            RepeatedParts last;
-            for (std::size_t g = 0; g < near.size(); ++g) {
-                const std::size_t count = in_.count(kNearBlockBytes.least / kLanes);
-                const std::size_t blocks = (count + kLanes - 1) / kLanes;
-                counts[g] = 0;
-                if (!in_.ok()) return;
-                near[g].resize(blocks);
-                reaches[g].resize(blocks);
-                sights[g].resize(blocks * kLanes);
-                counts[g] = static_cast<int>(count);
-                const int bucket = near_bucket(static_cast<PairGeometry>(g));
-                for (std::size_t block = 0; block < blocks; ++block) {
-                    const int first_lane = static_cast<int>(block) * kLanes;
-                    const int used = std::min(kLanes, static_cast<int>(count) - first_lane);
-                    if (!read_near_block(in_, near[g][block], reaches[g][block], used, last)) return;
-                    if (!place_lanes(near[g][block], used, bucket, first_lane)) return;
-                }
+        ContactLanes& lanes = stores_.contacts.lanes;
+        StateAccess::near(lanes, [](auto& counts) { counts.fill(0); });
+        for (int g = 0; g < kPairGeometries; ++g) {
+            const auto geometry = static_cast<PairGeometry>(g);
+            const std::size_t count = in_.count(kNearPairBytes);
+            for (std::size_t i = 0; i < count; ++i) {
+                if (!load_near_pair(geometry, static_cast<int>(i))) return;
             }
-        });
-        in_.settle();
+        }
+    }
+
+    bool load_near_pair(PairGeometry geometry, int lane) {
+        int contact = kNone;
+        UnlistedContact shapes;
+        std::uint8_t remembers = 0;
+        in_.value(contact);
+        in_.value(shapes.shape_a);
+        in_.value(shapes.shape_b);
+        in_.value(remembers);
+        const int bucket = near_bucket(geometry);
+        const ContactRecord* record = place(contact, shapes.shape_a, shapes.shape_b, bucket, lane);
+        if (!in_.require(record != nullptr, kMisplaced)) return false;
+        const bool fits = geometry_of(stores_, *record) == geometry && remembers <= near_flag::kRemembers;
+        if (!in_.require(fits, "a pair without points is among others of another form")) return false;
+        PairLane pair = make_lane(stores_, contact);
+        pair.remembers = remembers != 0;
+        stores_.contacts.lanes.add(bucket, pair);
+        return true;
     }
 
     void load_colored() {

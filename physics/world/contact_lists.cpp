@@ -23,46 +23,12 @@ void note_if_uneven(Stores& stores, int contact) {
         stores.contacts.uneven.add(stores.contacts.slots, contact);
 }
 
-PairGeometry geometry_of(const Stores& stores, const ContactRecord& c) {
-    const Convex& a = stores.shapes[c.shape_a].convex();
-    const Convex& b = stores.shapes[c.shape_b].convex();
-    if (a.is_box && b.is_box) return PairGeometry::Boxes;
-    const bool in_lanes = !a.is_chained() && !b.is_chained() && !(a.is_line() && b.is_line());
-    return in_lanes ? PairGeometry::Hulls : PairGeometry::Chains;
-}
-
 // How far the shape reaches from its body's centre of mass: of a body's only shape it is known.
 float reach_of(const Stores& stores, int body, int shape) {
     const BodyRecord& record = stores.bodies.slots[body];
     const ShapeRecord& s = stores.shapes[shape];
     const bool is_only = record.first_shape == shape && s.next_of_body == kNone;
     return is_only ? record.extent_m : farthest_distance(s.convex(), record.mass.center_m);
-}
-
-PairLane make_lane(const Stores& stores, int contact) {
-    const ContactRecord& c = stores.contacts.slots[contact];
-    const Convex& a = stores.shapes[c.shape_a].convex();
-    const Convex& b = stores.shapes[c.shape_b].convex();
-    PairLane lane;
-    lane.contact = contact;
-    lane.body_a = c.body_a;
-    lane.body_b = c.body_b;
-    lane.shape_a = c.shape_a;
-    lane.shape_b = c.shape_b;
-    lane.offset_a = -stores.bodies.slots[c.body_a].mass.center_m;
-    lane.offset_b = -stores.bodies.slots[c.body_b].mass.center_m;
-    if (geometry_of(stores, c) == PairGeometry::Boxes) {
-        lane.half_a = a.half_size;
-        lane.half_b = b.half_size;
-        lane.offset_a += a.centroid;
-        lane.offset_b += b.centroid;
-    }
-    lane.reach_m = reach_of(stores, c.body_a, c.shape_a) + reach_of(stores, c.body_b, c.shape_b);
-    lane.reports = c.reports_touch || special::has(c, special::kWatched);
-    lane.faint = faint_restitution(c) > 0;
-    lane.impacts = (c.restitution > 0 && !lane.faint) || c.reports_hit;
-    lane.remembers = c.has_points;
-    return lane;
 }
 
 // Moves the bits of the two bodies; immovable ones have no part in colours.
@@ -121,6 +87,40 @@ void take_out(Stores& stores, int contact) {
 }
 
 }  // namespace
+
+PairGeometry geometry_of(const Stores& stores, const ContactRecord& c) {
+    const Convex& a = stores.shapes[c.shape_a].convex();
+    const Convex& b = stores.shapes[c.shape_b].convex();
+    if (a.is_box && b.is_box) return PairGeometry::Boxes;
+    const bool in_lanes = !a.is_chained() && !b.is_chained() && !(a.is_line() && b.is_line());
+    return in_lanes ? PairGeometry::Hulls : PairGeometry::Chains;
+}
+
+PairLane make_lane(const Stores& stores, int contact) {
+    const ContactRecord& c = stores.contacts.slots[contact];
+    const Convex& a = stores.shapes[c.shape_a].convex();
+    const Convex& b = stores.shapes[c.shape_b].convex();
+    PairLane lane;
+    lane.contact = contact;
+    lane.body_a = c.body_a;
+    lane.body_b = c.body_b;
+    lane.shape_a = c.shape_a;
+    lane.shape_b = c.shape_b;
+    lane.offset_a = -stores.bodies.slots[c.body_a].mass.center_m;
+    lane.offset_b = -stores.bodies.slots[c.body_b].mass.center_m;
+    if (geometry_of(stores, c) == PairGeometry::Boxes) {
+        lane.half_a = a.half_size;
+        lane.half_b = b.half_size;
+        lane.offset_a += a.centroid;
+        lane.offset_b += b.centroid;
+    }
+    lane.reach_m = reach_of(stores, c.body_a, c.shape_a) + reach_of(stores, c.body_b, c.shape_b);
+    lane.reports = c.reports_touch || special::has(c, special::kWatched);
+    lane.faint = faint_restitution(c) > 0;
+    lane.impacts = (c.restitution > 0 && !lane.faint) || c.reports_hit;
+    lane.remembers = c.has_points;
+    return lane;
+}
 
 ContactMemory memory_of(const ContactStore& contacts, int contact) {
     const ContactRecord& c = contacts.slots[contact];

@@ -5,6 +5,12 @@
 
 namespace cairn::physics {
 
+/// Which routine finds the manifold of its shapes.
+PairGeometry geometry_of(const Stores& stores, const ContactRecord& contact);
+
+/// What its lane is to hold.
+PairLane make_lane(const Stores& stores, int contact);
+
 /// Puts a contact that is in no list among the near ones, if one of its bodies is awake.
 void list_contact(Stores& stores, int contact);
 

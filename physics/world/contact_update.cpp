@@ -138,35 +138,36 @@ class Update {
         return count;
     }
 
-    // For what settling the findings after the i-th will read: blocks first, and then their contacts.
+    // For what settling the findings after the i-th will read: pairs first, and then their contacts.
     void ask_for_near(PairGeometry geometry, int first_block, std::size_t i) const {
         const std::vector<NearFindings>& findings = scratch_.near_findings;
-        const PairBlock* pairs = &stores_.contacts.lanes.near_pairs(geometry)[first_block];
-        const std::size_t far = i + 2 * kFindingsAhead;
-        if (far < findings.size() && findings[far].any() != 0) {
-            prefetch(&pairs[far].contact, sizeof pairs->contact);
-            prefetch(&pairs[far].remembers, sizeof pairs->remembers);
-        }
-        const std::size_t soon = i + kFindingsAhead;
-        if (soon >= findings.size()) return;
-        for (unsigned rest = findings[soon].any(); rest != 0; rest &= rest - 1)
-            stores_.contacts.slots.ask_for(pairs[soon].contact[std::countr_zero(rest)]);
+        const NearPair* pairs = &stores_.contacts.lanes.near_pairs(geometry)[first_block * kLanes];
+        const auto for_found = [&](std::size_t block, const auto& ask) {
+            if (block >= findings.size()) return;
+            for (unsigned rest = findings[block].any(); rest != 0; rest &= rest - 1)
+                ask(pairs[block * kLanes + static_cast<std::size_t>(std::countr_zero(rest))]);
+        };
+        for_found(i + 2 * kFindingsAhead, [](const NearPair& pair) { prefetch(&pair, sizeof pair); });
+        for_found(i + kFindingsAhead,
+                  [&](const NearPair& pair) { stores_.contacts.slots.ask_for(pair.contact); });
     }
 
     void settle_near(PairGeometry geometry, int block, unsigned lanes, const NearFindings& found) {
-        // Waking may move the blocks.
-        const auto pairs = [&]() -> PairBlock& { return stores_.contacts.lanes.near_pairs(geometry)[block]; };
         for (unsigned rest = found.any() & lanes; rest != 0; rest &= rest - 1) {
             const int lane = std::countr_zero(rest);
-            const int contact = pairs().contact[lane];
+            // Waking may move the pairs.
+            const auto pair = [&]() -> NearPair& {
+                return stores_.contacts.lanes.near_pairs(geometry)[block * kLanes + lane];
+            };
+            const int contact = pair().contact;
             if ((found.gone >> lane & 1) != 0) {
                 push_amply(scratch_.gone, contact);
             } else if ((found.meets >> lane & 1) != 0) {
                 if (meets(contact)) push_amply(scratch_.met, contact);
             } else if (predict(contact, next_ahead((found.will_meet >> lane & 1) != 0))) {
-                pairs().remembers |= static_cast<std::uint8_t>(1u << lane);
+                pair().flags |= near_flag::kRemembers;
             } else {
-                forget(pairs(), lane);
+                forget(pair());
                 if ((found.rouses >> lane & 1) != 0) rouse(stores_.contacts.slots[contact]);
             }
         }
@@ -180,10 +181,10 @@ class Update {
     }
 
     // The pair was in touch, or was about to be, and is apart again.
-    void forget(PairBlock& pairs, int lane) {
-        if ((pairs.remembers >> lane & 1) == 0) return;
-        pairs.remembers &= static_cast<std::uint8_t>(~(1u << lane));
-        ContactRecord& c = stores_.contacts.slots[pairs.contact[lane]];
+    void forget(NearPair& pair) {
+        if ((pair.flags & near_flag::kRemembers) == 0) return;
+        pair.flags &= ~near_flag::kRemembers;
+        ContactRecord& c = stores_.contacts.slots[pair.contact];
         report_parting(stores_, c, world_.events.ends);
         c.has_points = false;
         c.memory = {};
@@ -370,7 +371,7 @@ class Update {
             pairs.features, impact_speed_, block, stores_.contacts.lanes.impacts(block_index));
         // The boxes of what has points overlap.
         const unsigned without = prepared.apart & lanes_of(block_index);
-        const unsigned gone = gone_lanes(stores_, pairs, places.boxes_moved & without);
+        const unsigned gone = gone_lanes(stores_, pairs.shape_a, pairs.shape_b, places.boxes_moved & without);
         const unsigned apart = without & ~gone;
         const unsigned faint = pairs.faint & prepared.fast & ~prepared.apart;
         const unsigned told =
@@ -480,7 +481,7 @@ class Update {
         single_.shape_b[0] = c.shape_b;
         const float unit = length_unit(stores_, c);
         collide(single_, PairGeometry::Chains, 1, places_, manifold_, unit);
-        if (gone_lanes(stores_, single_, places_.boxes_moved) != 0) {
+        if (gone_lanes(stores_, single_.shape_a, single_.shape_b, places_.boxes_moved) != 0) {
             push_amply(scratch_.gone, contact);
             return;
         }

@@ -74,6 +74,22 @@ void note_displacements(const Stores& stores, WayScratch& ways, TaskPool& tasks)
     });
 }
 
+// Up to eight of them, of one sort.
+struct BlockOfPairs {
+    const Lanes<std::int32_t>& body_a;
+    const Lanes<std::int32_t>& body_b;
+    int used;  // lanes
+    const PairBlock* in_color;
+    const NearPair* near;
+
+    [[nodiscard]] int shape_a(int lane) const {
+        return near != nullptr ? near[lane].shape_a : in_color->shape_a[lane];
+    }
+    [[nodiscard]] int shape_b(int lane) const {
+        return near != nullptr ? near[lane].shape_b : in_color->shape_b[lane];
+    }
+};
+
 // The blocks of all contacts of awake bodies that are not loose, numbered: near ones, then those in colours.
 class AllBlocks {
   public:
@@ -88,19 +104,27 @@ class AllBlocks {
         return first_.back() + static_cast<int>(lanes_.blocks_in_memory().size());
     }
 
-    /// Calls visit(pairs, how many lanes are used).
+    /// Calls visit(pairs).
     template <class Visit>
     void with(int i, Visit&& visit) const {
         if (i >= first_.back()) {
             const int block = lanes_.blocks_in_memory()[i - first_.back()];
-            return visit(lanes_.pairs(block), lanes_.link(block).used);
+            const PairBlock& pairs = lanes_.pairs(block);
+            return visit(BlockOfPairs{pairs.body_a, pairs.body_b, lanes_.link(block).used, &pairs, nullptr});
         }
         int g = 0;
         while (i >= first_[g + 1]) ++g;
         const auto geometry = static_cast<PairGeometry>(g);
-        const int block = i - first_[g];
-        visit(lanes_.near_pairs(geometry)[block],
-              std::min(lanes_.near_count(geometry) - block * kLanes, kLanes));
+        const int first = (i - first_[g]) * kLanes;
+        const NearPair* pairs = &lanes_.near_pairs(geometry)[first];
+        alignas(32) Lanes<std::int32_t> body_a;
+        alignas(32) Lanes<std::int32_t> body_b;
+        for (int lane = 0; lane < kLanes; ++lane) {
+            body_a[lane] = pairs[lane].body_a;
+            body_b[lane] = pairs[lane].body_b;
+        }
+        const int used = std::min(lanes_.near_count(geometry) - first, kLanes);
+        visit(BlockOfPairs{body_a, body_b, used, nullptr, pairs});
     }
 
   private:
@@ -130,12 +154,12 @@ class Guard {
     void look_at_blocks() {
         const AllBlocks blocks(stores_.contacts.lanes);
         look(blocks.size(), kBlocksPerChunk, [&](int i, std::vector<FreeShare>& found) {
-            blocks.with(i, [&](const PairBlock& pairs, int used) {
-                unsigned passed = passed_lanes(pairs.body_a, pairs.body_b, used);
+            blocks.with(i, [&](const BlockOfPairs& pairs) {
+                unsigned passed = passed_lanes(pairs.body_a, pairs.body_b, pairs.used);
                 for (; passed != 0; passed &= passed - 1) {
                     const int lane = std::countr_zero(passed);
-                    follow_both({pairs.body_a[lane], pairs.shape_a[lane]},
-                                {pairs.body_b[lane], pairs.shape_b[lane]}, found);
+                    follow_both({pairs.body_a[lane], pairs.shape_a(lane)},
+                                {pairs.body_b[lane], pairs.shape_b(lane)}, found);
                 }
             });
         });

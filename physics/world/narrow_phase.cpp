@@ -70,8 +70,9 @@ HullLanes hulls_of(const Stores& stores, const PairBlock& pairs, unsigned lanes)
 
 }  // namespace
 
-unsigned gone_lanes(const Stores& stores, const PairBlock& pairs, unsigned lanes) {
-    return parted_lanes(stores.fat_boxes, stores.broad.ways(), pairs.shape_a, pairs.shape_b, lanes);
+unsigned gone_lanes(const Stores& stores, const Lanes<std::int32_t>& shape_a,
+                    const Lanes<std::int32_t>& shape_b, unsigned lanes) {
+    return parted_lanes(stores.fat_boxes, stores.broad.ways(), shape_a, shape_b, lanes);
 }
 
 void ask_for_pairs(const Stores& stores, const PairBlock& pairs, PairGeometry geometry, unsigned lanes) {

@@ -9,7 +9,8 @@
 namespace cairn::physics {
 
 /// Of some lanes those whose boxes have parted, or keep apart on their ways.
-unsigned gone_lanes(const Stores& stores, const PairBlock& pairs, unsigned lanes);
+unsigned gone_lanes(const Stores& stores, const Lanes<std::int32_t>& shape_a,
+                    const Lanes<std::int32_t>& shape_b, unsigned lanes);
 
 /// Asks for what colliding some lanes will read besides the block.
 void ask_for_pairs(const Stores& stores, const PairBlock& pairs, PairGeometry geometry, unsigned lanes);

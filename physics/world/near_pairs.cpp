@@ -34,8 +34,7 @@ class NearLook {
     NearLook(Stores& stores, PairGeometry geometry, int first_block, Vec2 gravity_m_s2, float dt_s,
              StepScratch& scratch, std::vector<NearAhead>& ahead)
         : stores_(stores),
-          lanes_(stores.contacts.lanes),
-          sights_(stores.contacts.lanes.near_sights(geometry)),
+          pairs_(stores.contacts.lanes.near_pairs(geometry)),
           geometry_(geometry),
           first_block_(first_block),
           gravity_m_s2_(gravity_m_s2),
@@ -44,48 +43,73 @@ class NearLook {
           ahead_(ahead) {}
 
     /// Asks for what looking at a block will read first.
-    void ask_for(int block) const {
-        const PairBlock& pairs = lanes_.near_pairs(geometry_)[block];
-        prefetch(&pairs.body_a, sizeof pairs.body_a + sizeof pairs.body_b);
-        prefetch(&pairs.seen, sizeof pairs.seen);
-    }
+    void ask_for(int block) const { prefetch(&pairs_[block * kLanes], kLanes * sizeof(NearPair)); }
 
     void look_at(int block, unsigned lanes) {
-        const PairBlock& pairs = lanes_.near_pairs(geometry_)[block];
-        const NearLanes near = look_near(stores_.bodies.places.data(), pairs.body_a, pairs.body_b,
-                                         lanes_.near_reaches(geometry_)[block].m, &sights_[block * kLanes],
-                                         pairs.seen, scratch_.advances.data(), dt_s_, lanes);
+        const NearPair* pairs = &pairs_[block * kLanes];
+        const NearLanes near =
+            look_near(stores_.bodies.places.data(), pairs, scratch_.advances.data(), dt_s_, lanes);
         NearFindings& found = scratch_.near_findings[block - first_block_];
         found = {};
-        found.remembers = static_cast<std::uint8_t>(pairs.remembers & lanes);
-        found.gone = static_cast<std::uint8_t>(gone_lanes(stores_, pairs, near.boxes_moved));
-        unsigned close = near.close & ~found.gone;
-        if (close == kAll && packed_ == 0) {
-            for (int lane = 0; lane < kLanes; ++lane) from_[lane] = block * kLanes + lane;
-            return look_closer(pairs, kAll);
-        }
-        for (; close != 0; close &= close - 1) {
+        found.remembers = static_cast<std::uint8_t>(near.remembers);
+        found.gone = static_cast<std::uint8_t>(gone_lanes(pairs, near.boxes_moved));
+        for (unsigned close = near.close & ~found.gone; close != 0; close &= close - 1) {
             const int lane = std::countr_zero(close);
-            copy_geometry(pack_, packed_, pairs, lane);
-            stores_.shapes.ask_for(pairs.shape_a[lane]);
-            stores_.shapes.ask_for(pairs.shape_b[lane]);
-            from_[packed_++] = block * kLanes + lane;
+            pack(pairs[lane], block * kLanes + lane);
             if (packed_ == kLanes) finish();
         }
     }
 
     /// Looks at what is still packed.
     void finish() {
-        if (packed_ > 0) look_closer(pack_, (1u << packed_) - 1);
+        if (packed_ > 0) look_closer((1u << packed_) - 1);
         packed_ = 0;
     }
 
   private:
-    static constexpr unsigned kAll = (1u << kLanes) - 1;
+    [[nodiscard]] unsigned gone_lanes(const NearPair* pairs, unsigned lanes) const {
+        if (lanes == 0) return 0;
+        alignas(32) Lanes<std::int32_t> shape_a;
+        alignas(32) Lanes<std::int32_t> shape_b;
+        for (int lane = 0; lane < kLanes; ++lane) {
+            shape_a[lane] = pairs[lane].shape_a;
+            shape_b[lane] = pairs[lane].shape_b;
+        }
+        return physics::gone_lanes(stores_, shape_a, shape_b, lanes);
+    }
 
-    void look_closer(const PairBlock& pairs, unsigned lanes) {
-        load_places(stores_.bodies.places.data(), pairs.body_a, pairs.body_b, lanes, places_);
-        collide_block(stores_, pairs, geometry_, lanes, places_.poses, manifold_);
+    void pack(const NearPair& pair, int from) {
+        const int to = packed_++;
+        from_[to] = from;
+        pack_.contact[to] = pair.contact;
+        pack_.body_a[to] = pair.body_a;
+        pack_.body_b[to] = pair.body_b;
+        pack_.shape_a[to] = pair.shape_a;
+        pack_.shape_b[to] = pair.shape_b;
+        pack_.boxes.offset_ax[to] = pair.offset_a.x;
+        pack_.boxes.offset_ay[to] = pair.offset_a.y;
+        pack_.boxes.offset_bx[to] = pair.offset_b.x;
+        pack_.boxes.offset_by[to] = pair.offset_b.y;
+        stores_.shapes.ask_for(pair.shape_a);
+        stores_.shapes.ask_for(pair.shape_b);
+    }
+
+    void look_at_sizes(unsigned lanes) {
+        for (; lanes != 0; lanes &= lanes - 1) {
+            const int lane = std::countr_zero(lanes);
+            const Vec2 half_a = stores_.shapes[pack_.shape_a[lane]].convex().half_size;
+            const Vec2 half_b = stores_.shapes[pack_.shape_b[lane]].convex().half_size;
+            pack_.boxes.half_ax[lane] = half_a.x;
+            pack_.boxes.half_ay[lane] = half_a.y;
+            pack_.boxes.half_bx[lane] = half_b.x;
+            pack_.boxes.half_by[lane] = half_b.y;
+        }
+    }
+
+    void look_closer(unsigned lanes) {
+        if (geometry_ == PairGeometry::Boxes) look_at_sizes(lanes);
+        load_places(stores_.bodies.places.data(), pack_.body_a, pack_.body_b, lanes, places_);
+        collide_block(stores_, pack_, geometry_, lanes, places_.poses, manifold_);
         unsigned ahead = 0;
         for (; lanes != 0; lanes &= lanes - 1) {
             const int lane = std::countr_zero(lanes);
@@ -94,23 +118,24 @@ class NearLook {
             if (manifold_.points[0].id[lane] != kNoFeature) {
                 const bool is_new = (found.remembers & bit) == 0;
                 if (!is_new ||
-                    !passes_corner(stores_, manifold_, lane, pairs.contact[lane], gravity_m_s2_, dt_s_))
+                    !passes_corner(stores_, manifold_, lane, pack_.contact[lane], gravity_m_s2_, dt_s_))
                     found.meets |= bit;
                 continue;
             }
-            sights_[from_[lane]] = make_sight(places_.poses, lane, manifold_.gap[lane]);
-            lanes_.near_pairs(geometry_)[from_[lane] / kLanes].seen |= bit;
+            NearPair& pair = pairs_[from_[lane]];
+            pair.sight = make_sight(places_.poses, lane, manifold_.gap[lane]);
+            pair.flags |= near_flag::kSeen;
             if (may_reach(scratch_.advances, places_, manifold_, lane, dt_s_)) found.rouses |= bit;
             if (!may_meet_ahead(scratch_.advances, places_, manifold_, lane, dt_s_)) continue;
             ahead |= 1u << lane;
-            stores_.contacts.slots.ask_for(pairs.contact[lane]);
-            stores_.bodies.slots.ask_for(pairs.body_a[lane]);
-            stores_.bodies.slots.ask_for(pairs.body_b[lane]);
+            stores_.contacts.slots.ask_for(pack_.contact[lane]);
+            stores_.bodies.slots.ask_for(pack_.body_a[lane]);
+            stores_.bodies.slots.ask_for(pack_.body_b[lane]);
         }
         for (; ahead != 0; ahead &= ahead - 1) {
             const int lane = std::countr_zero(ahead);
             ContactInput input;
-            const ContactRecord& c = stores_.contacts.slots[pairs.contact[lane]];
+            const ContactRecord& c = stores_.contacts.slots[pack_.contact[lane]];
             if (!predict_contact(stores_, c, seen_gap(manifold_, lane), gravity_m_s2_, dt_s_, input))
                 continue;
             scratch_.near_findings[from_[lane] / kLanes - first_block_].will_meet |=
@@ -120,8 +145,7 @@ class NearLook {
     }
 
     const Stores& stores_;
-    ContactLanes& lanes_;
-    std::vector<NearSight>& sights_;
+    std::vector<NearPair>& pairs_;
     const PairGeometry geometry_;
     const int first_block_;
     const Vec2 gravity_m_s2_;

@@ -3,6 +3,7 @@
 #include "collide/place_lanes.h"
 
 #include <algorithm>
+#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
@@ -49,6 +50,17 @@ struct Crowd {
     alignas(32) Lanes<std::int32_t> body_b{};
     unsigned lanes = 0;
 };
+
+using NearPairs = std::array<NearPair, kLanes>;
+
+NearPairs near_pairs(const Lanes<std::int32_t>& body_a, const Lanes<std::int32_t>& body_b) {
+    NearPairs pairs;
+    for (int lane = 0; lane < kLanes; ++lane) {
+        pairs[lane].body_a = body_a[lane];
+        pairs[lane].body_b = body_b[lane];
+    }
+    return pairs;
+}
 
 template <class Check>
 void at_every_level(Check&& check) {
@@ -115,12 +127,18 @@ TEST_CASE("pairs are called apart when their discs are, for the whole step if on
             std::vector<Advance> advances(kBodies + 1);
             for (std::size_t row = 1; row < advances.size(); ++row)
                 advances[row].velocity_m_s = crowd.random.vector(-100, 100);
-            alignas(32) Lanes<float> reach_m{};
-            for (float& reach : reach_m) reach = crowd.random.real_f(0, 3);
-            const std::array<NearSight, kLanes> unseen{};
-            const NearLanes found = look_near(crowd.places.data(), crowd.body_a, crowd.body_b, reach_m,
-                                              unseen.data(), 0, advances.data(), kDt_s, crowd.lanes);
+            NearPairs pairs = near_pairs(crowd.body_a, crowd.body_b);
+            unsigned remembers = 0;
+            for (int lane = 0; lane < kLanes; ++lane) {
+                pairs[lane].reach_m = crowd.random.real_f(0, 3);
+                if (crowd.random.chance(0.5)) continue;
+                pairs[lane].flags = near_flag::kRemembers;
+                remembers |= 1u << lane;
+            }
+            const NearLanes found =
+                look_near(crowd.places.data(), pairs.data(), advances.data(), kDt_s, crowd.lanes);
             REQUIRE((found.close & ~crowd.lanes) == 0);
+            REQUIRE(found.remembers == (remembers & crowd.lanes));
             for (int lane = 0; lane < kLanes; ++lane) {
                 if ((crowd.lanes >> lane & 1) == 0) continue;
                 const Place& a = crowd.places[crowd.body_a[lane]];
@@ -133,10 +151,10 @@ TEST_CASE("pairs are called apart when their discs are, for the whole step if on
                     least = std::min(least, length((b.center - a.center) + time_s * velocity));
                 }
                 const bool is_close = (found.close >> lane & 1) != 0;
-                const bool come_near = least - reach_m[lane] < tuning::kSpeculativeDistance_m - 1e-5f;
+                const bool come_near = least - pairs[lane].reach_m < tuning::kSpeculativeDistance_m - 1e-5f;
                 if (come_near) REQUIRE(is_close);
                 // Of what does not move, nothing else is close.
-                const bool far = least - reach_m[lane] > tuning::kSpeculativeDistance_m + 1e-5f;
+                const bool far = least - pairs[lane].reach_m > tuning::kSpeculativeDistance_m + 1e-5f;
                 if (far && !hasty) REQUIRE_FALSE(is_close);
                 (is_close ? close : apart) += 1;
             }
@@ -162,14 +180,14 @@ TEST_CASE("a pair that was seen apart is called close before its points are, whe
                 const Place& place = crowd.places[body];
                 return place.center + rotate(place.rotation, arms[body]);
             };
-            alignas(32) Lanes<float> reach_m{};
-            std::array<NearSight, kLanes> sights;
+            NearPairs pairs = near_pairs(crowd.body_a, crowd.body_b);
             for (int lane = 0; lane < kLanes; ++lane) {
                 if ((crowd.lanes >> lane & 1) == 0) continue;
                 const int a = crowd.body_a[lane];
                 const int b = crowd.body_b[lane];
-                reach_m[lane] = length(arms[a]) + length(arms[b]);
-                sights[lane] = make_sight(before.poses, lane, length(point(b) - point(a)));
+                pairs[lane].reach_m = length(arms[a]) + length(arms[b]);
+                pairs[lane].sight = make_sight(before.poses, lane, length(point(b) - point(a)));
+                pairs[lane].flags = near_flag::kSeen;
             }
             // All go a long way together, and some of it each by themselves.
             const float own = random.real_f(0, 0.5f);
@@ -189,8 +207,7 @@ TEST_CASE("a pair that was seen apart is called close before its points are, whe
                                  std::fabs(spins[row]) * length(arms[body])};
             }
             const NearLanes found =
-                look_near(crowd.places.data(), crowd.body_a, crowd.body_b, reach_m, sights.data(),
-                          crowd.lanes, advances.data(), kDt_s, crowd.lanes);
+                look_near(crowd.places.data(), pairs.data(), advances.data(), kDt_s, crowd.lanes);
             for (int lane = 0; lane < kLanes; ++lane) {
                 if ((crowd.lanes >> lane & 1) == 0) continue;
                 const Place& a = crowd.places[crowd.body_a[lane]];
@@ -224,29 +241,29 @@ TEST_CASE("what moves along with its neighbour is not looked at again") {
         places[1].center = {1, 0};
         alignas(32) const Lanes<std::int32_t> body_a{};
         alignas(32) const Lanes<std::int32_t> body_b{1, 1, 1, 1, 1, 1, 1, 1};
-        alignas(32) Lanes<float> reach_m;
-        reach_m.fill(3);  // their discs overlap
         const std::vector<Advance> advances(1);
-        const auto close = [&](const std::array<NearSight, kLanes>& sights, unsigned seen) {
-            return look_near(places.data(), body_a, body_b, reach_m, sights.data(), seen, advances.data(),
-                             kDt_s, 255)
-                .close;
-        };
         BlockPlaces found;
         load_places(places.data(), body_a, body_b, 255, found);
-        std::array<NearSight, kLanes> sights;
-        for (int lane = 0; lane < kLanes; ++lane)
-            sights[lane] = make_sight(found.poses, lane, 2 * tuning::kSpeculativeDistance_m);
-        CHECK(close(sights, 0) == 255);
-        CHECK(close(sights, 5) == 250);
+        NearPairs pairs = near_pairs(body_a, body_b);
+        for (int lane = 0; lane < kLanes; ++lane) {
+            pairs[lane].reach_m = 3;  // their discs overlap
+            pairs[lane].sight = make_sight(found.poses, lane, 2 * tuning::kSpeculativeDistance_m);
+        }
+        const auto close = [&](unsigned seen) {
+            for (int lane = 0; lane < kLanes; ++lane)
+                pairs[lane].flags = (seen >> lane & 1) != 0 ? near_flag::kSeen : 0;
+            return look_near(places.data(), pairs.data(), advances.data(), kDt_s, 255).close;
+        };
+        CHECK(close(0) == 255);
+        CHECK(close(5) == 250);
         const Rotation turn = Rotation::from_angle(2);
         for (Place& place : places) {
             place.center = Position{300, -700} + rotate(turn, place.center - Position{});
             place.rotation = turn;
         }
-        CHECK(close(sights, 255) == 0);
+        CHECK(close(255) == 0);
         places[1].center = places[1].center + Vec2{1.1f * tuning::kSpeculativeDistance_m, 0};
-        CHECK(close(sights, 255) == 255);
+        CHECK(close(255) == 255);
     });
 }
 
@@ -256,10 +273,8 @@ TEST_CASE("two bodies in the same place are close") {
         const std::vector<Advance> advances(1);
         alignas(32) const Lanes<std::int32_t> body_a{};
         alignas(32) const Lanes<std::int32_t> body_b{1, 1, 1, 1, 1, 1, 1, 1};
-        alignas(32) const Lanes<float> reach_m{};
-        const std::array<NearSight, kLanes> unseen{};
-        CHECK(look_near(places.data(), body_a, body_b, reach_m, unseen.data(), 0, advances.data(), kDt_s, 255)
-                  .close == 255);
+        const NearPairs pairs = near_pairs(body_a, body_b);
+        CHECK(look_near(places.data(), pairs.data(), advances.data(), kDt_s, 255).close == 255);
     });
 }
 

@@ -47,6 +47,7 @@ PairLane random_lane(Random& random, int contact) {
     lane.half_b = random.vector(0, 1);
     lane.offset_a = random.vector(-1, 1);
     lane.offset_b = random.vector(-1, 1);
+    lane.reach_m = random.real_f(0, 3);
     lane.reports = random.chance(0.3);
     lane.remembers = random.chance(0.3);
     return lane;
@@ -61,8 +62,15 @@ bool holds(const PairBlock& pairs, int lane, const PairLane& expected) {
            is(boxes.half_bx, boxes.half_by, expected.half_b) &&
            is(boxes.offset_ax, boxes.offset_ay, expected.offset_a) &&
            is(boxes.offset_bx, boxes.offset_by, expected.offset_b) &&
-           (pairs.reports >> lane & 1) == (expected.reports ? 1 : 0) &&
-           (pairs.remembers >> lane & 1) == (expected.remembers ? 1 : 0);
+           (pairs.reports >> lane & 1) == (expected.reports ? 1 : 0);
+}
+
+bool holds(const NearPair& pair, const PairLane& expected) {
+    return pair.contact == expected.contact && pair.body_a == expected.body_a &&
+           pair.body_b == expected.body_b && pair.shape_a == expected.shape_a &&
+           pair.shape_b == expected.shape_b && pair.offset_a == expected.offset_a &&
+           pair.offset_b == expected.offset_b && pair.reach_m == expected.reach_m &&
+           pair.flags == (expected.remembers ? near_flag::kRemembers : 0);
 }
 
 bool holds(const ContactMemory& found, const ContactMemory& expected) {
@@ -82,8 +90,9 @@ bool is_inert(const ContactBlock& block, int lane) {
     return inert;
 }
 
-const PairBlock& pairs_of(const ContactLanes& lanes, int bucket, int block) {
-    return is_colored(bucket) ? lanes.pairs(block) : lanes.near_pairs(geometry_of(bucket)).at(block);
+bool holds(const ContactLanes& lanes, int bucket, int lane, const PairLane& expected) {
+    if (is_colored(bucket)) return holds(lanes.pairs(lane / kLanes), lane % kLanes, expected);
+    return holds(lanes.near_pairs(geometry_of(bucket)).at(static_cast<std::size_t>(lane)), expected);
 }
 
 // The blocks of a bucket in their order, and how many lanes of each are used.
@@ -110,7 +119,7 @@ void check_against(const ContactLanes& lanes, const Model& model) {
         const int block = kept.lane / kLanes;
         const int lane = kept.lane % kLanes;
         INFO("contact " << contact << " in lane " << kept.lane << " of bucket " << kept.bucket);
-        REQUIRE(holds(pairs_of(lanes, kept.bucket, block), lane, kept.pair));
+        REQUIRE(holds(lanes, kept.bucket, kept.lane, kept.pair));
         if (!is_colored(kept.bucket)) continue;
         REQUIRE(holds(lanes.memory(kept.lane), kept.memory));
         REQUIRE(lanes.block(block).friction[lane] == kept.friction);
@@ -125,7 +134,7 @@ void check_against(const ContactLanes& lanes, const Model& model) {
         for (const auto& [block, used] : blocks) {
             sum += used;
             for (int lane = used; lane < kLanes; ++lane) {
-                REQUIRE(holds(pairs_of(lanes, i, block), lane, PairLane{}));
+                REQUIRE(holds(lanes, i, block * kLanes + lane, PairLane{}));
                 if (is_colored(i)) REQUIRE(is_inert(lanes.block(block), lane));
             }
         }
