@@ -17,9 +17,15 @@ constexpr std::size_t ample_capacity(std::size_t capacity, std::size_t count) {
     return std::max(count, capacity + std::max(capacity / 4, std::min(capacity, kFew)));
 }
 
+/// Rare, so it stands apart from what asks for it.
+template <class T>
+[[gnu::noinline]] void grow_amply(std::vector<T>& values, std::size_t count) {
+    values.reserve(ample_capacity(values.capacity(), count));
+}
+
 template <class T>
 void reserve_amply(std::vector<T>& values, std::size_t count) {
-    if (count > values.capacity()) values.reserve(ample_capacity(values.capacity(), count));
+    if (count > values.capacity()) grow_amply(values, count);
 }
 
 template <class T>
@@ -43,7 +49,7 @@ void assign_amply(std::vector<T>& values, std::size_t count, const T& value) {
 }
 
 template <class T>
-void push_amply(std::vector<T>& values, T value) {
+[[gnu::always_inline]] inline void push_amply(std::vector<T>& values, T value) {
     reserve_amply(values, values.size() + 1);
     values.push_back(std::move(value));
 }

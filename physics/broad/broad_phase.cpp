@@ -20,6 +20,7 @@ void BroadPhase::add(int item, Layer layer, const Aabb& box) {
     cover_amply(states_, items);
     cover_amply(box_before_, items);
     if (!ways_.empty()) cover_ways();
+    set_kin(item, 0);
     states_[item] = {.layer = layer, .listed = states_[item].listed};
     trees_[index(layer)].insert(item, box, order_scratch_);
     note_move(item, Aabb{});
@@ -82,6 +83,12 @@ void BroadPhase::touch(int item) {
     note_move(item, Aabb{});
     box_before_[item] = Aabb{};
     states_[item].touched = true;
+}
+
+void BroadPhase::set_kin(int item, int kin) {
+    if (kin_.empty() && kin == 0) return;
+    cover_amply(kin_, states_.size());
+    kin_[item] = kin;
 }
 
 void BroadPhase::set_layer(int item, Layer layer) {
@@ -221,7 +228,7 @@ int BroadPhase::fill_moved_group(std::size_t at) {
 void BroadPhase::search(int first_group, int last_group, const FoundPairs& found) const {
     SearchedLayers layers;
     for (const Layer layer : kLayers) layers[index(layer)] = {&tree(layer), moved_index_[index(layer)]};
-    find_pairs(layers, {moved_groups_, group_ways_}, first_group, last_group, found);
+    find_pairs(layers, {moved_groups_, group_ways_, kin_}, first_group, last_group, found);
 }
 
 bool BroadPhase::may_be_known(const ItemPair& pair) const {

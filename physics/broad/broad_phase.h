@@ -47,6 +47,9 @@ class BroadPhase {
     void set_way(int item, Vec2 way);
     /// Asks for all pairs of a box again, say because a filter changed.
     void touch(int item);
+    /// Items of the same kin are never reported as a pair. 0, as of what was just added: it is of none. What
+    /// was of the same kin before and is not any more has to be touched.
+    void set_kin(int item, int kin);
     /// What falls asleep or wakes changes its layer and nothing else.
     void set_layer(int item, Layer layer);
 
@@ -104,6 +107,7 @@ class BroadPhase {
     std::array<BoxTree, kLayers.size()> trees_;
     std::vector<State> states_;     // by item
     std::vector<Aabb> box_before_;  // by item
+    std::vector<int> kin_;          // by item; empty until one is of any
     // By item; 0 for those that have none, and empty until one has.
     std::vector<Vec2> ways_;
     std::vector<Vec2> way_before_;  // beside them, of those that had one

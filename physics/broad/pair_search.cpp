@@ -80,11 +80,13 @@ class GroupSearch {
         : layers_(layers),
           moved_(moved.groups),
           ways_(moved.ways),
+          kin_(moved.kin),
           index_(index),
           own_(moved.groups[index]),
           tree_(*layers[static_cast<std::size_t>(own_.layer)].tree),
           now_(tree_.level(0)[own_.group]),
           found_(found) {
+        if (!kin_.empty()) note_kin();
         if (ways_.empty()) return;
         on_way_.emplace(now_, ways_of(own_.ways));
         was_on_way_.emplace(own_.before, ways_of(own_.ways_before));
@@ -129,9 +131,12 @@ class GroupSearch {
     // With the boxes of another group, or of this one.
     HWY_INLINE void compare(const SearchedLayer& searched, int group, LaneMask lanes) {
         const int moved = searched.moved_index.empty() ? kNone : searched.moved_index[group];
+        const MovedGroup* const other = moved == kNone ? nullptr : &moved_[moved];
         const BoxGroup& now = searched.tree->level(0)[group];
-        const BoxGroup& before = moved == kNone ? now : moved_[moved].before;
-        const bool some_have_ways = !ways_.empty() && (has_ways(index_) || has_ways(moved));
+        const BoxGroup& before = other == nullptr ? now : other->before;
+        const int* const items = &searched.tree->items()[kGroupSize * group];
+        const bool some_have_ways =
+            !ways_.empty() && (has_ways(own_) || (other != nullptr && has_ways(*other)));
         for (; lanes != 0; lanes &= lanes - 1) {
             const int lane = std::countr_zero(lanes);
             LaneMask found = overlapping_lanes(now_, now.box(lane)) & own_.lanes;
@@ -141,20 +146,34 @@ class GroupSearch {
             }
             if (found == 0) continue;
             if (some_have_ways) {
-                compare_ways(searched, group, lane, found);
+                found &= ~lanes_of_kin(items[lane]);
+                if (found != 0) compare_ways(now, other, lane, items[lane], found);
             } else {
                 found &= ~overlapping_lanes(own_.before, before.box(lane));
-                tell(found, searched.tree->items()[kGroupSize * group + lane]);
+                if (found != 0) tell(found & ~lanes_of_kin(items[lane]), items[lane]);
             }
         }
     }
 
+    void note_kin() {
+        for (int lane = 0; lane < kLanes; ++lane) {
+            const int item = tree_.items()[kGroupSize * own_.group + lane];
+            own_kin_[lane] = item == kNone ? 0 : kin_[item];
+        }
+    }
+    [[nodiscard]] HWY_INLINE LaneMask lanes_of_kin(int item) const {
+        const int kin = kin_.empty() ? 0 : kin_[item];
+        if (kin == 0) return 0;
+        LaneMask alike = 0;
+        for (int lane = 0; lane < kLanes; lane += kStep)
+            alike |= bits_of(hn::RebindMask(D(), hn::Eq(load(own_kin_, lane), set_int(kin)))) << lane;
+        return alike;
+    }
+
     // A lane of another group, or of this one, with those that its box overlaps now.
-    HWY_NOINLINE void compare_ways(const SearchedLayer& searched, int group, int lane, LaneMask found) {
-        const int moved = searched.moved_index.empty() ? kNone : searched.moved_index[group];
-        const MovedGroup* other = moved == kNone ? nullptr : &moved_[moved];
-        const Aabb now = searched.tree->level(0)[group].box(lane);
-        const int item = searched.tree->items()[kGroupSize * group + lane];
+    HWY_NOINLINE void compare_ways(const BoxGroup& group, const MovedGroup* other, int lane, int item,
+                                   LaneMask found) {
+        const Aabb now = group.box(lane);
         const LaneMask apart = found & on_way_->lanes_apart(now, way_of(other, &MovedGroup::ways, lane));
         if (apart != 0) push_amply(found_.beside, PairsBeside{index_, item, apart});
         const LaneMask meeting = found & ~apart;
@@ -165,8 +184,8 @@ class GroupSearch {
             ~was_on_way_->lanes_apart(before, way_of(other, &MovedGroup::ways_before, lane));
         tell(meeting & ~known, item);
     }
-    [[nodiscard]] bool has_ways(int moved) const {
-        return moved != kNone && (moved_[moved].ways != kNone || moved_[moved].ways_before != kNone);
+    [[nodiscard]] static bool has_ways(const MovedGroup& group) {
+        return group.ways != kNone || group.ways_before != kNone;
     }
     [[nodiscard]] const GroupWays& ways_of(int index) const {
         static constexpr GroupWays kAllStand;
@@ -186,11 +205,13 @@ class GroupSearch {
     const SearchedLayers& layers_;
     std::span<const MovedGroup> moved_;
     std::span<const GroupWays> ways_;
+    std::span<const int> kin_;
     const int index_;
     const MovedGroup& own_;
     const BoxTree& tree_;
     const BoxGroup& now_;
     const FoundPairs& found_;
+    alignas(32) Lanes<std::int32_t> own_kin_;  // where some item is of any
     // Where some item has a way:
     std::optional<GroupOnWay> on_way_;
     std::optional<GroupOnWay> was_on_way_;

@@ -2,7 +2,8 @@
 // (broad/box_way.h) count as if they did not overlap, and are told besides.
 // One walk of the trees serves a whole group of eight boxes: a node is entered when it overlaps the union of
 // those that moved, and only at the bottom are boxes compared one with eight. Of two boxes that moved, the
-// one in the earlier group (by layer, then place) looks for the other, so each pair is found once. Source:
+// one in the earlier group (by layer, then place) looks for the other, so each pair is found once. Items of
+// the same kin are no pair. Source:
 // the traversal by groups of Wald et al. 2008 ("packets"), applied to a tree against itself.
 #pragma once
 
@@ -72,6 +73,7 @@ using SearchedLayers = std::array<SearchedLayer, kLayers.size()>;
 struct MovedGroups {
     std::span<const MovedGroup> groups;
     std::span<const GroupWays> ways;
+    std::span<const int> kin;  // by item, 0: of none; empty where nobody is of any
 };
 
 /// Appends what the groups [first, last) of `moved` find.

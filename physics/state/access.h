@@ -34,13 +34,14 @@ struct StateAccess {
         return use(levels, level_count, items, places, end, live, wear);
     }
 
-    /// use(trees, states, boxes before, ways, ways before, how many have ways, whether any had, moved items).
-    /// The rest is of one search.
+    /// use(trees, states, boxes before, ways, ways before, how many have ways, whether any had, moved items,
+    /// kin). The rest is of one search.
     template <class Phase, class Use>
     static auto broad(Phase& broad, Use&& use) {
-        auto& [trees, states, box_before, ways, way_before, with_ways, had_ways, moved_items, moved_groups,
-               group_ways, group_items, moved_index, pairs, beside, order_scratch, radix, pair_keys] = broad;
-        return use(trees, states, box_before, ways, way_before, with_ways, had_ways, moved_items);
+        auto& [trees, states, box_before, kin, ways, way_before, with_ways, had_ways, moved_items,
+               moved_groups, group_ways, group_items, moved_index, pairs, beside, order_scratch, radix,
+               pair_keys] = broad;
+        return use(trees, states, box_before, ways, way_before, with_ways, had_ways, moved_items, kin);
     }
 
     /// use(layer, listed, moved, touched, unsettled, has way, had way).

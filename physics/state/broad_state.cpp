@@ -3,6 +3,7 @@
 // order again.
 #include "state/sections.h"
 #include "state/slots.h"
+#include "world/bodies.h"
 
 namespace cairn::physics {
 namespace {
@@ -127,7 +128,7 @@ bool is_boxed(const ShapeRecord& shape) {
 void save_broad(const Stores& stores, Writer& out) {
     StateAccess::broad(stores.broad, [&](const auto& trees, const auto& states, const auto& box_before,
                                          const auto& ways, const auto& way_before, int with_ways, bool,
-                                         const auto& moved_items) {
+                                         const auto& moved_items, const auto&) {
         for (const BoxTree& tree : trees) save_tree(tree, out);
         std::byte* at = out.room(static_cast<std::size_t>(stores.shapes.size()));
         for_each_alive(stores.shapes, [&](int item, const ShapeRecord& shape) {
@@ -166,9 +167,10 @@ void load_broad(Reader& in, Stores& stores) {
     in.begin("broad phase");
     StateAccess::broad(
         stores.broad, [&](auto& trees, auto& states, auto& box_before, auto& ways, auto& way_before,
-                          int& with_ways, bool& had_ways, auto& moved_items) {
+                          int& with_ways, bool& had_ways, auto& moved_items, auto& kin) {
             const auto slots = static_cast<std::size_t>(stores.shapes.end_index());
             states.assign(slots, {});
+            kin.clear();
             int live = 0;
             for (const Layer layer : kLayers) {
                 BoxTree& tree = trees[static_cast<std::size_t>(layer)];
@@ -231,7 +233,10 @@ void load_broad(Reader& in, Stores& stores) {
                     in.value(ways[static_cast<std::size_t>(item)]);
             });
         });
-    in.settle();
+    if (!in.settle()) return;
+    for_each_alive(stores.shapes, [&](int item, const ShapeRecord& shape) {
+        if (is_boxed(shape)) tell_kin(stores, item);
+    });
 }
 
 }  // namespace cairn::physics

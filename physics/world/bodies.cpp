@@ -126,8 +126,18 @@ int add_shape(Stores& stores, int body, const Convex& convex, const ShapeDef& de
     stores.broad.add(shape, layer_of(owner.set), stores.fat_boxes[shape]);
     (owner.last_shape == kNone ? owner.first_shape : stores.shapes[owner.last_shape].next_of_body) = shape;
     owner.last_shape = shape;
+    tell_kin(stores, shape);
+    if (record.previous_of_body != kNone) tell_kin(stores, record.previous_of_body);
     stores.bodies.rows_of(body).box_slack[owner.row] = 0;
     return shape;
+}
+
+void tell_kin(Stores& stores, int shape) {
+    const ShapeRecord& record = stores.shapes[shape];
+    const BodyRecord& owner = stores.bodies.slots[record.body];
+    // Nobody looks for pairs of static shapes.
+    const bool is_alone = owner.first_shape == owner.last_shape || owner.type == BodyType::Static;
+    stores.broad.set_kin(shape, record.group < 0 ? record.group : is_alone ? 0 : record.body + 1);
 }
 
 void remove_shape(Stores& stores, int shape) {
@@ -167,6 +177,7 @@ void refilter_shape(WorldState& world, int shape) {
                           destroy_contact(stores, world.events, contact);
                   });
     forget_unheld(stores);
+    tell_kin(stores, shape);
     stores.broad.touch(shape);
     wake_body(stores, stores.shapes[shape].body);
 }

@@ -13,6 +13,10 @@ void destroy_shape(WorldState& world, int shape);
 
 /// A shape in the lists and the broad phase, without its mass; and out of both, when it has no contacts left.
 int add_shape(Stores& stores, int body, const Convex& convex, const ShapeDef& def);
+
+/// Tells the broad phase of a shape, but a sensor, whose kin it is: shapes of one body never meet, nor do
+/// those of one group below 0. Again when its group, or how many shapes its body has, changed.
+void tell_kin(Stores& stores, int shape);
 void remove_shape(Stores& stores, int shape);
 
 /// Ends the shape's contacts that its filter no longer allows, and looks for those that it now does.

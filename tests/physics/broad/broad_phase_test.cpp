@@ -30,6 +30,7 @@ struct Entry {
     bool touched = false;
     Vec2 way{};
     bool moved = true;  // since the last search
+    int kin = 0;
 };
 using Entries = std::map<int, Entry>;  // by item
 
@@ -57,6 +58,7 @@ Overlaps find_overlaps(const Entries& entries) {
             const auto& [item_a, of_a] = *a;
             const auto& [item_b, of_b] = *b;
             if (of_a.layer == Layer::Static && of_b.layer == Layer::Static) continue;
+            if (of_a.kin != 0 && of_a.kin == of_b.kin) continue;
             if (!overlap(of_a.box, of_b.box)) continue;
             if (!keep_apart(of_a.box, of_a.way, of_b.box, of_b.way)) {
                 all.pairs.emplace(item_a, item_b);
@@ -102,6 +104,11 @@ class Model {
     void touch(int item) {
         broad.touch(item);
         entries[item].touched = entries[item].moved = true;
+    }
+    void set_kin(int item, int kin) {
+        broad.set_kin(item, kin);
+        entries[item].kin = kin;
+        touch(item);
     }
     void set_layer(int item, Layer layer) {
         broad.set_layer(item, layer);
@@ -187,7 +194,8 @@ void change_at_random(Random& random, Model& model, double extent) {
     const int item = chosen->first;
     const Layer layer = chosen->second.layer;
     if (choice < 0.25) return model.remove(item);
-    if (choice < 0.3) return model.touch(item);
+    if (choice < 0.28) return model.touch(item);
+    if (choice < 0.32) return model.set_kin(item, random.below(4) - 1);
     if (choice < 0.5 && layer != Layer::Static) {
         return model.set_layer(item, layer == Layer::Awake ? Layer::Asleep : Layer::Awake);
     }

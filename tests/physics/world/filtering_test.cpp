@@ -63,6 +63,28 @@ TEST_CASE("a filter that changes takes effect on what already touches and on wha
     CHECK(world.body(ball)->position().y < 0);
 }
 
+TEST_CASE("what leaves a group below 0 meets it, also where it goes fast and comes from a snapshot") {
+    World world({.gravity_m_s2 = {}});
+    for (const float x : {0.0f, 0.3f})
+        add(world, {.position_m = {x, 0}, .linear_velocity_m_s = {200, 0}}, Circle{},
+            {.filter = {.group = -1}});
+    step_times(world, 3);
+    REQUIRE(world.counts().contacts == 0);
+    World restored({.gravity_m_s2 = {}});
+    restored.restore(world.snapshot().value().bytes()).value();
+    step_times(restored, 1);
+    CHECK(restored.counts().contacts == 0);
+    for (World* w : {&world, &restored}) {
+        const BodyId first = w->bodies().front();
+        w->shape(w->body(first)->shapes()[0])->set_filter({.group = -2});
+        step_times(*w, 1);
+        CHECK(w->counts().contacts == 1);
+        w->shape(w->body(first)->shapes()[0])->set_filter({.group = -1});
+        step_times(*w, 1);
+        CHECK(w->counts().contacts == 0);
+    }
+}
+
 TEST_CASE("shapes of one body, and bodies that are not dynamic, never collide") {
     World world;
     const BodyId body = world.create_body({}).value();

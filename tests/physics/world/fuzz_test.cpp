@@ -76,7 +76,9 @@ class Fuzz {
         } else if (choice < 57) {
             body.set_allow_sleep(random_.chance(0.7));
         } else if (choice < 60) {
-            if (!shapes.empty()) world_.shape(shapes.back())->set_filter({.mask = random_.bits() | 1});
+            if (!shapes.empty())
+                world_.shape(shapes.back())
+                    ->set_filter({.mask = random_.bits() | 1, .group = random_.below(4) - 3});
         } else if (choice < 62) {
             if (!shapes.empty())
                 world_.shape(shapes.back())
