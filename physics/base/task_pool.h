@@ -102,6 +102,17 @@ class TaskPool {
         run_in_order({&loop, 1});
     }
 
+    /// The same, while one thread calls alone() first. The loop must not depend on that, nor that on the
+    /// loop.
+    template <class Alone, class F>
+    void parallel_for_beside(const Alone& alone, int count, int grain, const F& f) {
+        parallel_for(chunk_count(count, grain) + 1, 1, [&](const Chunk& chunk) {
+            if (chunk.index == 0) return alone();
+            const int begin = (chunk.index - 1) * grain;
+            f(Chunk{begin, std::min(begin + grain, count), chunk.index - 1, chunk.worker});
+        });
+    }
+
     /// Runs the loops one after the other: each begins when all chunks of the one before it have ended, and
     /// sees what they wrote. Cheaper than as many calls, because the workers pass from loop to loop by
     /// themselves. Chunk i of n goes by preference to the worker that had chunk i of n before, whose cache

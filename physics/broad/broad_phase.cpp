@@ -41,27 +41,28 @@ void BroadPhase::move(int item, const Aabb& box) {
     if (state.layer != Layer::Awake) state.unsettled = true;
 }
 
-BroadPhase::Shifted BroadPhase::shift(int item, const Aabb& box) {
+BroadPhase::Shifted BroadPhase::shift(int item, const Aabb& box, Vec2 way) {
     BoxTree& tree = trees_[index(Layer::Awake)];
-    const Shifted shifted{remember(item, tree.box(item)), states_[item].has_way};
-    if (shifted.had_way) {
-        states_[item].has_way = false;
-        ways_[item] = {};
-    }
+    State& state = states_[item];
+    const bool is_first = remember(item, tree.box(item));
+    const bool had_way = state.has_way;
+    state.has_way = way != Vec2{};
+    if (had_way || state.has_way) ways_[item] = way;
     tree.shift(item, box);
-    return shifted;
+    return {is_first, (state.has_way ? 1 : 0) - (had_way ? 1 : 0)};
 }
 
-void BroadPhase::end_shifts(const ChunkedList<int>& first_moves, int dropped_ways) {
+void BroadPhase::end_shifts(const ChunkedList<int>& first_moves, int more_ways) {
     first_moves.for_each([&](int item) { push_amply(moved_items_, item); });
-    with_ways_ -= dropped_ways;
+    with_ways_ += more_ways;
+    had_ways_ |= has_ways();
     trees_[index(Layer::Awake)].refit();
 }
 
 void BroadPhase::set_way(int item, Vec2 way) {
     drop_way(item);
     if (way == Vec2{}) return;
-    if (ways_.empty()) cover_ways();
+    make_room_for_ways();
     had_ways_ = states_[item].has_way = true;
     ways_[item] = way;
     ++with_ways_;
@@ -132,10 +133,12 @@ const std::vector<ItemPair>& BroadPhase::find_new_pairs(TaskPool& tasks) {
 }
 
 int BroadPhase::start_search(TaskPool& tasks) {
-    moved_groups_.clear();
-    group_ways_.clear();
-    group_items_.clear();
-    if (moved_items_.empty()) return 0;
+    // Ways are looked at where some item had one.
+    if (!had_ways_) group_ways_.clear();
+    if (moved_items_.empty()) {
+        moved_groups_.clear();
+        return 0;
+    }
     for (BoxTree& tree : trees_) {
         if (tree.is_worn()) tree.rebuild(order_scratch_);
     }
@@ -146,17 +149,26 @@ int BroadPhase::start_search(TaskPool& tasks) {
 // The lanes that moved, by group; then the groups in their order; then where each box was.
 void BroadPhase::collect_moved_groups(TaskPool& tasks) {
     mark_moved_lanes(tasks);
+    std::size_t count = 0;
+    for (const auto& lanes : moved_index_)
+        count += lanes.size() - static_cast<std::size_t>(std::ranges::count(lanes, 0));
+    resize_amply(moved_groups_, count);
+    count = 0;
     for (const Layer layer : kLayers) {
         auto& lanes = moved_index_[index(layer)];
         for (std::size_t group = 0; group < lanes.size(); ++group) {
             const auto moved = static_cast<LaneMask>(lanes[group]);
-            lanes[group] = moved == 0 ? kNone : static_cast<int>(moved_groups_.size());
-            if (moved != 0) push_amply(moved_groups_, MovedGroup{layer, static_cast<int>(group), moved, {}});
+            lanes[group] = moved == 0 ? kNone : static_cast<int>(count);
+            if (moved == 0) continue;
+            MovedGroup& to = moved_groups_[count++];
+            to.layer = layer;
+            to.group = static_cast<int>(group);
+            to.lanes = moved;
         }
     }
     if (had_ways_) {
-        assign_amply(group_ways_, 2 * moved_groups_.size(), GroupWays{});
-        resize_amply(group_items_, moved_groups_.size());
+        resize_amply(group_ways_, 2 * count);
+        resize_amply(group_items_, count);
     }
     [[maybe_unused]] std::atomic<int> with_ways = 0;
     tasks.parallel_for(static_cast<int>(moved_groups_.size()), kGroupsPerChunk, [&](const Chunk& chunk) {
@@ -205,6 +217,12 @@ int BroadPhase::fill_moved_group(std::size_t at) {
     moved.before = tree.level(0)[moved.group];
     if (had_ways_)
         std::copy_n(tree.items().begin() + kGroupSize * moved.group, kGroupSize, group_items_[at].begin());
+    moved.ways = moved.ways_before = kNone;
+    const auto set_way = [&](int& ways, std::size_t place, int lane, Vec2 way) {
+        if (ways == kNone) group_ways_[place] = {};
+        ways = static_cast<int>(place);
+        group_ways_[place].set_way(lane, way);
+    };
     int with_ways = 0;
     for (LaneMask lanes = moved.lanes; lanes != 0; lanes &= lanes - 1) {
         const int lane = std::countr_zero(lanes);
@@ -213,14 +231,10 @@ int BroadPhase::fill_moved_group(std::size_t at) {
         if (!had_ways_) continue;
         const State& state = states_[item];
         if (state.has_way) {
-            moved.ways = static_cast<int>(2 * at);
-            group_ways_[moved.ways].set_way(lane, ways_[item]);
+            set_way(moved.ways, 2 * at, lane, ways_[item]);
             ++with_ways;
         }
-        if (state.had_way) {
-            moved.ways_before = static_cast<int>(2 * at + 1);
-            group_ways_[moved.ways_before].set_way(lane, way_before_[item]);
-        }
+        if (state.had_way) set_way(moved.ways_before, 2 * at + 1, lane, way_before_[item]);
     }
     return with_ways;
 }

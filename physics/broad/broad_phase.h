@@ -30,16 +30,20 @@ class BroadPhase {
     /// not depend on threads. Before it nothing may be asked.
     struct Shifted {
         bool is_first = false;  // of this item since the last search
-        bool had_way = false;   // and has none any more
+        int more_ways = 0;  // 1: it has one now, as of `set_way`, and had none; -1: it is the other way round
     };
-    Shifted shift(int item, const Aabb& box);
+    Shifted shift(int item, const Aabb& box, Vec2 way = {});
+    /// Before the first that has a way.
+    void make_room_for_ways() {
+        if (ways_.empty()) cover_ways();
+    }
     /// Asks for what shifting the item will read.
     void ask_for_shift(int item) const {
         prefetch(&states_[item], sizeof(State));
         prefetch(&box_before_[item], sizeof(Aabb));
         trees_[index(Layer::Awake)].ask_for(item);
     }
-    void end_shifts(const ChunkedList<int>& first_moves, int dropped_ways);
+    void end_shifts(const ChunkedList<int>& first_moves, int more_ways);
     /// What the box holds moves by so much (m) in the next step, within the box all along. Pairs that keep
     /// apart on their ways (broad/box_way.h) count as if their boxes did not overlap. The box has just been
     /// moved; it keeps the way until it is moved again, which must be before the next search but one. Only

@@ -40,9 +40,9 @@ struct alignas(32) GroupWays {
 
 /// A group in which something moved.
 struct MovedGroup {
-    Layer layer;
-    int group;
-    LaneMask lanes;           // that moved
+    Layer layer{};
+    int group = kNone;
+    LaneMask lanes = 0;       // that moved
     BoxGroup before;          // the boxes as of the last search; of a new box: empty
     int ways = kNone;         // index of its GroupWays, if there are any; only what moved may have one
     int ways_before = kNone;  // the same, as of the last search

@@ -2,6 +2,7 @@
 #include "world/fast_bodies.h"
 
 #include <algorithm>
+#include <atomic>
 #include <limits>
 
 #include <cairn/physics/tuning.h>
@@ -131,7 +132,11 @@ void cover_fast_ways(Stores& stores, Vec2 gravity_m_s2, float dt_s, StepScratch&
     const bool some_sleep = stores.bodies.rows(RowSet::Asleep).size() > 0;
     scratch.fast_found.start(awake.size(), kRowsPerChunk, tasks);
     scratch.untold_boxes.start(awake.size(), kRowsPerChunk, tasks);
+    std::atomic<bool> some_have_ways = false;
+    std::atomic<float> thinnest_m = std::numeric_limits<float>::infinity();  // of what is fast
     tasks.parallel_for(awake.size(), kRowsPerChunk, [&](const Chunk& chunk) {
+        float thinnest_here_m = std::numeric_limits<float>::infinity();
+        bool some_here = false;
         ChunkedList<int>::Appender fast(scratch.fast_found, chunk);
         ChunkedList<int>::Appender untold(scratch.untold_boxes, chunk);
         BoxCover boxes(stores, untold.items());
@@ -144,7 +149,11 @@ void cover_fast_ways(Stores& stores, Vec2 gravity_m_s2, float dt_s, StepScratch&
                 const int body = awake.body[row + lane];
                 const auto [covered, has_way, outgrown] =
                     mark_ahead(lanes.places[lane]->flags, ahead, lane, some_sleep);
-                if ((ahead.fast >> lane & 1) != 0) fast.items().push_back(body);
+                if ((ahead.fast >> lane & 1) != 0) {
+                    fast.items().push_back(body);
+                    thinnest_here_m = std::min(thinnest_here_m, lanes.records[lane]->inner_radius_m);
+                }
+                some_here |= has_way;
                 if (outgrown) {
                     boxes.finish();  // so that what is untold is in the order of the bodies
                     renew_boxes(stores, body, untold.items());
@@ -153,18 +162,13 @@ void cover_fast_ways(Stores& stores, Vec2 gravity_m_s2, float dt_s, StepScratch&
             }
         }
         boxes.finish();
+        if (some_here) some_have_ways.store(true, std::memory_order_relaxed);
+        float least_m = thinnest_m;
+        while (thinnest_here_m < least_m && !thinnest_m.compare_exchange_weak(least_m, thinnest_here_m)) {
+        }
     });
-    tell_fat_boxes(stores, scratch, tasks);
+    tell_fat_boxes(stores, scratch, some_have_ways ? dt_s : 0, tasks);
     scratch.fast_found.copy_to(scratch.fast);
-    float thinnest_m = std::numeric_limits<float>::infinity();
-    for (const int body : scratch.fast) {
-        const Place& place = stores.bodies.places[body];
-        thinnest_m = std::min(thinnest_m, stores.bodies.slots[body].inner_radius_m);
-        if ((place.flags & place_flag::kHasWay) == 0) continue;
-        const Vec2 way = dt_s * scratch.advances[place.row].velocity_m_s;
-        for (int s = stores.bodies.slots[body].first_shape; s != kNone; s = stores.shapes[s].next_of_body)
-            stores.broad.set_way(s, way);
-    }
     scratch.stray_m = 0.5f * thinnest_m;
 }
 

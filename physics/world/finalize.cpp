@@ -2,6 +2,7 @@
 #include "world/finalize.h"
 
 #include <algorithm>
+#include <atomic>
 #include <bit>
 #include <limits>
 
@@ -112,11 +113,19 @@ void tell_fat_box(Stores& stores, int shape) {
     note_moved_boxes(stores, stores.shapes[shape].body);
 }
 
-void tell_fat_boxes(Stores& stores, StepScratch& scratch, TaskPool& tasks) {
+void tell_fat_boxes(Stores& stores, StepScratch& scratch, float way_s, TaskPool& tasks) {
     const ChunkedList<int>& shapes = scratch.untold_boxes;
+    const auto way_of = [&](int body) {
+        const Place& place = stores.bodies.places[body];
+        if (way_s == 0 || (place.flags & place_flag::kHasWay) == 0) return Vec2{};
+        return way_s * scratch.advances[place.row].velocity_m_s;
+    };
     // Where many moved it is less work to go over all nodes of the tree.
     if (8 * shapes.size() < static_cast<std::size_t>(stores.broad.tree(Layer::Awake).size())) {
-        shapes.for_each([&](int shape) { tell_fat_box(stores, shape); });
+        shapes.for_each([&](int shape) {
+            tell_fat_box(stores, shape);
+            stores.broad.set_way(shape, way_of(stores.shapes[shape].body));
+        });
         return;
     }
     // Shapes of a body stand in one part.
@@ -124,25 +133,27 @@ void tell_fat_boxes(Stores& stores, StepScratch& scratch, TaskPool& tasks) {
     if (!scratch.shifted_boxes) scratch.shifted_boxes = std::make_unique<ShiftedBoxes>();
     ShiftedBoxes& shifted = *scratch.shifted_boxes;
     shifted.first_moves.start(shapes.parts(), kPartsPerChunk, tasks);
-    shifted.without_way.start(shapes.parts(), kPartsPerChunk, tasks);
     shifted.bodies.start(shapes.parts(), kPartsPerChunk, tasks);
+    if (way_s > 0) stores.broad.make_room_for_ways();
+    std::atomic<int> more_ways = 0;
     tasks.parallel_for(shapes.parts(), kPartsPerChunk, [&](const Chunk& chunk) {
         ChunkedList<int>::Appender first_moves(shifted.first_moves, chunk);
-        ChunkedList<int>::Appender without_way(shifted.without_way, chunk);
         ChunkedList<int>::Appender bodies(shifted.bodies, chunk);
+        int more = 0;
         const auto ask = [&](int shape) { stores.broad.ask_for_shift(shape); };
         const auto shift = [&](int shape) {
-            const BroadPhase::Shifted s = stores.broad.shift(shape, stores.fat_boxes[shape]);
-            if (s.is_first) first_moves.items().push_back(shape);
-            if (s.had_way) without_way.items().push_back(shape);
             const int body = stores.shapes[shape].body;
+            const BroadPhase::Shifted s = stores.broad.shift(shape, stores.fat_boxes[shape], way_of(body));
+            if (s.is_first) first_moves.items().push_back(shape);
+            more += s.more_ways;
             if (mark_moved_boxes(stores, body)) bodies.items().push_back(body);
         };
         for (int p = chunk.begin; p < chunk.end; ++p)
             visit_asking_ahead(shapes.part(p), kRecordsAhead, ask, shift);
+        more_ways.fetch_add(more, std::memory_order_relaxed);
     });
     shifted.bodies.for_each([&](int body) { stores.boxes_moved.push_back(body); });
-    stores.broad.end_shifts(shifted.first_moves, static_cast<int>(shifted.without_way.size()));
+    stores.broad.end_shifts(shifted.first_moves, more_ways);
 }
 
 float clearance(const Aabb& outer, const Aabb& inner) {
@@ -223,7 +234,7 @@ void finalize_bodies(Stores& stores, StepScratch& scratch, float dt_s, bool slee
         }
         boxes.finish();
     });
-    tell_fat_boxes(stores, scratch, tasks);
+    tell_fat_boxes(stores, scratch, 0, tasks);
     scratch.fast_found.for_each([&](int body) { scratch.fast.push_back(body); });
 }
 

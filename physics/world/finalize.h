@@ -23,7 +23,9 @@ void set_fat_box(Stores& stores, int shape, const Aabb& box);
 
 /// The same for boxes that were written already, by threads: they become known.
 void tell_fat_box(Stores& stores, int shape);
-void tell_fat_boxes(Stores& stores, StepScratch& scratch, TaskPool& tasks);  // scratch.untold_boxes
+/// scratch.untold_boxes. Those of bodies that have a way (place_flag::kHasWay) go along it for so long; 0:
+/// none does.
+void tell_fat_boxes(Stores& stores, StepScratch& scratch, float way_s, TaskPool& tasks);
 
 /// How far the inner box may move in any direction without leaving the outer one.
 float clearance(const Aabb& outer, const Aabb& inner);

@@ -52,8 +52,10 @@ inline int substeps_of(const StepTime& time, Acting acting, const StepScratch& s
     return something_acts ? time.substeps : 0;
 }
 
-inline void prepare_kicks(Vec2 gravity_m_s2, const StepTime& time, const ContactRules& rules,
-                          StepScratch& scratch, TaskPool& tasks) {
+/// While one thread calls beside().
+template <class Beside>
+void prepare_kicks(Vec2 gravity_m_s2, const StepTime& time, const ContactRules& rules, StepScratch& scratch,
+                   TaskPool& tasks, const Beside& beside) {
     Motions& motions = scratch.motions;
     const auto is_damped = [](const Drive& d) { return d.linear_damping != 0 || d.angular_damping != 0; };
     const auto size = static_cast<std::size_t>(motions.size());
@@ -62,7 +64,7 @@ inline void prepare_kicks(Vec2 gravity_m_s2, const StepTime& time, const Contact
     resize_amply(motions.standing, size);
     std::atomic<int> still = 0;
     std::atomic<bool> creeps = false;
-    tasks.parallel_for(motions.size(), kRowsPerChunk, [&](const Chunk& rows) {
+    tasks.parallel_for_beside(beside, motions.size(), kRowsPerChunk, [&](const Chunk& rows) {
         prepare_kicks(motions, scratch.drives, time.h_s, rows.begin, rows.end);
         const Stillness found = note_still(motions, rows.begin, rows.end);
         still.fetch_add(found.still, std::memory_order_relaxed);

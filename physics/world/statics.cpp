@@ -84,11 +84,7 @@ class Estimate {
           motions_(scratch.motions),
           scratch_(*scratch.statics),
           up_(up),
-          first_plain_(static_cast<std::size_t>(lanes_.pool_size())) {
-        assign_amply(scratch_.stands, static_cast<std::size_t>(motions_.size()), {});
-        scratch_.ready.clear();
-        scratch_.slopes.clear();
-    }
+          first_plain_(static_cast<std::size_t>(lanes_.pool_size())) {}
 
     void find_supports(TaskPool& tasks) {
         const std::span<const int> blocks = lanes_.blocks_in_memory();
@@ -116,7 +112,10 @@ class Estimate {
     }
 
     /// `weight` is that of a unit of mass over a substep, N s/kg.
-    void run(float weight) {
+    void share_loads(float weight) {
+        assign_amply(scratch_.stands, static_cast<std::size_t>(motions_.size()), {});
+        scratch_.ready.clear();
+        scratch_.slopes.clear();
         link();
         for (int row = 1; row < motions_.size(); ++row) {
             const StaticsScratch::Stand& stand = scratch_.stands[row];
@@ -306,6 +305,10 @@ bool is_known(const Stores& stores, Vec2 weight_ns_kg, const StepScratch& scratc
            std::ranges::equal(scratch.drives, standing.gravity_scales, same);
 }
 
+Vec2 up(Vec2 gravity_m_s2) {
+    return (-1 / length(gravity_m_s2)) * gravity_m_s2;
+}
+
 void note_weights(const Stores& stores, Vec2 weight_ns_kg, StepScratch& scratch) {
     StandingScratch& standing = *scratch.standing;
     standing.weight_ns_kg = weight_ns_kg;
@@ -318,16 +321,26 @@ void note_weights(const Stores& stores, Vec2 weight_ns_kg, StepScratch& scratch)
 
 }  // namespace
 
-void estimate_statics(Stores& stores, Vec2 gravity_m_s2, const StepTime& time, StepScratch& scratch,
-                      TaskPool& tasks) {
-    const float gravity = length(gravity_m_s2);
-    if (gravity == 0 || is_known(stores, time.h_s * gravity_m_s2, scratch)) return;
-    note_weights(stores, time.h_s * gravity_m_s2, scratch);
+StaticsEstimate::StaticsEstimate(Stores& stores, Vec2 gravity_m_s2, const StepTime& time,
+                                 StepScratch& scratch, TaskPool& tasks)
+    : stores_(stores), scratch_(scratch), gravity_m_s2_(gravity_m_s2), h_s_(time.h_s) {
+    if (length(gravity_m_s2) == 0 || is_known(stores, h_s_ * gravity_m_s2, scratch)) return;
+    note_weights(stores, h_s_ * gravity_m_s2, scratch);
     if (!scratch.statics) scratch.statics = std::make_unique<StaticsScratch>();
-    Estimate estimate(stores, scratch, (-1 / gravity) * gravity_m_s2);
-    estimate.find_supports(tasks);
-    estimate.run(gravity * time.h_s);
-    estimate.tell(tasks);
+    Estimate(stores, scratch, up(gravity_m_s2)).find_supports(tasks);
+    next_ = Next::ShareLoads;
+}
+
+void StaticsEstimate::share_loads() {
+    if (next_ != Next::ShareLoads) return;
+    Estimate(stores_, scratch_, up(gravity_m_s2_)).share_loads(h_s_ * length(gravity_m_s2_));
+    next_ = Next::Tell;
+}
+
+void StaticsEstimate::finish(TaskPool& tasks) {
+    share_loads();
+    if (next_ == Next::Tell) Estimate(stores_, scratch_, up(gravity_m_s2_)).tell(tasks);
+    next_ = Next::Nothing;
 }
 
 }  // namespace cairn::physics

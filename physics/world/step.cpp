@@ -68,13 +68,16 @@ void step_world(WorldState& world, float dt_s) {
     estimate_pin_loads(stores, def.gravity_m_s2, time, world.direct);
     choose_movers(stores, scratch);
     prepare_joints(stores, time, scratch, tasks);
-    estimate_statics(stores, def.gravity_m_s2, time, scratch, tasks);
+    StaticsEstimate statics(stores, def.gravity_m_s2, time, scratch, tasks);
+    if (world.direct.count > 0) statics.finish(tasks);
     start_direct_solve(stores, rules, time, scratch, world.direct, tasks);
 
     clock.enter(Stage::Solve);
     const Acting acting = what_acts(stores, scratch);
     const int acting_substeps = substeps_of(time, acting, scratch, world.direct);
-    if (acting_substeps > 0) prepare_kicks(def.gravity_m_s2, time, rules, scratch, tasks);
+    if (acting_substeps > 0)
+        prepare_kicks(def.gravity_m_s2, time, rules, scratch, tasks, [&] { statics.share_loads(); });
+    statics.finish(tasks);
     cut_into_batches(stores, acting_substeps, scratch);
     solve_batches(scratch, acting_substeps, rules, time, tasks);
     leave_resting(scratch, acting_substeps, acting, world.direct);

@@ -194,7 +194,6 @@ struct StandingScratch {
 /// What comes of telling many boxes at once, on several threads.
 struct ShiftedBoxes {
     ChunkedList<int> first_moves;  // shapes, of which it is the first since the last search
-    ChunkedList<int> without_way;  // shapes that have none any more
     ChunkedList<int> bodies;       // that are marked anew
 };
 

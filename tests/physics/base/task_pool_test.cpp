@@ -200,6 +200,29 @@ TEST_CASE("loops in order see all that the loops before them wrote") {
     }
 }
 
+TEST_CASE("what is done beside a loop is done once, and the loop is cut as it would be alone") {
+    for (const int threads : kThreadCounts) {
+        TaskPool pool(threads);
+        for (const int count : {0, 1, 7, 8, 9, 1'000}) {
+            constexpr int kGrain = 8;
+            int calls = 0;
+            std::vector<int> alone(static_cast<std::size_t>(count), -1);
+            std::vector<int> beside(static_cast<std::size_t>(count), -1);
+            const auto note = [](std::vector<int>& chunks) {
+                return [&chunks](const Chunk& chunk) {
+                    for (int i = chunk.begin; i < chunk.end; ++i)
+                        chunks[static_cast<std::size_t>(i)] += 1 + chunk.index;
+                };
+            };
+            pool.parallel_for(count, kGrain, note(alone));
+            pool.parallel_for_beside([&] { ++calls; }, count, kGrain, note(beside));
+            INFO(threads << " threads, " << count << " indices");
+            CHECK(calls == 1);
+            CHECK(beside == alone);
+        }
+    }
+}
+
 TEST_CASE("loops in order may be empty, and so may the list of them") {
     TaskPool pool(2);
     std::atomic<int> runs{0};
