@@ -102,10 +102,14 @@ class TaskPool {
         run_in_order({&loop, 1});
     }
 
-    /// The same, while one thread calls alone() first. The loop must not depend on that, nor that on the
-    /// loop.
+    /// The same, while one thread calls alone(), which comes first where one thread has all to do. The loop
+    /// must not depend on that, nor that on the loop.
     template <class Alone, class F>
     void parallel_for_beside(const Alone& alone, int count, int grain, const F& f) {
+        if (count <= grain) {
+            alone();
+            return parallel_for(count, grain, f);
+        }
         parallel_for(chunk_count(count, grain) + 1, 1, [&](const Chunk& chunk) {
             if (chunk.index == 0) return alone();
             const int begin = (chunk.index - 1) * grain;

@@ -1,10 +1,11 @@
 // Finds pairs of boxes that have come to overlap, by asking only about those that moved.
 // Boxes stand in three trees: static, asleep, awake. A box that moves keeps the place it had when pairs were
 // last looked for; a pair is new when the boxes overlap now and did not then, so nothing has to be looked up.
-// Invariant: between searches every tree is fit to be asked. Static items never pair with each other; any
-// other pair is reported by the first search that finds it overlapping, and again only after a search that
-// did not, or when one of the two was touched. Pairs are reported in the order of their items: what
-// the caller makes of them then stands in memory as its items do, and the shape of the trees shows nowhere.
+// Invariant: between searches every tree is fit to be asked. Static items never pair with each other, nor
+// items of one kin; any other pair is reported by the first search that finds it overlapping, and again only
+// after a search that did not, or when one of the two was touched. Pairs are reported in the order of their
+// items: what the caller makes of them then stands in memory as its items do, and the shape of the trees
+// shows nowhere.
 #pragma once
 
 #include <array>

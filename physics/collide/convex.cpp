@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <string>
 
@@ -210,9 +211,10 @@ Aabb bounds(const Convex& shape, const Transform& xf) {
 }
 
 float farthest_distance(const Convex& shape, Vec2 from) {
-    float farthest = 0;
-    for (int i = 0; i < shape.count(); ++i) farthest = std::max(farthest, length(shape.point(i) - from));
-    return farthest + shape.radius();
+    float farthest_m2 = 0;
+    for (int i = 0; i < shape.count(); ++i)
+        farthest_m2 = std::max(farthest_m2, length_squared(shape.point(i) - from));
+    return std::sqrt(farthest_m2) + shape.radius();
 }
 
 float inner_radius(const Convex& shape) {

@@ -1,5 +1,6 @@
-// Where contacts live while they act: in SIMD lanes, eight to a block, blocks in buckets. A contact keeps its
-// lane from step to step, so nothing is packed or unpacked.
+// Where contacts live while they are looked at or act. Those without points are records in a list for each
+// geometry; those with points stand in SIMD lanes, eight to a block, blocks in buckets. A contact keeps its
+// place from step to step, so nothing is packed or unpacked.
 // Invariant: lanes of a bucket are dense: all its blocks but the last are full. Within a colour no body that
 // moves stands in two lanes, so lanes and blocks of a colour may be solved in any order with the same result.
 // Blocks of all colours come from one pool, which grows to the most contacts ever seen and then stays.
@@ -52,7 +53,7 @@ struct BlockLink {
     int next = kNone;
 };
 
-/// One lane of a PairBlock, to be put in.
+/// A pair of shapes, to be put into a list of near pairs or a lane of a PairBlock.
 struct PairLane {
     std::int32_t contact = kNone;
     std::int32_t body_a = kNone;

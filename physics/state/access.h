@@ -51,12 +51,12 @@ struct StateAccess {
         return use(layer, listed, moved, touched, unsettled, has_way, had_way);
     }
 
-    /// use(counts of near pairs), by geometry.
+    /// use(near pairs, how many of each list are in use), by geometry.
     template <class Lanes, class Use>
     static auto near(Lanes& lanes, Use&& use) {
         auto& [near, near_count, near_shrank, pairs, links, blocks, impacts, turns, free, chains, version,
                is_arranged, order, in_memory, ranges, used] = lanes;
-        return use(near_count);
+        return use(near, near_count);
     }
 
     /// use(pairs, links, blocks, what bouncing takes of them, free blocks, chains, is arranged). The order

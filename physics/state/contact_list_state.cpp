@@ -161,7 +161,10 @@ class Placing {
 
     void load_near() {
         ContactLanes& lanes = stores_.contacts.lanes;
-        StateAccess::near(lanes, [](auto& counts) { counts.fill(0); });
+        StateAccess::near(lanes, [](auto& pairs, auto& counts) {
+            for (auto& list : pairs) list.clear();
+            counts.fill(0);
+        });
         for (int g = 0; g < kPairGeometries; ++g) {
             const auto geometry = static_cast<PairGeometry>(g);
             const std::size_t count = in_.count(kNearPairBytes);

@@ -23,12 +23,9 @@ void note_if_uneven(Stores& stores, int contact) {
         stores.contacts.uneven.add(stores.contacts.slots, contact);
 }
 
-// How far the shape reaches from its body's centre of mass: of a body's only shape it is known.
+// How far the shape reaches from its body's centre of mass.
 float reach_of(const Stores& stores, int body, int shape) {
-    const BodyRecord& record = stores.bodies.slots[body];
-    const ShapeRecord& s = stores.shapes[shape];
-    const bool is_only = record.first_shape == shape && s.next_of_body == kNone;
-    return is_only ? record.extent_m : farthest_distance(s.convex(), record.mass.center_m);
+    return farthest_distance(stores.shapes[shape].convex(), stores.bodies.slots[body].mass.center_m);
 }
 
 // Moves the bits of the two bodies; immovable ones have no part in colours.

@@ -285,7 +285,7 @@ struct NearFindings {
     std::uint8_t meets = 0;      // points
     std::uint8_t will_meet = 0;  // within the step
     std::uint8_t rouses = 0;     // reaches what sleeps within the step, and is solved from the next one on
-    std::uint8_t remembers = 0;  // as the block has it
+    std::uint8_t remembers = 0;  // as the pairs have it
 
     [[nodiscard]] unsigned any() const {
         return static_cast<unsigned>(gone | meets | will_meet | rouses | remembers);

@@ -216,7 +216,7 @@ class Drive {
         const V solved = hn::Div(hn::Sub(hn::Mul(d1, old), hn::Mul(mass_, force)), hn::Add(set(1), d1));
         const V wanted = hn::IfThenElse(wanted_lanes, solved, old);
         store(wanted, block_.spring_impulse, lane_);
-        push(hn::Sub(wanted, old));
+        push_where_it_acts(hn::Sub(wanted, old));
     }
 
     // It stops at limits: one that pushed on would hold them open, by as much as they are soft.
@@ -235,13 +235,11 @@ class Drive {
 
     HWY_INLINE void lower_limit(const SoftLanes& soft, V inverse_h) {
         const V gap = hn::Sub(load(block_.angle, lane_), load(block_.lower, lane_));
-        const V change = limit(soft, inverse_h, gap, speed(), block_.lower_impulse);
-        if (acts(change)) push(change);
+        push_where_it_acts(limit(soft, inverse_h, gap, speed(), block_.lower_impulse));
     }
     HWY_INLINE void upper_limit(const SoftLanes& soft, V inverse_h) {
         const V gap = hn::Sub(load(block_.upper, lane_), load(block_.angle, lane_));
-        const V change = limit(soft, inverse_h, gap, hn::Neg(speed()), block_.upper_impulse);
-        if (acts(change)) push(hn::Neg(change));
+        push_where_it_acts(hn::Neg(limit(soft, inverse_h, gap, hn::Neg(speed()), block_.upper_impulse)));
     }
 
     [[nodiscard]] HWY_INLINE V impulse() const {
@@ -257,9 +255,17 @@ class Drive {
         return hn::Mul(gap, hn::IfThenElse(hn::Gt(gap, hn::Zero(D())), inverse_h, soft.bias_rate));
     }
 
-    // Most limits are not met. What comes next need not wait then until that has been found out.
-    [[nodiscard]] HWY_INLINE static bool acts(V change) {
-        return !hn::AllTrue(D(), hn::Eq(change, hn::Zero(D())));
+    // Most limits are not met. What comes next need not wait then until that has been found out. Lanes that
+    // do not act stay as they are to the bit, -0 included, whatever lanes beside them do: how many those are
+    // depends on the width of vectors.
+    HWY_INLINE void push_where_it_acts(V change) {
+        const M idle = hn::Eq(change, hn::Zero(D()));
+        if (hn::AllTrue(D(), idle)) return;
+        const V spin_a = pair_.a.z;
+        const V spin_b = pair_.b.z;
+        push(change);
+        pair_.b.z = hn::IfThenElse(idle, spin_b, pair_.b.z);
+        if constexpr (Pair<kKind>::kMovesA) pair_.a.z = hn::IfThenElse(idle, spin_a, pair_.a.z);
     }
 
     // A gap may close, but no further. The result is by how much the impulse changed.

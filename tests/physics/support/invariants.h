@@ -178,6 +178,27 @@ inline bool contact_is_listed(const ContactStore& contacts, int contact) {
     return true;
 }
 
+/// What is kept of a near pair is what its shapes and bodies say, or will be after the next look at bodies
+/// whose shapes changed.
+inline void check_near_pairs(const Stores& stores) {
+    const ContactLanes& lanes = stores.contacts.lanes;
+    for (int g = 0; g < kPairGeometries; ++g) {
+        const auto geometry = static_cast<PairGeometry>(g);
+        for (int lane = 0; lane < lanes.near_count(geometry); ++lane) {
+            const NearPair& pair = lanes.near_pairs(geometry).at(static_cast<std::size_t>(lane));
+            const auto changes = [&](int body) { return stores.masses.entries.at(body).is_outdated; };
+            if (changes(pair.body_a) || changes(pair.body_b)) continue;
+            REQUIRE(geometry_of(stores, stores.contacts.slots[pair.contact]) == geometry);
+            const PairLane made = make_lane(stores, pair.contact);
+            REQUIRE(pair.reach_m == made.reach_m);
+            REQUIRE(pair.shape_a == made.shape_a);
+            REQUIRE(pair.shape_b == made.shape_b);
+            REQUIRE(pair.offset_a == made.offset_a);
+            REQUIRE(pair.offset_b == made.offset_b);
+        }
+    }
+}
+
 inline int count_listed(const ContactStore& contacts) {
     int count = static_cast<int>(contacts.loose.size());
     for (int geometry = 0; geometry < kPairGeometries; ++geometry)
@@ -320,6 +341,7 @@ inline void check_world(const WorldState& world) {
             return index != kNone;
         });
     check_colors(stores);
+    check_near_pairs(stores);
     check_contacts(world.stores);
     check_sleepers(world.stores);
     check_breakables(world.stores);

@@ -10,6 +10,7 @@
 #include "world/fast_bodies.h"
 #include "world/fracture.h"
 #include "world/joints.h"
+#include "world/material_mixing.h"
 #include "world/sleep.h"
 #include "world/step.h"
 
@@ -53,6 +54,7 @@ class Operations {
         if (choice < 60) return wake_body(stores, body);
         if (choice < 66) return put_island_to_sleep(stores, world_.scratch, body);
         if (choice < 72 && !shapes.empty()) return refilter(pick(shapes));
+        if (choice < 74 && !shapes.empty()) return make_of_other_material(pick(shapes));
         if (choice < 80) return push(body);
         if (choice < 81) return toggle_breakable(body);
         if (choice < 84 && bodies.size() < 100) return divide(body);
@@ -127,6 +129,11 @@ class Operations {
     void refilter(int shape) {
         redefine_shape(world_.stores, shape, [&](ShapeDef& def) { def.filter = random_filter(); });
         refilter_shape(world_, shape);
+    }
+    void make_of_other_material(int shape) {
+        const float friction = random_.real_f(0, 1);
+        redefine_shape(world_.stores, shape, [&](ShapeDef& def) { def.material.friction = friction; });
+        remix_contacts_of_shape(world_.stores, shape);
     }
     void push(int body) {
         if (!world_.stores.bodies.is_awake(body)) return;
