@@ -52,31 +52,25 @@ bool is_apart(const ContactConstraint& c, float separation, float base_impulse) 
     return separation > (base_impulse > 0 ? c.unit * tuning::kLinearSlop_m : 0);
 }
 
-// Non-penetration with a soft push-out.
-void solve_biased(ContactConstraint& c, ContactPointConstraint& p, Motion& a, Motion& b,
-                  const ContactRules& rules, float h_s) {
-    const float s = current_separation(a, b, p, c.normal);
-    p.end_separation = s;
-    const bool apart = is_apart(c, s, base_of(p));
-    const Softness soft = apart ? kRigid : c.softness;
-    // A gap may close, but no more; an overlap is pushed out.
-    const float bias = apart ? s / h_s : std::max(soft.bias_rate * s, -rules.max_push_out_speed_m_s);
-    const float wanted = p.normal_impulse -
-                         p.normal_mass * soft.mass_scale * (normal_velocity(c, p, a, b) + bias) -
-                         soft.impulse_scale * (p.normal_impulse - base_of(p));
-    set_impulse(c, p, a, b, std::max(wanted, 0.0f));
-}
+// What a normal row is to come to: Jv + bias + give (impulse - base) = 0, or more than 0 without impulse,
+// where give = K impulse_scale / mass_scale.
+struct NormalRow {
+    float bias = 0;
+    float mass_scale = 1;
+    float impulse_scale = 0;
+    float base = 0;
+};
 
 struct Impulses {
     float first;
     float second;
 };
 
-// Two points, each of which may push but not pull, and is not left slower than its target: the impulses x >=
-// 0 with K x + r >= 0 and x . (K x + r) = 0, r being the velocities without them. There are four cases: both
-// push, either, none.
+// Two points, each of which may push but not pull: the impulses x >= 0 with K x + r >= 0 and x . (K x + r) =
+// 0, r being what the rows miss without them, and K with what they give. There are four cases: both push,
+// either, none.
 std::optional<Impulses> solve_both(const ContactConstraint& c, const Motion& a, const Motion& b,
-                                   float target0, float target1) {
+                                   const std::array<NormalRow, 2>& rows) {
     const ContactPointConstraint& p = c.points[0];
     const ContactPointConstraint& q = c.points[1];
     const float k00 = 1 / p.normal_mass;
@@ -84,19 +78,60 @@ std::optional<Impulses> solve_both(const ContactConstraint& c, const Motion& a, 
     const float k01 = inverse_mass_along(a, c.normal) + inverse_mass_along(b, c.normal) +
                       a.inverse_inertia * cross(p.r_a, c.normal) * cross(q.r_a, c.normal) +
                       b.inverse_inertia * cross(p.r_b, c.normal) * cross(q.r_b, c.normal);
-    const float determinant = k00 * k11 - k01 * k01;
-    if (!(determinant > 1e-3f * k00 * k11)) return {};  // too near each other to be told apart
-    const float r0 =
-        normal_velocity(c, p, a, b) - target0 - (k00 * p.normal_impulse + k01 * q.normal_impulse);
-    const float r1 =
-        normal_velocity(c, q, a, b) - target1 - (k01 * p.normal_impulse + k11 * q.normal_impulse);
-    const Impulses both{(k01 * r1 - k11 * r0) / determinant, (k01 * r0 - k00 * r1) / determinant};
+    if (!(k00 * k11 - k01 * k01 > 1e-3f * k00 * k11)) return {};  // too near each other to be told apart
+    const float soft00 = k00 / rows[0].mass_scale;                // K + give, since the scales add up to 1
+    const float soft11 = k11 / rows[1].mass_scale;
+    const float r0 = normal_velocity(c, p, a, b) + rows[0].bias - (soft00 - k00) * rows[0].base -
+                     (k00 * p.normal_impulse + k01 * q.normal_impulse);
+    const float r1 = normal_velocity(c, q, a, b) + rows[1].bias - (soft11 - k11) * rows[1].base -
+                     (k01 * p.normal_impulse + k11 * q.normal_impulse);
+    const float determinant = soft00 * soft11 - k01 * k01;
+    const Impulses both{(k01 * r1 - soft11 * r0) / determinant, (k01 * r0 - soft00 * r1) / determinant};
     if (both.first >= 0 && both.second >= 0) return both;
-    const float first = -r0 / k00;
+    const float first = -r0 / soft00;
     if (first >= 0 && k01 * first + r1 >= 0) return Impulses{first, 0};
-    const float second = -r1 / k11;
+    const float second = -r1 / soft11;
     if (second >= 0 && k01 * second + r0 >= 0) return Impulses{0, second};
     return Impulses{0, 0};
+}
+
+void sweep_rows(ContactConstraint& c, Motion& a, Motion& b, const std::array<NormalRow, 2>& rows) {
+    for (int i = 0; i < c.count; ++i) {
+        ContactPointConstraint& p = c.points[i];
+        const NormalRow& row = rows[i];
+        const float wanted = p.normal_impulse -
+                             p.normal_mass * row.mass_scale * (normal_velocity(c, p, a, b) + row.bias) -
+                             row.impulse_scale * (p.normal_impulse - row.base);
+        set_impulse(c, p, a, b, std::max(wanted, 0.0f));
+    }
+}
+
+// Both points at once, if they can be told apart. One after the other, what lands flat would turn about the
+// first within the substep.
+void solve_rows(ContactConstraint& c, Motion& a, Motion& b, const std::array<NormalRow, 2>& rows) {
+    const auto both = c.count == 2 ? solve_both(c, a, b, rows) : std::nullopt;
+    if (!both) return sweep_rows(c, a, b, rows);
+    set_impulse(c, c.points[0], a, b, both->first);
+    set_impulse(c, c.points[1], a, b, both->second);
+}
+
+// Non-penetration with a soft push-out.
+void solve_biased(ContactConstraint& c, Motion& a, Motion& b, const ContactRules& rules, float h_s) {
+    std::array<NormalRow, 2> rows;
+    for (int i = 0; i < c.count; ++i) {
+        ContactPointConstraint& p = c.points[i];
+        const float s = current_separation(a, b, p, c.normal);
+        p.end_separation = s;
+        const float base = base_of(p);
+        // A gap may close, but no more; an overlap is pushed out.
+        if (is_apart(c, s, base)) {
+            rows[i].bias = s / h_s;
+        } else {
+            const float bias = std::max(c.softness.bias_rate * s, -rules.max_push_out_speed_m_s);
+            rows[i] = {bias, c.softness.mass_scale, c.softness.impulse_scale, base};
+        }
+    }
+    solve_rows(c, a, b, rows);
 }
 
 // Of joints that are solved directly, before contacts and after them. What it did to the bodies in the
@@ -134,18 +169,7 @@ void solve_friction(ContactConstraint& c, Motion& a, Motion& b) {
 }  // namespace
 
 void reach_targets(ContactConstraint& c, Motion& a, Motion& b, const std::array<float, 2>& targets) {
-    if (c.count == 2) {
-        if (const auto both = solve_both(c, a, b, targets[0], targets[1])) {
-            set_impulse(c, c.points[0], a, b, both->first);
-            set_impulse(c, c.points[1], a, b, both->second);
-            return;
-        }
-    }
-    for (int i = 0; i < c.count; ++i) {
-        ContactPointConstraint& p = c.points[i];
-        const float wanted = p.normal_impulse - p.normal_mass * (normal_velocity(c, p, a, b) - targets[i]);
-        set_impulse(c, p, a, b, std::max(wanted, 0.0f));
-    }
+    solve_rows(c, a, b, {NormalRow{.bias = -targets[0]}, NormalRow{.bias = -targets[1]}});
 }
 
 float separation_now(const ContactConstraint& c, const ContactPointConstraint& p, const Motions& motions) {
@@ -168,6 +192,7 @@ ContactConstraint make_contact(const ContactInput& input, const Motions& motions
     c.friction = input.friction;
     c.restitution = input.restitution;
     c.unit = input.unit;
+    c.reached_s = input.reached_s;
     c.friction_impulse = input.friction_impulse;
     c.surface_speed_m_s = input.surface_speed_m_s;
     c.rolling_m = input.rolling_m;
@@ -240,7 +265,7 @@ void solve_contact(ContactConstraint& c, Motions& motions, const ContactRules& r
         for (int i = 0; i < c.count; ++i) c.points[i].total_normal_impulse += c.points[i].normal_impulse;
     } else {
         // Normals first, so that friction is limited by their fresh impulses.
-        for (int i = 0; i < c.count; ++i) solve_biased(c, c.points[i], a, b, rules, h_s);
+        solve_biased(c, a, b, rules, h_s);
         solve_rolling(c, a, b);
         solve_friction(c, a, b);
     }

@@ -67,7 +67,8 @@ struct ContactConstraint {
     Vec2 normal;          // unit, from a to b
     float friction = 0;
     float restitution = 0;
-    float unit = 1;  // of lengths
+    float unit = 1;       // of lengths
+    float reached_s = 0;  // as in ContactInput
     Softness softness;
     int count = 0;
     std::array<ContactPointConstraint, 2> points{};

@@ -78,44 +78,55 @@ HWY_INLINE void disturb(const ContactBlock& block, int lane, V impulses, V inver
 template <BlockKind kKind, bool kWatched>
 HWY_INLINE void solve_lanes(ContactBlock& block, int lane, float* velocity, const ContactPassTime& time,
                             const Taking<kWatched>& taking, std::uint8_t* standing) {
-    const V zero = hn::Zero(D());
-    const V one = hn::Set(D(), 1);
+    const V one = set(1);
     const V nx = load(block.normal_x, lane);
     const V ny = load(block.normal_y, lane);
     Pair<kKind> pair(block, lane, velocity, nx, ny);
-    V change_sum = zero;
-    V impulse_sum = zero;
-    V kicks = zero;
-    for (ContactBlockPoint& point : block.points) {
-        const V s = load(point.separation, lane);
-        const V old = load(point.impulse, lane);
-        const V arm_a = load(point.arm_a, lane);
-        const V arm_b = load(point.arm_b, lane);
-        const V base = base_of(load(point.static_impulse, lane), old);
-        const auto apart = is_apart(s, base);
-        const V soft_bias = hn::Max(hn::Mul(hn::Set(D(), time.softness.bias_rate), s),
-                                    hn::Set(D(), -time.max_push_out_speed_m_s));
-        const V bias = hn::IfThenElse(apart, hn::Mul(s, hn::Set(D(), time.inverse_h_1_s)), soft_bias);
-        const V mass_scale = hn::IfThenElse(apart, one, hn::Set(D(), time.softness.mass_scale));
-        const V impulse_scale = hn::IfThenElse(apart, zero, hn::Set(D(), time.softness.impulse_scale));
-
-        const V mass = hn::Mul(load(point.mass, lane), mass_scale);
-        const V jv = pair.jv(pair.normal_velocity, arm_a, arm_b);
-        const V wanted = hn::Sub(hn::Sub(old, hn::Mul(mass, hn::Add(jv, bias))),
-                                 hn::Mul(impulse_scale, hn::Sub(old, base)));
-        const V impulse = taking(hn::Max(wanted, zero), old);
-        const V change = hn::Sub(impulse, old);
-        store(impulse, point.impulse, lane);
-        pair.turn(change, arm_a, arm_b);
-        pair.normal_velocity = hn::Add(pair.normal_velocity, hn::Mul(pair.inverse_mass, change));
-        change_sum = hn::Add(change_sum, change);
-        impulse_sum = hn::Add(impulse_sum, impulse);
-        if constexpr (kWatched) kicks = hn::Add(kicks, hn::Abs(change));
+    std::array<PointLanes, 2> points;
+    std::array<V, 2> base;
+    std::array<V, 2> mass_scale;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const ContactBlockPoint& stored = block.points[i];
+        PointLanes& p = points[i];
+        p.old = load(stored.impulse, lane);
+        p.arm_a = load(stored.arm_a, lane);
+        p.arm_b = load(stored.arm_b, lane);
+        p.mass = load(stored.mass, lane);
+        const V s = load(stored.separation, lane);
+        base[i] = base_of(load(stored.static_impulse, lane), p.old);
+        const M apart = is_apart(s, base[i]);
+        const V soft_bias =
+            hn::Max(hn::Mul(set(time.softness.bias_rate), s), set(-time.max_push_out_speed_m_s));
+        p.bias = hn::IfThenElse(apart, hn::Mul(s, set(time.inverse_h_1_s)), soft_bias);
+        mass_scale[i] = hn::IfThenElse(apart, one, set(time.softness.mass_scale));
     }
-    const V tangent_change = solve_friction(block, lane, pair, impulse_sum, taking);
-    pair.finish(block, lane, velocity, nx, ny, change_sum, tangent_change, taking);
-    if constexpr (kWatched)
-        disturb<kKind>(block, lane, hn::Add(kicks, hn::Abs(tangent_change)), pair.inverse_mass, standing);
+    const V old0 = points[0].old;
+    const V old1 = points[1].old;
+    const Normals rigid = couple(pair, points);
+    const Normals soft = softened(rigid, mass_scale[0], mass_scale[1]);
+    const V give0 = hn::Sub(soft.k00, rigid.k00);
+    const V give1 = hn::Sub(soft.k11, rigid.k11);
+    const V b0 = hn::Sub(
+        residual(pair, points[0]),
+        hn::Add(hn::Mul(give0, base[0]), hn::Add(hn::Mul(rigid.k00, old0), hn::Mul(rigid.k01, old1))));
+    const V b1 = hn::Sub(
+        residual(pair, points[1]),
+        hn::Add(hn::Mul(give1, base[1]), hn::Add(hn::Mul(rigid.k01, old0), hn::Mul(rigid.k11, old1))));
+    const Impulses found = solve_normals(soft, b0, b1, old1);
+    const Impulses now{taking(found.first, old0), taking(found.second, old1)};
+
+    store(now.first, block.points[0].impulse, lane);
+    store(now.second, block.points[1].impulse, lane);
+    const V change0 = hn::Sub(now.first, old0);
+    const V change1 = hn::Sub(now.second, old1);
+    pair.turn(change0, points[0].arm_a, points[0].arm_b);
+    pair.turn(change1, points[1].arm_a, points[1].arm_b);
+    const V tangent_change = solve_friction(block, lane, pair, hn::Add(now.first, now.second), taking);
+    pair.finish(block, lane, velocity, nx, ny, hn::Add(change0, change1), tangent_change, taking);
+    if constexpr (kWatched) {
+        const V kicks = hn::Add(hn::Abs(change0), hn::Add(hn::Abs(change1), hn::Abs(tangent_change)));
+        disturb<kKind>(block, lane, kicks, pair.inverse_mass, standing);
+    }
 }
 
 template <BlockKind kKind, bool kWatched>

@@ -155,9 +155,21 @@ HWY_INLINE Normals couple(const Pair<kKind>& pair, const std::array<PointLanes, 
     return n;
 }
 
-// Brings both points to their targets at once, since sweeping would leave a part of the push-out velocity. b
-// is what their velocities would miss if their impulses were zero. As solve_both in contact_constraint.cpp:
-// the case that fits is selected, from the last to the first.
+// The same of rows that give. What a row gives adds K impulse_scale / mass_scale to its K, which makes it
+// K / mass_scale, since the two scales add up to 1.
+HWY_INLINE Normals softened(Normals n, V mass_scale0, V mass_scale1) {
+    n.k00 = hn::Div(n.k00, mass_scale0);
+    n.k11 = hn::Div(n.k11, mass_scale1);
+    n.mass0 = hn::Mul(n.mass0, mass_scale0);
+    n.mass1 = hn::Mul(n.mass1, mass_scale1);
+    n.k01_mass0 = hn::Mul(n.k01, n.mass0);
+    n.inverse = hn::Div(set(1), hn::Sub(hn::Mul(n.k00, n.k11), hn::Mul(n.k01, n.k01)));
+    return n;
+}
+
+// Brings both points to their targets at once: sweeping would leave a part of the push-out velocity, and turn
+// what lands flat about its first point. b is what their velocities would miss if their impulses were zero.
+// As solve_both in contact_constraint.cpp: the case that fits is selected, from the last to the first.
 HWY_INLINE Impulses solve_normals(const Normals& n, V b0, V b1, V old1) {
     const V zero = hn::Zero(D());
     const V both0 = hn::Mul(n.inverse, hn::Sub(hn::Mul(n.k01, b1), hn::Mul(n.k11, b0)));

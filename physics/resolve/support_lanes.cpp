@@ -26,7 +26,7 @@ HWY_INLINE void find_part(const ContactBlock& block, BlockKind kind, Vec2 up, in
     const auto b_stands_int = hn::RebindMask(DI(), b_stands);
     const M has_point = hn::Gt(load(block.points[0].mass, lane), zero);
     const M has_two = hn::Gt(load(block.points[1].mass, lane), zero);
-    M bears = hn::Gt(hn::Abs(along), set(kBearing));
+    M bears = hn::Gt(hn::Abs(along), set(kind == BlockKind::TwoBodies ? kBearingBetween : kBearing));
     const VI a = load(block.a, lane);
     const VI b = load(block.b, lane);
     VI lower = hn::IfThenElse(b_stands_int, a, b);

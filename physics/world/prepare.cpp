@@ -174,15 +174,22 @@ void collect_outcomes(const ContactStore& contacts, StepScratch& scratch, TaskPo
     });
 }
 
-void store_contact_impulses(ContactStore& contacts, const StepScratch& scratch) {
+void store_contact_impulses(ContactStore& contacts, const StepTime& time, const StepScratch& scratch) {
     for (const ContactConstraint& c : scratch.contacts) {
         ContactRecord& record = contacts.slots[c.contact];
         ContactMemory memory;
+        // What came to a stop in the last substep has been stopped: it is not to be pushed as much again, but
+        // only to be borne.
+        const bool is_blow = c.reached_s > time.dt_s - time.h_s;
+        float normal = 0;
         for (int i = 0; i < c.count; ++i) {
-            memory.features[i] = c.points[i].feature;
-            memory.impulse[i] = c.points[i].normal_impulse;
+            const ContactPointConstraint& p = c.points[i];
+            memory.features[i] = p.feature;
+            memory.impulse[i] = is_blow ? std::min(p.normal_impulse, p.static_impulse) : p.normal_impulse;
+            normal += memory.impulse[i];
         }
-        memory.friction_impulse = c.friction_impulse;
+        const float most = c.friction * normal;
+        memory.friction_impulse = is_blow ? std::clamp(c.friction_impulse, -most, most) : c.friction_impulse;
         if (is_colored(record.bucket)) {
             contacts.lanes.set_memory(record.lane, memory);
         } else {

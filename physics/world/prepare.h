@@ -33,6 +33,6 @@ void choose_movers(const Stores& stores, StepScratch& scratch);
 void collect_outcomes(const ContactStore& contacts, StepScratch& scratch, TaskPool& tasks);
 
 /// Stage: impulses of contacts in plain form, to start the next step from.
-void store_contact_impulses(ContactStore& contacts, const StepScratch& scratch);
+void store_contact_impulses(ContactStore& contacts, const StepTime& time, const StepScratch& scratch);
 
 }  // namespace cairn::physics

@@ -21,6 +21,10 @@ namespace {
 // Supports this near each other, squared and scaled as arms are, act as one.
 constexpr float kNarrow = 1e-8f;
 
+// m/s, at which one point comes down or lifts off faster than the other. Up to this what stands on both
+// counts as standing, and from twice as much as rocking.
+constexpr float kRockingSpeed_m_s = 0.02f;
+
 // What a thread takes at once.
 constexpr int kBlocksPerChunk = 32;
 
@@ -135,9 +139,14 @@ class Estimate {
         const std::span<const int> blocks = lanes_.blocks_in_memory();
         tasks.parallel_for(static_cast<int>(blocks.size()), kBlocksPerChunk, [&](const Chunk& chunk) {
             for (int i = chunk.begin; i < chunk.end; ++i) {
-                ContactBlock& block = lanes_.block(blocks[i]);
-                for (std::size_t k = 0; k < 2; ++k)
-                    block.points[k].static_impulse = scratch_.supports[blocks[i]].impulse[k];
+                SupportLanes& from = scratch_.supports[blocks[i]];
+                ContactBlock& to = lanes_.block(blocks[i]);
+                for (int lane = 0; lane < kLanes; ++lane) {
+                    if (from.upper[lane] == kWorldRow || from.points[lane] < 2) continue;
+                    const float trust = trust_in(to, lane);
+                    for (Lanes<float>& impulse : from.impulse) impulse[lane] *= trust;
+                }
+                for (std::size_t k = 0; k < 2; ++k) to.points[k].static_impulse = from.impulse[k];
             }
         });
         for (std::size_t i = 0; i < step_.scalar_contacts.size(); ++i) {
@@ -150,6 +159,16 @@ class Estimate {
 
   private:
     [[nodiscard]] bool has_weight(int row) const { return motions_.velocity[row].inverse_mass > 0; }
+
+    // What stands on two points may rock from one to the other, and the more it does the less the estimate
+    // says of either: one that yielded as it came down would be put up to the estimate again, and so the body
+    // lifted with each turn. From 1 for what stands down to 0.
+    [[nodiscard]] float trust_in(const ContactBlock& block, int lane) const {
+        const auto& [p, q] = block.points;
+        const float speed_m_s = (q.arm_b[lane] - p.arm_b[lane]) * motions_.velocity[block.b[lane]].w -
+                                (q.arm_a[lane] - p.arm_a[lane]) * motions_.velocity[block.a[lane]].w;
+        return std::clamp(2 - std::fabs(speed_m_s) / kRockingSpeed_m_s, 0.0f, 1.0f);
+    }
 
     // Fast bodies have contacts with what they may meet within the step, however far off: it bears nothing
     // yet.

@@ -111,7 +111,7 @@ void step_world(WorldState& world, float dt_s) {
     turn_arms_back(scratch, acting_substeps);
     report_contacts(stores, scratch, def.hit_speed_m_s, world.events);
     find_overloads(stores, scratch, world.events);
-    store_contact_impulses(stores.contacts, scratch);
+    store_contact_impulses(stores.contacts, time, scratch);
     store_direct(world.direct, stores, scratch);
     store_joint_impulses(stores.joints, time, scratch);
     clock.enter(Stage::Finalize);

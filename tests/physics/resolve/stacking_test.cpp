@@ -170,6 +170,45 @@ TEST_CASE("ten boxes dropped onto each other come to stand") {
     CHECK(aside_m.back() < 0.06);
 }
 
+TEST_CASE("what lands flat lies flat, however fast, and wherever in a step it lands") {
+    for (const double speed_m_s : {2.0, 5.0, 10.0, 20.0, 50.0, 200.0}) {
+        for (int phase = 0; phase < 50; ++phase) {
+            World world({.enable_sleep = false});
+            add_ground(world);
+            const BodyId box = add(world,
+                                   {.position_m = {0, 0.6 + speed_m_s * (1 + 0.02 * phase) / 60},
+                                    .linear_velocity_m_s = {0, static_cast<float>(-speed_m_s)}},
+                                   Box{0.5f, 0.5f});
+            for (int step = 0; step < 30; ++step) {
+                step_times(world, 1);
+                INFO(speed_m_s << " m/s, phase " << phase << ", step " << step);
+                REQUIRE(std::fabs(world.body(box)->angle()) < 1e-5);
+                REQUIRE(std::fabs(world.body(box)->position().x) < 1e-5);
+            }
+            CHECK(world.body(box)->position().y == Approx(0.5).margin(1e-4));
+        }
+    }
+}
+
+TEST_CASE("two bricks on half a one come to rest after a push") {
+    for (int i = 0; i < 300; ++i) {
+        World world({.enable_sleep = false});
+        add_ground(world);
+        const float push_m_s = 0.02f + 0.02f * static_cast<float>(i % 10);
+        const double left_m = -0.13 + 0.002 * (i / 10);
+        const std::array<BodyId, 3> bricks{
+            add(world, {.position_m = {0, 0.125}}, Box{0.125f, 0.125f}),
+            add(world, {.position_m = {left_m, 0.375}}, Box{0.25f, 0.125f}),
+            add(world, {.position_m = {-0.006, 0.625}, .linear_velocity_m_s = {push_m_s, 0}},
+                Box{0.25f, 0.125f})};
+        run_for(world, 10);
+        for (const BodyId brick : bricks) {
+            INFO("start " << i);
+            CHECK(length(world.body(brick)->linear_velocity()) < 1e-3f);
+        }
+    }
+}
+
 TEST_CASE("a tower of five boxes of different sizes stands") {
     for (const auto& halves :
          {std::array{1.0f, 0.8f, 0.6f, 0.4f, 0.2f}, std::array{0.5f, 0.3f, 0.6f, 0.4f, 0.5f}}) {

@@ -90,8 +90,8 @@ TEST_CASE("what stands on what, and at which horizontal distance, follows from t
                 const float across = std::fabs(dot(lane.normal, right_perp(up)));
                 const bool is_slope = kind == BlockKind::OneBody && along > kSlope &&
                                       (lane.count == 1 || lane.friction * along >= across);
-                const bool is_flat =
-                    std::fabs(along) > kBearing && (kind == BlockKind::TwoBodies || b_stands);
+                const bool is_flat = kind == BlockKind::TwoBodies ? std::fabs(along) > kBearingBetween
+                                                                  : b_stands && along > kBearing;
                 const bool bears = lane.count > 0 && (is_flat || is_slope);
                 slopes += bears && !is_flat ? 1 : 0;
                 if (!bears) {

@@ -281,6 +281,39 @@ TEST_CASE("fast bodies meet slow dynamic ones, and give them their momentum") {
     CHECK(world.body(bullet)->linear_velocity().x == Approx(150).epsilon(1e-3));
 }
 
+TEST_CASE(
+    "two bullets that meet head on go on as the law of restitution has it, wherever in a step they meet") {
+    const std::array<Geometry, 2> forms{Circle{{}, 0.05f}, Box{0.05f, 0.05f}};
+    for (const float speed : {40.0f, 200.0f, 1000.0f}) {
+        for (const float restitution : {0.0f, 0.5f, 1.0f}) {
+            for (int trial = 0; trial < 40; ++trial) {
+                World world({.gravity_m_s2 = {}, .enable_sleep = false});
+                const Geometry& form = forms[static_cast<std::size_t>(trial % 2)];
+                ShapeDef def{.density_kg_m2 = 1, .material = {.friction = 0, .restitution = restitution}};
+                const BodyId left = add(world, {.linear_velocity_m_s = {speed, 0}}, form, def);
+                const float ratio = trial % 4 < 2 ? 1.0f : 3.0f;
+                def.density_kg_m2 = ratio;
+                // The second comes from up to ten steps away.
+                const double way_m = 1 + static_cast<double>(speed) / 60 * 0.25 * trial;
+                const BodyId right = add(
+                    world, {.position_m = {way_m, 0}, .linear_velocity_m_s = {-0.75f * speed, 0}}, form, def);
+                for (int step = 0; step < 30; ++step) {
+                    world.step(kStep_s).value();
+                    INFO(speed << " m/s, restitution " << restitution << ", trial " << trial);
+                    REQUIRE(world.body(left)->position().x < world.body(right)->position().x);
+                }
+                const float mean = speed * (1 - 0.75f * ratio) / (1 + ratio);
+                const float apart = restitution * 1.75f * speed / (1 + ratio);
+                INFO(speed << " m/s, restitution " << restitution << ", trial " << trial);
+                CHECK(world.body(left)->linear_velocity().x ==
+                      Approx(mean - ratio * apart).margin(1e-3 * static_cast<double>(speed)));
+                CHECK(world.body(right)->linear_velocity().x ==
+                      Approx(mean + apart).margin(1e-3 * static_cast<double>(speed)));
+            }
+        }
+    }
+}
+
 TEST_CASE("what flies behind another does not pass through it when a wall has stopped that") {
     // On their expected ways the two never meet.
     for (const float speed : {40.0f, 60.0f, 90.0f}) {
