@@ -39,18 +39,27 @@ void for_each_active(const Stores& stores, const Visit& visit) {
                        ask, visit);
 }
 
-bool is_uneven(float least_inverse_mass, float most_inverse_mass, float ratio) {
-    return least_inverse_mass > 0 && most_inverse_mass / least_inverse_mass > ratio;
+}  // namespace
+
+void StructureSearch::Masses::widen(float inverse_mass) {
+    if (inverse_mass <= 0) return;
+    if (least_inverse == 0 || inverse_mass < least_inverse) least_inverse = inverse_mass;
+    most_inverse = std::max(most_inverse, inverse_mass);
 }
 
-}  // namespace
+bool StructureSearch::Masses::are_uneven(float ratio) const {
+    return least_inverse > 0 && most_inverse / least_inverse > ratio;
+}
 
 void StructureSearch::find(const Stores& stores, JointSolver solver, std::vector<DirectStructure>& structures,
                            std::vector<DirectStructure>& without_loads) {
     recycle(without_loads);
     recycle(structures);
     if (solver == JointSolver::Sweeping || stores.joints.active.size() == 0) return;
-    note_movers(stores);
+    const Masses masses = note_movers(stores);
+    // What nothing holds, of masses like each other, is swept: ragdolls that tumble need no lists.
+    static_assert(kMassRatio <= kUnevenMasses);
+    if (solver != JointSolver::Direct && !masses.are_uneven(kMassRatio) && !is_any_held(stores)) return;
     join(stores);
     sum_up(stores);
     list(stores, solver, structures, without_loads);
@@ -80,14 +89,25 @@ DirectStructure StructureSearch::new_structure(const Summary& s) {
     return made;
 }
 
-void StructureSearch::note_movers(const Stores& stores) {
+StructureSearch::Masses StructureSearch::note_movers(const Stores& stores) {
+    Masses masses;
     moves_.assign(at(stores.bodies.slots.end_index()), 0);
     inverse_mass_.resize(moves_.size());
     for (const int body : stores.bodies.rows(RowSet::Awake).body) {
         const BodyRecord& record = stores.bodies.slots[body];
         moves_[at(body)] = record.inverse_mass > 0 || record.inverse_inertia > 0 ? 1 : 0;
         inverse_mass_[at(body)] = record.inverse_mass;
+        masses.widen(record.inverse_mass);
     }
+    return masses;
+}
+
+bool StructureSearch::is_any_held(const Stores& stores) const {
+    bool found = false;
+    for_each_active(stores, [&](int joint) {
+        for_each_body(stores, joint, [&](int body) { found = found || !moves(body); });
+    });
+    return found;
 }
 
 void StructureSearch::join(const Stores& stores) {
@@ -132,11 +152,7 @@ void StructureSearch::sum_up(const Stores& stores) {
             if (!moves(body) || seen_[at(body)]) return;
             seen_[at(body)] = 1;
             ++s.bodies;
-            const float inverse_mass = inverse_mass_[at(body)];
-            if (inverse_mass <= 0) return;
-            if (s.least_inverse_mass == 0 || inverse_mass < s.least_inverse_mass)
-                s.least_inverse_mass = inverse_mass;
-            s.most_inverse_mass = std::max(s.most_inverse_mass, inverse_mass);
+            s.masses.widen(inverse_mass_[at(body)]);
         });
     });
 }
@@ -146,7 +162,7 @@ bool StructureSearch::is_pendulum(const Summary& s) {
 }
 
 bool StructureSearch::bears_with_few(const Summary& s) {
-    return s.joints < kFewestJoints && is_uneven(s.least_inverse_mass, s.most_inverse_mass, kUnevenMasses);
+    return s.joints < kFewestJoints && s.masses.are_uneven(kUnevenMasses);
 }
 
 bool StructureSearch::may_be_hard(const Summary& s) {
@@ -154,7 +170,7 @@ bool StructureSearch::may_be_hard(const Summary& s) {
     if (static_cast<float>(s.joints) > kJointsPerBody * static_cast<float>(s.bodies) + kSpareJoints)
         return false;
     const bool may_be_deep = s.is_held && s.joints > kDepth;
-    return may_be_deep || is_uneven(s.least_inverse_mass, s.most_inverse_mass, kMassRatio);
+    return may_be_deep || s.masses.are_uneven(kMassRatio);
 }
 
 bool StructureSearch::may_need_loads(const Summary& s) {
@@ -214,7 +230,7 @@ void StructureSearch::number_bodies(const DirectStructure& s) {
 bool StructureSearch::is_hard_to_sweep(const DirectStructure& s, const Summary& summary,
                                        const Stores& stores) {
     if (summary.joints < kFewestJoints) return true;
-    const bool uneven = is_uneven(summary.least_inverse_mass, summary.most_inverse_mass, kMassRatio);
+    const bool uneven = summary.masses.are_uneven(kMassRatio);
     if (!uneven && depth_of(s, stores) <= kDepth) return false;
     return products_per_joint(s, stores) <= kMaxProducts;
 }

@@ -32,20 +32,27 @@ class StructureSearch {
     void recycle(std::vector<DirectStructure>& structures);
 
   private:
+    struct Masses {
+        float least_inverse = 0;  // of bodies that have mass; 0: none has
+        float most_inverse = 0;
+
+        void widen(float inverse_mass);
+        [[nodiscard]] bool are_uneven(float ratio) const;
+    };
     // What is known of a structure before it has lists.
     struct Summary {
         int joints = 0;
         int bodies = 0;
-        float least_inverse_mass = 0;  // of bodies that have mass; 0: none has
-        float most_inverse_mass = 0;
+        Masses masses;
         bool is_held = false;     // by what does not move
         bool plain_pins = true;   // and nothing else
         bool lacks_load = false;  // of one of them
         int listed = -1;          // place among the structures
     };
 
-    void note_movers(const Stores& stores);
+    Masses note_movers(const Stores& stores);
     [[nodiscard]] bool moves(int body) const { return moves_[static_cast<std::size_t>(body)] != 0; }
+    [[nodiscard]] bool is_any_held(const Stores& stores) const;
     void join(const Stores& stores);
     void sum_up(const Stores& stores);
     [[nodiscard]] static bool is_pendulum(const Summary& s);
