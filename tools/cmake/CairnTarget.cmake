@@ -10,7 +10,7 @@ function(cairn_compile_options target)
   target_compile_options(${target} PRIVATE -ffp-contract=off -Wall -Wextra -Wpedantic -Wshadow -Wconversion
                                            -Wno-sign-conversion -Wnon-virtual-dtor -Woverloaded-virtual
                                            -Wno-missing-field-initializers $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
-  # Told of a processor that has it (-march=native), g++ 12 contracts all the same where it adds and subtracts in turn.
+  # Told of a processor that has FMA, g++ 12 contracts all the same where it adds and subtracts in turn.
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_SYSTEM_PROCESSOR MATCHES "86|AMD64")
     target_compile_options(${target} PRIVATE -mno-fma)
   endif()
