@@ -77,7 +77,6 @@ void ContactLanes::make_room(std::size_t contacts) {
 }
 
 int ContactLanes::add(int bucket, const PairLane& pair) {
-    if (!is_colored(bucket)) return add_near(geometry_of(bucket), pair);
     const int lane = open_lane(bucket);
     write_pair(pairs_[lane / kLanes], lane % kLanes, pair);
     return lane;
@@ -125,20 +124,11 @@ ContactLanes::Moved ContactLanes::move(int bucket, int lane, int to_bucket) {
     return {to, remove(bucket, lane)};
 }
 
-int ContactLanes::add_near(PairGeometry geometry, const PairLane& pair) {
+int ContactLanes::add_near(PairGeometry geometry, const NearPair& pair) {
     std::vector<NearPair>& pairs = near_[index(geometry)];
     const int lane = near_count_[index(geometry)]++;
     if (lane == static_cast<int>(pairs.size())) cover_amply(pairs, pairs.size() + kLanes);
-    NearPair& to = pairs[lane];
-    to.body_a = pair.body_a;
-    to.body_b = pair.body_b;
-    to.reach_m = pair.reach_m;
-    to.flags = pair.remembers ? near_flag::kRemembers : 0;
-    to.contact = pair.contact;
-    to.shape_a = pair.shape_a;
-    to.shape_b = pair.shape_b;
-    to.offset_a = pair.offset_a;
-    to.offset_b = pair.offset_b;
+    pairs[lane] = pair;
     return lane;
 }
 

@@ -53,7 +53,7 @@ struct BlockLink {
     int next = kNone;
 };
 
-/// A pair of shapes, to be put into a list of near pairs or a lane of a PairBlock.
+/// A pair of shapes, to be put into a lane of a PairBlock.
 struct PairLane {
     std::int32_t contact = kNone;
     std::int32_t body_a = kNone;
@@ -64,11 +64,9 @@ struct PairLane {
     Vec2 half_b;
     Vec2 offset_a;
     Vec2 offset_b;
-    float reach_m = 0;  // see NearPair
     bool reports = false;
     bool impacts = false;
     bool faint = false;
-    bool remembers = false;
 };
 
 /// What a contact remembers from step to step.
@@ -111,8 +109,11 @@ class ContactLanes {
   public:
     /// Before so many contacts more come into colours: room for them, at once.
     void make_room(std::size_t contacts);
-    /// Puts a contact in. The result is its lane: the number of the block times kLanes, plus the place in it.
+    /// Puts a contact into a colour. The result is its lane: the number of the block times kLanes, plus the
+    /// place in it.
     int add(int bucket, const PairLane& lane);
+    /// Puts one without points into the near bucket. The result is its lane.
+    int add_near(PairGeometry geometry, const NearPair& pair);
     /// The contact that took the freed lane, or kNone.
     int remove(int bucket, int lane);
     /// What a lane holds goes to another bucket in a colour.
@@ -211,7 +212,6 @@ class ContactLanes {
     [[nodiscard]] int bucket_end() const { return static_cast<int>(chains_.size()); }
     void arrange_domain(int domain);
     static std::size_t index(PairGeometry geometry) { return static_cast<std::size_t>(geometry); }
-    int add_near(PairGeometry geometry, const PairLane& lane);
     int remove_near(PairGeometry geometry, int lane);
     int open_lane(int bucket);
     int open_block(int bucket);

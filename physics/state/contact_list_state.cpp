@@ -187,9 +187,9 @@ class Placing {
         if (!in_.require(record != nullptr, kMisplaced)) return false;
         const bool fits = geometry_of(stores_, *record) == geometry && remembers <= near_flag::kRemembers;
         if (!in_.require(fits, "a pair without points is among others of another form")) return false;
-        PairLane pair = make_lane(stores_, contact);
-        pair.remembers = remembers != 0;
-        stores_.contacts.lanes.add(bucket, pair);
+        NearPair pair = make_near_pair(stores_, contact, geometry);
+        pair.flags = remembers;
+        stores_.contacts.lanes.add_near(geometry, pair);
         return true;
     }
 

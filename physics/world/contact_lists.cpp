@@ -23,9 +23,15 @@ void note_if_uneven(Stores& stores, int contact) {
         stores.contacts.uneven.add(stores.contacts.slots, contact);
 }
 
-// How far the shape reaches from its body's centre of mass.
-float reach_of(const Stores& stores, int body, int shape) {
-    return farthest_distance(stores.shapes[shape].convex(), stores.bodies.slots[body].mass.center_m);
+// How far the shape reaches from its body's centre of mass, which mostly is its own.
+float reach_of(const ShapePrototype& shape, Vec2 center_m) {
+    if (shape.convex.centroid == center_m) return shape.reach_m;
+    return farthest_distance(shape.convex, center_m);
+}
+
+// As in BoxLanes.
+Vec2 offset_of(const Convex& shape, Vec2 center_m, PairGeometry geometry) {
+    return geometry == PairGeometry::Boxes ? shape.centroid - center_m : -center_m;
 }
 
 // Moves the bits of the two bodies; immovable ones have no part in colours.
@@ -103,20 +109,36 @@ PairLane make_lane(const Stores& stores, int contact) {
     lane.body_b = c.body_b;
     lane.shape_a = c.shape_a;
     lane.shape_b = c.shape_b;
-    lane.offset_a = -stores.bodies.slots[c.body_a].mass.center_m;
-    lane.offset_b = -stores.bodies.slots[c.body_b].mass.center_m;
-    if (geometry_of(stores, c) == PairGeometry::Boxes) {
+    const PairGeometry geometry = geometry_of(stores, c);
+    lane.offset_a = offset_of(a, stores.bodies.slots[c.body_a].mass.center_m, geometry);
+    lane.offset_b = offset_of(b, stores.bodies.slots[c.body_b].mass.center_m, geometry);
+    if (geometry == PairGeometry::Boxes) {
         lane.half_a = a.half_size;
         lane.half_b = b.half_size;
-        lane.offset_a += a.centroid;
-        lane.offset_b += b.centroid;
     }
-    lane.reach_m = reach_of(stores, c.body_a, c.shape_a) + reach_of(stores, c.body_b, c.shape_b);
     lane.reports = c.reports_touch || special::has(c, special::kWatched);
     lane.faint = faint_restitution(c) > 0;
     lane.impacts = (c.restitution > 0 && !lane.faint) || c.reports_hit;
-    lane.remembers = c.has_points;
     return lane;
+}
+
+NearPair make_near_pair(const Stores& stores, int contact, PairGeometry geometry) {
+    const ContactRecord& c = stores.contacts.slots[contact];
+    const ShapePrototype& a = *stores.shapes[c.shape_a].prototype;
+    const ShapePrototype& b = *stores.shapes[c.shape_b].prototype;
+    const Vec2 center_a = stores.bodies.slots[c.body_a].mass.center_m;
+    const Vec2 center_b = stores.bodies.slots[c.body_b].mass.center_m;
+    NearPair pair;
+    pair.body_a = c.body_a;
+    pair.body_b = c.body_b;
+    pair.reach_m = reach_of(a, center_a) + reach_of(b, center_b);
+    pair.flags = c.has_points ? near_flag::kRemembers : 0;
+    pair.contact = contact;
+    pair.shape_a = c.shape_a;
+    pair.shape_b = c.shape_b;
+    pair.offset_a = offset_of(a.convex, center_a, geometry);
+    pair.offset_b = offset_of(b.convex, center_b, geometry);
+    return pair;
 }
 
 ContactMemory memory_of(const ContactStore& contacts, int contact) {
@@ -131,8 +153,9 @@ void list_contact(Stores& stores, int contact) {
     if (!stores.bodies.is_awake(c.body_a) && !stores.bodies.is_awake(c.body_b)) return;
     note_if_uneven(stores, contact);
     if (is_loose(c)) return add_loose(stores.contacts, contact);
-    c.bucket = near_bucket(geometry_of(stores, c));
-    c.lane = stores.contacts.lanes.add(c.bucket, make_lane(stores, contact));
+    const PairGeometry geometry = geometry_of(stores, c);
+    c.bucket = near_bucket(geometry);
+    c.lane = stores.contacts.lanes.add_near(geometry, make_near_pair(stores, contact, geometry));
 }
 
 void unlist_contact(Stores& stores, int contact) {

@@ -8,8 +8,11 @@ namespace cairn::physics {
 /// Which routine finds the manifold of its shapes.
 PairGeometry geometry_of(const Stores& stores, const ContactRecord& contact);
 
-/// What its lane is to hold.
+/// What its lane in a colour is to hold.
 PairLane make_lane(const Stores& stores, int contact);
+
+/// What it is to be among the pairs without points.
+NearPair make_near_pair(const Stores& stores, int contact, PairGeometry geometry);
 
 /// Puts a contact that is in no list among the near ones, if one of its bodies is awake.
 void list_contact(Stores& stores, int contact);

@@ -17,7 +17,8 @@ class Words {
   public:
     explicit Words(const ShapePrototype& prototype) {
         // Bindings name all members, or do not compile.
-        const auto& [convex, def, users, place, digest] = prototype;
+        const auto& [convex, def, users, place, digest, reach] =
+            prototype;  // the last follows from the first
         const auto& [owns_end, is_box, centroid, half_size, outline, normals] = convex;
         const auto& [kind, count, radius_m, points_m] = outline;
         const auto& [density, material, filter, contact_events, hit_events, sensor, seen_by_sensors,
@@ -88,6 +89,7 @@ ShapePrototype* ShapePrototypes::take(const Convex& convex, const ShapeDef& def)
         return &known;
     }
     wanted.users = 1;
+    wanted.reach_m = farthest_distance(convex, convex.centroid);
     if (first_free_ == kEmpty) {
         wanted.place = static_cast<std::uint32_t>(prototypes_.size());
         push_amply(prototypes_, std::make_unique<ShapePrototype>(wanted));

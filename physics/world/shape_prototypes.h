@@ -21,6 +21,7 @@ struct ShapePrototype {
     int users = 0;             // shapes that are made of it
     std::uint32_t place = 0;   // among all; of one that went, the place of the next such
     std::uint32_t digest = 0;  // of all bits of the first two
+    float reach_m = 0;         // of the convex shape, from its centroid
 };
 
 class ShapePrototypes {

@@ -47,10 +47,23 @@ PairLane random_lane(Random& random, int contact) {
     lane.half_b = random.vector(0, 1);
     lane.offset_a = random.vector(-1, 1);
     lane.offset_b = random.vector(-1, 1);
-    lane.reach_m = random.real_f(0, 3);
     lane.reports = random.chance(0.3);
-    lane.remembers = random.chance(0.3);
     return lane;
+}
+
+// Of a lane as it may be in a near bucket.
+NearPair near_pair(const PairLane& lane) {
+    NearPair pair;
+    pair.contact = lane.contact;
+    pair.body_a = lane.body_a;
+    pair.body_b = lane.body_b;
+    pair.shape_a = lane.shape_a;
+    pair.shape_b = lane.shape_b;
+    pair.offset_a = lane.offset_a;
+    pair.offset_b = lane.offset_b;
+    pair.reach_m = lane.half_a.x;
+    pair.flags = lane.reports ? near_flag::kRemembers : 0;
+    return pair;
 }
 
 bool holds(const PairBlock& pairs, int lane, const PairLane& expected) {
@@ -69,8 +82,8 @@ bool holds(const NearPair& pair, const PairLane& expected) {
     return pair.contact == expected.contact && pair.body_a == expected.body_a &&
            pair.body_b == expected.body_b && pair.shape_a == expected.shape_a &&
            pair.shape_b == expected.shape_b && pair.offset_a == expected.offset_a &&
-           pair.offset_b == expected.offset_b && pair.reach_m == expected.reach_m &&
-           pair.flags == (expected.remembers ? near_flag::kRemembers : 0);
+           pair.offset_b == expected.offset_b && pair.reach_m == expected.half_a.x &&
+           pair.flags == (expected.reports ? near_flag::kRemembers : 0);
 }
 
 bool holds(const ContactMemory& found, const ContactMemory& expected) {
@@ -150,7 +163,8 @@ void add(Random& random, int contact, ContactLanes& lanes, Model& model) {
     Kept kept;
     kept.bucket = kSomeBuckets[random.below(static_cast<int>(kSomeBuckets.size()))];
     kept.pair = random_lane(random, contact);
-    kept.lane = lanes.add(kept.bucket, kept.pair);
+    kept.lane = is_colored(kept.bucket) ? lanes.add(kept.bucket, kept.pair)
+                                        : lanes.add_near(geometry_of(kept.bucket), near_pair(kept.pair));
     if (is_colored(kept.bucket)) {
         REQUIRE(holds(lanes.memory(kept.lane), ContactMemory{}));
         REQUIRE(is_inert(lanes.block(kept.lane / kLanes), kept.lane % kLanes));

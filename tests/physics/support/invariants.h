@@ -189,7 +189,7 @@ inline void check_near_pairs(const Stores& stores) {
             const auto changes = [&](int body) { return stores.masses.entries.at(body).is_outdated; };
             if (changes(pair.body_a) || changes(pair.body_b)) continue;
             REQUIRE(geometry_of(stores, stores.contacts.slots[pair.contact]) == geometry);
-            const PairLane made = make_lane(stores, pair.contact);
+            const NearPair made = make_near_pair(stores, pair.contact, geometry);
             REQUIRE(pair.reach_m == made.reach_m);
             REQUIRE(pair.shape_a == made.shape_a);
             REQUIRE(pair.shape_b == made.shape_b);
