@@ -37,7 +37,10 @@ class ChunkedList {
             list.items.clear();
             reserve_amply(list.items, std::min(most_, 2 * most_ / threads));
         }
-        assign_amply(parts_, static_cast<std::size_t>(chunk_count(count, grain)), Part{});
+        // Mostly as many as before, and few.
+        const auto chunks = static_cast<std::size_t>(chunk_count(count, grain));
+        if (parts_.size() != chunks) resize_amply(parts_, chunks);
+        for (Part& part : parts_) part = {};
     }
 
     /// What a chunk appends to; nothing else does meanwhile.
