@@ -21,9 +21,9 @@ namespace {
 // Supports this near each other, squared and scaled as arms are, act as one.
 constexpr float kNarrow = 1e-8f;
 
-// m/s, at which one point comes down or lifts off faster than the other, or both slide. Up to this what
-// stands on both counts as standing, and from twice as much as moving.
-constexpr float kStandingSpeed_m_s = 0.02f;
+// m/s, at which one point comes down or lifts off faster than the other. Up to this what stands on both
+// counts as standing, and from twice as much as rocking.
+constexpr float kRockingSpeed_m_s = 0.02f;
 
 // What a thread takes at once.
 constexpr int kBlocksPerChunk = 32;
@@ -162,19 +162,12 @@ class Estimate {
 
     // What stands on two points may rock from one to the other, and the more it does the less the estimate
     // says of either: one that yielded as it came down would be put up to the estimate again, and so the body
-    // lifted with each turn. What slides is not in balance, and bears what is on its way as well: piles that
-    // slump would be driven apart. From 1 for what stands down to 0.
+    // lifted with each turn. From 1 for what stands down to 0.
     [[nodiscard]] float trust_in(const ContactBlock& block, int lane) const {
         const auto& [p, q] = block.points;
-        const VelocityRow& a = motions_.velocity[block.a[lane]];
-        const VelocityRow& b = motions_.velocity[block.b[lane]];
-        const float rocking_m_s =
-            (q.arm_b[lane] - p.arm_b[lane]) * b.w - (q.arm_a[lane] - p.arm_a[lane]) * a.w;
-        const Vec2 tangent = right_perp({block.normal_x[lane], block.normal_y[lane]});
-        const float sliding_m_s =
-            dot(tangent, b.v - a.v) + block.tangent_arm_b[lane] * b.w - block.tangent_arm_a[lane] * a.w;
-        const float speed_m_s = std::max(std::fabs(rocking_m_s), std::fabs(sliding_m_s));
-        return std::clamp(2 - speed_m_s / kStandingSpeed_m_s, 0.0f, 1.0f);
+        const float speed_m_s = (q.arm_b[lane] - p.arm_b[lane]) * motions_.velocity[block.b[lane]].w -
+                                (q.arm_a[lane] - p.arm_a[lane]) * motions_.velocity[block.a[lane]].w;
+        return std::clamp(2 - std::fabs(speed_m_s) / kRockingSpeed_m_s, 0.0f, 1.0f);
     }
 
     // Fast bodies have contacts with what they may meet within the step, however far off: it bears nothing

@@ -3,10 +3,8 @@
 // such heaps: it sleeps after 200 to 660 steps, and changes velocities by .04 to .13 mm/s a step (rms) until
 // then.
 #include <algorithm>
-#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 #include "physics/support/making.h"
@@ -44,56 +42,6 @@ std::vector<Vec2> velocities(const World& world) {
     std::vector<Vec2> all;
     for (const BodyId id : world.bodies()) all.push_back(world.body(id)->linear_velocity());
     return all;
-}
-
-constexpr float kStone_m = 0.25f;  // radius
-
-// Forty hexagons in a column, which slumps.
-void add_column_of_stones(World& world, std::uint64_t seed) {
-    const ShapeDef gravel{.material = {.friction = 0.5f}};
-    add_ground(world, gravel);
-    std::array<Vec2, 6> corners;
-    for (std::size_t i = 0; i < corners.size(); ++i)
-        corners[i] =
-            rotate(Rotation::from_angle(static_cast<double>(i) * std::numbers::pi / 3), {kStone_m, 0});
-    Random random(seed);
-    for (int row = 0; row < 10; ++row) {
-        for (int column = 0; column < 4; ++column) {
-            const double x = 2.05 * double{kStone_m} * (column + 0.5 * (row % 2) - 2);
-            const double y = double{kStone_m} * (1 + 1.8 * row);
-            add(world, {.position_m = {x + random.real(-1e-6, 1e-6), y}}, Polygon{.points_m = corners},
-                gravel);
-        }
-    }
-}
-
-// Mean height over mean distance from the middle.
-double slope_of_stones(const World& world) {
-    double height = 0, middle = 0, width = 0, count = 0;
-    for (const BodyId id : world.bodies()) {
-        if (world.body(id)->type() != BodyType::Dynamic) continue;
-        height += world.body(id)->position().y - double{kStone_m} * std::sqrt(0.75);
-        middle += world.body(id)->position().x;
-        ++count;
-    }
-    for (const BodyId id : world.bodies()) {
-        if (world.body(id)->type() != BodyType::Dynamic) continue;
-        width += std::fabs(world.body(id)->position().x - middle / count);
-    }
-    return height / width;
-}
-
-// Over many columns that differ by a micrometre: each slumps in its own way.
-double mean_slope(int steps_per_s) {
-    constexpr int kColumns = 16;
-    double sum = 0;
-    for (int seed = 0; seed < kColumns; ++seed) {
-        World world;
-        add_column_of_stones(world, static_cast<std::uint64_t>(seed));
-        run_for(world, 5, 1.0f / static_cast<float>(steps_per_s));
-        sum += slope_of_stones(world);
-    }
-    return sum / kColumns;
 }
 
 // m/s, rms over all bodies and steps.
@@ -158,14 +106,6 @@ TEST_CASE("columns of boxes that fall onto each other stand as they fell, and sl
         }
         CHECK(world.awake_body_count() == 0);
     }
-}
-
-// The mean of sixteen scatters by .01.
-TEST_CASE("a column of stones slumps to the slope that steps of a quarter give") {
-    const double usual = mean_slope(60);
-    const double fine = mean_slope(240);
-    CAPTURE(usual, fine);
-    CHECK(usual == Approx(fine).margin(0.03));
 }
 
 }  // namespace cairn::physics
