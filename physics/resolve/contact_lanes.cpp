@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/ample.h"
+#include "base/assert.h"
 
 namespace cairn::physics {
 namespace {
@@ -77,6 +78,7 @@ void ContactLanes::make_room(std::size_t contacts) {
 }
 
 int ContactLanes::add(int bucket, const PairLane& pair) {
+    CAIRN_ASSERT(is_colored(bucket), "pairs without points are in no colour");
     const int lane = open_lane(bucket);
     write_pair(pairs_[lane / kLanes], lane % kLanes, pair);
     return lane;

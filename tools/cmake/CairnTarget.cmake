@@ -10,9 +10,10 @@ function(cairn_compile_options target)
   target_compile_options(${target} PRIVATE -ffp-contract=off -Wall -Wextra -Wpedantic -Wshadow -Wconversion
                                            -Wno-sign-conversion -Wnon-virtual-dtor -Woverloaded-virtual
                                            -Wno-missing-field-initializers $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
-  # Told of a processor that has FMA, g++ 12 contracts all the same where it adds and subtracts in turn.
-  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_SYSTEM_PROCESSOR MATCHES "86|AMD64")
-    target_compile_options(${target} PRIVATE -mno-fma)
+  # Told of a processor that can, g++ 12 contracts all the same where it adds and subtracts in turn. AVX-512 would bring
+  # FMA back.
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_SYSTEM_PROCESSOR MATCHES "86|AMD64|amd64")
+    target_compile_options(${target} PRIVATE -mno-fma -mno-fma4 -mno-avx512f)
   endif()
   if(CAIRN_SANITIZE)
     # Public: a program that links a sanitized library must link the sanitizer's run-time library too.

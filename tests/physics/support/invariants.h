@@ -190,7 +190,12 @@ inline void check_near_pairs(const Stores& stores) {
             if (changes(pair.body_a) || changes(pair.body_b)) continue;
             REQUIRE(geometry_of(stores, stores.contacts.slots[pair.contact]) == geometry);
             const NearPair made = make_near_pair(stores, pair.contact, geometry);
-            REQUIRE(pair.reach_m == made.reach_m);
+            const auto reach_of = [&](int body, int shape) {
+                return farthest_distance(stores.shapes[shape].convex(),
+                                         stores.bodies.slots[body].mass.center_m);
+            };
+            REQUIRE(pair.reach_m ==
+                    reach_of(pair.body_a, pair.shape_a) + reach_of(pair.body_b, pair.shape_b));
             REQUIRE(pair.shape_a == made.shape_a);
             REQUIRE(pair.shape_b == made.shape_b);
             REQUIRE(pair.offset_a == made.offset_a);
