@@ -51,7 +51,7 @@ PairLane random_lane(Random& random, int contact) {
     return lane;
 }
 
-// Of a lane as it may be in a near bucket.
+// The same pair for a near bucket. What only near pairs have is taken from what those have no use for.
 NearPair near_pair(const PairLane& lane) {
     NearPair pair;
     pair.contact = lane.contact;
