@@ -203,7 +203,6 @@ Manifold collide_chain_and_hull(const Convex& shape_a, const Convex& shape_b, co
     // corner is all that it can meet.
     const bool corner_only = surface.height(center) < 0;
 
-    const CoreEdges a = edges_of(shape_a);
     const CoreEdges b = edges_of(shape_b, b_in_a);
     const float reach = b.radius + reach_m;
     float above = std::numeric_limits<float>::infinity();
@@ -213,10 +212,16 @@ Manifold collide_chain_and_hull(const Convex& shape_a, const Convex& shape_b, co
         below = std::min(below, -surface.height(b.points[i]));
     }
     if (above > reach) return {};
+    const Front front(surface, b);
+    // Without corners that jut out there is the face and nothing else, and most that is near is beside it.
+    if (!surface.a_juts_out && !surface.b_juts_out) {
+        const Manifold m = corner_only ? Manifold{} : face_manifold(surface, b, front, reach_m);
+        return m.count == 0 || best_axis(b, edges_of(shape_a)).separation > reach ? Manifold{} : m;
+    }
+    const CoreEdges a = edges_of(shape_a);
     const Axis axis_b = best_axis(b, a);
     if (axis_b.separation > reach) return {};
 
-    const Front front(surface, b);
     const auto by_face = [&] { return corner_only ? Manifold{} : face_manifold(surface, b, front, reach_m); };
     const Candidate by_edge(b, a, axis_b, true);
     const auto by_edge_if_admitted = [&] {
