@@ -43,10 +43,18 @@ class SlotMap {
 
     /// The index of the new object's slot.
     int insert(T value) {
+        const int index = insert();
+        slots_[index].value = std::move(value);
+        return index;
+    }
+
+    /// The same, for an object that is filled where it stands: put together elsewhere and copied it would
+    /// wait for its own parts.
+    int insert() {
         CAIRN_ASSERT(!full(), "a world holds too many objects of one kind");
         ++size_;
         if (free_head_ == kNone) {
-            push_amply(slots_, Slot{{SlotUse::kAlive}, kNone, std::move(value)});
+            push_amply(slots_, Slot{{SlotUse::kAlive}, kNone, T{}});
             return static_cast<int>(slots_.size()) - 1;
         }
         const int index = free_head_;
@@ -55,7 +63,7 @@ class SlotMap {
         // Where many are made at once, each would wait for the slot that was freed longest ago.
         if (free_head_ != kNone) ask_for(free_head_);
         --free_;
-        slot.value = std::move(value);
+        slot.value = T{};
         slot.use.word |= SlotUse::kAlive;
         return index;
     }

@@ -126,11 +126,10 @@ ContactLanes::Moved ContactLanes::move(int bucket, int lane, int to_bucket) {
     return {to, remove(bucket, lane)};
 }
 
-int ContactLanes::add_near(PairGeometry geometry, const NearPair& pair) {
+int ContactLanes::open_near(PairGeometry geometry) {
     std::vector<NearPair>& pairs = near_[index(geometry)];
     const int lane = near_count_[index(geometry)]++;
     if (lane == static_cast<int>(pairs.size())) cover_amply(pairs, pairs.size() + kLanes);
-    pairs[lane] = pair;
     return lane;
 }
 

@@ -112,8 +112,9 @@ class ContactLanes {
     /// Puts a contact into a colour. The result is its lane: the number of the block times kLanes, plus the
     /// place in it.
     int add(int bucket, const PairLane& lane);
-    /// Puts one without points into the near bucket. The result is its lane.
-    int add_near(PairGeometry geometry, const NearPair& pair);
+    /// The next lane of the near bucket, for one without points; empty, and to be filled where it stands: put
+    /// together elsewhere and copied it would wait for its own parts.
+    int open_near(PairGeometry geometry);
     /// The contact that took the freed lane, or kNone.
     int remove(int bucket, int lane);
     /// What a lane holds goes to another bucket in a colour.

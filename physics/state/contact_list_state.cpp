@@ -187,9 +187,10 @@ class Placing {
         if (!in_.require(record != nullptr, kMisplaced)) return false;
         const bool fits = geometry_of(stores_, *record) == geometry && remembers <= near_flag::kRemembers;
         if (!in_.require(fits, "a pair without points is among others of another form")) return false;
-        NearPair pair = make_near_pair(stores_, contact, geometry);
+        ContactLanes& lanes = stores_.contacts.lanes;
+        NearPair& pair = lanes.near_pairs(geometry)[lanes.open_near(geometry)];
+        fill_near_pair(stores_, contact, geometry, pair);
         pair.flags = remembers;
-        stores_.contacts.lanes.add_near(geometry, pair);
         return true;
     }
 

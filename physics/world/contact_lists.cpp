@@ -122,13 +122,12 @@ PairLane make_lane(const Stores& stores, int contact) {
     return lane;
 }
 
-NearPair make_near_pair(const Stores& stores, int contact, PairGeometry geometry) {
+void fill_near_pair(const Stores& stores, int contact, PairGeometry geometry, NearPair& pair) {
     const ContactRecord& c = stores.contacts.slots[contact];
     const ShapePrototype& a = *stores.shapes[c.shape_a].prototype;
     const ShapePrototype& b = *stores.shapes[c.shape_b].prototype;
     const Vec2 center_a = stores.bodies.slots[c.body_a].mass.center_m;
     const Vec2 center_b = stores.bodies.slots[c.body_b].mass.center_m;
-    NearPair pair;
     pair.body_a = c.body_a;
     pair.body_b = c.body_b;
     pair.reach_m = reach_of(a, center_a) + reach_of(b, center_b);
@@ -138,7 +137,6 @@ NearPair make_near_pair(const Stores& stores, int contact, PairGeometry geometry
     pair.shape_b = c.shape_b;
     pair.offset_a = offset_of(a.convex, center_a, geometry);
     pair.offset_b = offset_of(b.convex, center_b, geometry);
-    return pair;
 }
 
 ContactMemory memory_of(const ContactStore& contacts, int contact) {
@@ -155,7 +153,9 @@ void list_contact(Stores& stores, int contact) {
     if (is_loose(c)) return add_loose(stores.contacts, contact);
     const PairGeometry geometry = geometry_of(stores, c);
     c.bucket = near_bucket(geometry);
-    c.lane = stores.contacts.lanes.add_near(geometry, make_near_pair(stores, contact, geometry));
+    ContactLanes& lanes = stores.contacts.lanes;
+    c.lane = lanes.open_near(geometry);
+    fill_near_pair(stores, contact, geometry, lanes.near_pairs(geometry)[c.lane]);
 }
 
 void unlist_contact(Stores& stores, int contact) {

@@ -11,8 +11,8 @@ PairGeometry geometry_of(const Stores& stores, const ContactRecord& contact);
 /// What its lane in a colour is to hold.
 PairLane make_lane(const Stores& stores, int contact);
 
-/// What it is to be among the pairs without points.
-NearPair make_near_pair(const Stores& stores, int contact, PairGeometry geometry);
+/// Writes what it is to be among the pairs without points into an empty one.
+void fill_near_pair(const Stores& stores, int contact, PairGeometry geometry, NearPair& pair);
 
 /// Puts a contact that is in no list among the near ones, if one of its bodies is awake.
 void list_contact(Stores& stores, int contact);

@@ -23,9 +23,13 @@ bool is_immovable(const BodyStore& bodies, int body) {
 
 void create_contact(Stores& stores, int shape_a, int shape_b) {
     if (is_immovable(stores.bodies, stores.shapes[shape_b].body)) std::swap(shape_a, shape_b);
+    const std::uint8_t bits = special_bits(stores, shape_a, shape_b);
     const ShapeRecord& a = stores.shapes[shape_a];
     const ShapeRecord& b = stores.shapes[shape_b];
-    ContactRecord c;
+    ContactStore& contacts = stores.contacts;
+    const int contact = contacts.slots.insert();
+    ContactRecord& c = contacts.slots[contact];
+    c.special = bits;
     c.shape_a = shape_a;
     c.shape_b = shape_b;
     c.body_a = a.body;
@@ -33,10 +37,6 @@ void create_contact(Stores& stores, int shape_a, int shape_b) {
     mix_materials(stores, c);
     c.reports_touch = a.def().contact_events || b.def().contact_events;
     c.reports_hit = a.def().hit_events || b.def().hit_events;
-    mark_special(stores, c);
-
-    ContactStore& contacts = stores.contacts;
-    const int contact = contacts.slots.insert(c);
     link_edge(contacts.slots, stores.bodies.slots[c.body_a].first_contact, contact, 0);
     link_edge(contacts.slots, stores.bodies.slots[c.body_b].first_contact, contact, 1);
     list_contact(stores, contact);

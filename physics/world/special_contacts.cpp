@@ -1,6 +1,8 @@
 // Questions about special contacts.
 #include "world/special_contacts.h"
 
+#include <algorithm>
+
 #include "world/breakables.h"
 #include "world/filtering.h"
 #include "world/one_way.h"
@@ -8,14 +10,14 @@
 
 namespace cairn::physics {
 
-void mark_special(const Stores& stores, ContactRecord& contact) {
-    special::set(contact, special::kRefused, !host_allows(stores, contact.shape_a, contact.shape_b));
-    special::set(contact, special::kWatched,
-                 is_breakable(stores, contact.body_a) || is_breakable(stores, contact.body_b));
-    special::set(contact, special::kOneWay,
-                 is_one_way(stores.shapes[contact.shape_a]) || is_one_way(stores.shapes[contact.shape_b]));
-    const auto is_tiny = [&](int shape) { return extent_of(stores.shapes[shape].convex()) < kTinyExtent_m; };
-    special::set(contact, special::kTiny, is_tiny(contact.shape_a) || is_tiny(contact.shape_b));
+std::uint8_t special_bits(const Stores& stores, int shape_a, int shape_b) {
+    const ShapeRecord& a = stores.shapes[shape_a];
+    const ShapeRecord& b = stores.shapes[shape_b];
+    unsigned bits = host_allows(stores, shape_a, shape_b) ? 0 : special::kRefused;
+    if (is_breakable(stores, a.body) || is_breakable(stores, b.body)) bits |= special::kWatched;
+    if (is_one_way(a) || is_one_way(b)) bits |= special::kOneWay;
+    if (std::min(a.prototype->reach_m, b.prototype->reach_m) < kTinyExtent_m) bits |= special::kTiny;
+    return static_cast<std::uint8_t>(bits);
 }
 
 bool lets_pass(const Stores& stores, int shape_a, int shape_b) {

@@ -35,8 +35,8 @@ inline bool is_loose(const ContactRecord& contact) {
            (contact.special & undecided) == special::kOneWay;
 }
 
-/// For a new contact: asks the host, and sees whether a shape is one-way.
-void mark_special(const Stores& stores, ContactRecord& contact);
+/// For a new contact of these shapes: what the host says of it, and what sets the shapes and bodies apart.
+std::uint8_t special_bits(const Stores& stores, int shape_a, int shape_b);
 
 /// Whether two shapes that may collide are let through each other all the same. Costs a look at the shapes
 /// unless something of the kind is in use.

@@ -163,11 +163,16 @@ void add(Random& random, int contact, ContactLanes& lanes, Model& model) {
     Kept kept;
     kept.bucket = kSomeBuckets[random.below(static_cast<int>(kSomeBuckets.size()))];
     kept.pair = random_lane(random, contact);
-    kept.lane = is_colored(kept.bucket) ? lanes.add(kept.bucket, kept.pair)
-                                        : lanes.add_near(geometry_of(kept.bucket), near_pair(kept.pair));
     if (is_colored(kept.bucket)) {
+        kept.lane = lanes.add(kept.bucket, kept.pair);
         REQUIRE(holds(lanes.memory(kept.lane), ContactMemory{}));
         REQUIRE(is_inert(lanes.block(kept.lane / kLanes), kept.lane % kLanes));
+    } else {
+        const PairGeometry geometry = geometry_of(kept.bucket);
+        kept.lane = lanes.open_near(geometry);
+        NearPair& pair = lanes.near_pairs(geometry)[kept.lane];
+        REQUIRE((pair.contact == kNone && pair.flags == 0 && pair.sight.gap_m == 0));
+        pair = near_pair(kept.pair);
     }
     model[contact] = kept;
 }

@@ -189,7 +189,8 @@ inline void check_near_pairs(const Stores& stores) {
             const auto changes = [&](int body) { return stores.masses.entries.at(body).is_outdated; };
             if (changes(pair.body_a) || changes(pair.body_b)) continue;
             REQUIRE(geometry_of(stores, stores.contacts.slots[pair.contact]) == geometry);
-            const NearPair made = make_near_pair(stores, pair.contact, geometry);
+            NearPair made;
+            fill_near_pair(stores, pair.contact, geometry, made);
             const auto reach_of = [&](int body, int shape) {
                 return farthest_distance(stores.shapes[shape].convex(),
                                          stores.bodies.slots[body].mass.center_m);
