@@ -260,6 +260,37 @@ TEST_CASE("gears turn against each other by their ratio, and a rack slides with 
     CHECK(bench.world.contains(pin_2));
 }
 
+TEST_CASE("two slides in gear accelerate by their ratio") {
+    for (const float ratio : {3.0f, -0.5f}) {
+        Bench bench;
+        const auto slide_up = [&](BodyId body, float x_m) {
+            return bench.join(PrismaticJointDef{.body_a = bench.ground,
+                                                .body_b = body,
+                                                .local_anchor_a_m = {x_m, 0},
+                                                .local_angle_a_rad = kPi / 2,
+                                                .local_angle_b_rad = kPi / 2});
+        };
+        const BodyId a = bench.box({-2, 0}, 0.5f);
+        const BodyId b = bench.box({2, 0}, 0.75f);
+        const JointId slide_a = slide_up(a, -2);
+        const JointId slide_b = slide_up(b, 2);
+        bench.join(GearJointDef{.joint_1 = slide_a, .joint_2 = slide_b, .ratio = ratio});
+        // The gear pushes with F and k F: a' = F / ma - g, b' = k F / mb - g, a' + k b' = 0.
+        const double k = d(ratio);
+        const double force = 10 * (1 + k) / (1 / bench.mass(a) + k * k / bench.mass(b));
+        const double up_a = force / bench.mass(a) - 10;
+        for (int i = 1; i <= 60; ++i) {
+            bench.world.step(kStep_s).value();
+            const double at_a = d(bench.world.joint(slide_a)->translation());
+            const double at_b = d(bench.world.joint(slide_b)->translation());
+            REQUIRE(at_a + k * at_b == Approx(0).margin(1e-3));
+        }
+        INFO("ratio " << ratio);
+        CHECK(d(bench.world.body(a)->linear_velocity().y) == Approx(up_a).epsilon(2e-3));
+        CHECK(d(bench.world.body(b)->linear_velocity().y) == Approx(-up_a / k).epsilon(2e-3));
+    }
+}
+
 TEST_CASE("a friction joint brakes with its force and its torque, and then holds") {
     Bench bench({0, 0});
     const BodyId puck = bench.box({0, 0});
