@@ -100,9 +100,9 @@ void DirectSystem::settle() {
 // Pairs whose length is too great are shortened, and stay so.
 bool DirectSystem::shorten_wrong() {
     bool any = false;
-    for (const int i : wrong_) {
-        if (equations[at(i)].bound != Bound::Round) continue;
-        change_over(i);
+    for (const Wrong& w : wrong_) {
+        if (equations[at(w.equation)].bound != Bound::Round) continue;
+        change_over(w.equation);
         any = true;
     }
     return any;

@@ -108,6 +108,12 @@ void DirectSystem::speeds(const Member& m, std::array<double, kMaxBlock>& out) c
     });
 }
 
+bool DirectSystem::some_act(const Member& m) const {
+    bool some = false;
+    for (int e = m.first_equation; e < m.last_equation; ++e) some |= equations[at(e)].state == State::Acts;
+    return some;
+}
+
 void DirectSystem::push(int member, int equation, double impulse) {
     const Member& m = members[at(member)];
     const double* j = j_.data() + m.first_j + 3 * (equation - m.first_equation);
@@ -127,30 +133,39 @@ void DirectSystem::factor(BlockLdl& factors) const {
         diagonal.set(1, 1, bodies[b].mass);
         diagonal.set(2, 2, bodies[b].inertia);
     }
-    int node = static_cast<int>(bodies.size());
-    for (const Member& m : members) {
-        const BlockLdl::BlockValues diagonal = factors.diagonal(node++);
-        const DirectEquation* const own = equations.data() + m.first_equation;
-        with_count(m.equations(), [&](auto n) {
-            for (int row = 0; row < n; ++row)
-                diagonal.set(row, row, own[row].state == State::Acts ? -own[row].give : -1);
-            const double* j = j_.data() + m.first_j;
-            for (int l = m.first_link; l < m.last_link; ++l) {
-                const BlockLdl::BlockValues edge = factors.edge(links[at(l)].edge);
-                for (int row = 0; row < n; ++row, j += 3) {
-                    const bool acts = own[row].state == State::Acts;
-                    for (int column = 0; column < 3; ++column) edge.set(row, column, acts ? j[column] : 0);
-                }
-            }
-        });
-    }
+    for (int m = 0; m < static_cast<int>(members.size()); ++m) set_member(factors, m);
     factors.factor();
+}
+
+void DirectSystem::set_member(BlockLdl& factors, int member) const {
+    const Member& m = members[at(member)];
+    const BlockLdl::BlockValues diagonal = factors.diagonal(static_cast<int>(bodies.size()) + member);
+    const DirectEquation* const own = equations.data() + m.first_equation;
+    with_count(m.equations(), [&](auto n) {
+        for (int row = 0; row < n; ++row)
+            diagonal.set(row, row, own[row].state == State::Acts ? -own[row].give : -1);
+        const double* j = j_.data() + m.first_j;
+        for (int l = m.first_link; l < m.last_link; ++l) {
+            const BlockLdl::BlockValues edge = factors.edge(links[at(l)].edge);
+            for (int row = 0; row < n; ++row, j += 3) {
+                const bool acts = own[row].state == State::Acts;
+                for (int column = 0; column < 3; ++column) edge.set(row, column, acts ? j[column] : 0);
+            }
+        }
+    });
 }
 
 void DirectSystem::renew_factors() {
     factor(factors_);
     --factorizations_left_;
     is_stale_ = false;
+}
+
+// Where nothing but the states of those that were wrong changed since the last time.
+void DirectSystem::renew_factors_of_wrong() {
+    for (const Wrong& w : wrong_) set_member(factors_, w.member);
+    factors_.factor();
+    --factorizations_left_;
 }
 
 // Velocities and impulses that fulfil the equations as they are now; with their factors.
@@ -169,10 +184,14 @@ void DirectSystem::balance(const BlockLdl& factors) {
     for (int b = 0; b < static_cast<int>(bodies.size()); ++b)
         std::fill_n(x_.data() + place_of_body(b), 3, 0.0);
     for (int m = 0; m < static_cast<int>(members.size()); ++m) {
+        double* x = x_.data() + place_of_member(m);
+        if (!some_act(members[at(m)])) {
+            std::fill_n(x, members[at(m)].equations(), 0.0);
+            continue;
+        }
         std::array<double, kMaxBlock> now;
         speeds(members[at(m)], now);
         const double* speed = now.data();
-        double* x = x_.data() + place_of_member(m);
         for (int i = members[at(m)].first_equation; i < members[at(m)].last_equation; ++i, ++x, ++speed) {
             *x = equations[at(i)].state == State::Acts ? equations[at(i)].wanted - *speed : 0;
         }
@@ -208,7 +227,6 @@ bool DirectSystem::is_wrong(const DirectEquation& e, int member, int equation) c
 
 void DirectSystem::change_over(int equation) {
     DirectEquation& e = equations[at(equation)];
-    is_stale_ = true;
     if (e.bound == Bound::Round) {  // shortened once and for all
         DirectEquation& other = equations[at(equation + 1)];
         const double x = e.before + e.impulse;
@@ -228,7 +246,7 @@ void DirectSystem::find_wrong() {
     wrong_.clear();
     for (int m = 0; m < static_cast<int>(members.size()); ++m) {
         for (int i = members[at(m)].first_equation; i < members[at(m)].last_equation; ++i) {
-            if (is_wrong(equations[at(i)], m, i)) wrong_.push_back(i);
+            if (is_wrong(equations[at(i)], m, i)) wrong_.push_back({m, i});
         }
     }
 }
@@ -236,8 +254,8 @@ void DirectSystem::find_wrong() {
 // All that are wrong change over, as long as that makes fewer wrong now and then; whether none is left.
 bool DirectSystem::pivot() {
     std::size_t fewest = std::numeric_limits<std::size_t>::max();
+    if (is_stale_) renew_factors();
     for (int chances = kChances; chances >= 0;) {
-        if (is_stale_) renew_factors();
         balance(factors_);
         find_wrong();
         if (wrong_.empty()) return true;
@@ -248,8 +266,10 @@ bool DirectSystem::pivot() {
         } else {
             --chances;
         }
-        for (const int i : wrong_) change_over(i);
+        for (const Wrong& w : wrong_) change_over(w.equation);
+        if (chances >= 0) renew_factors_of_wrong();
     }
+    is_stale_ = true;
     return false;
 }
 

@@ -120,6 +120,10 @@ class DirectSystem {
     std::vector<double> velocity;  // three per body: m/s, m/s, rad/s
 
   private:
+    struct Wrong {
+        int member = 0;
+        int equation = 0;
+    };
     struct Bounded {
         int member = 0;
         int equation = 0;
@@ -130,9 +134,12 @@ class DirectSystem {
     };
 
     void speeds(const Member& m, std::array<double, kMaxBlock>& out) const;
+    [[nodiscard]] bool some_act(const Member& m) const;
     void push(int member, int equation, double impulse);
     void factor(BlockLdl& factors) const;
+    void set_member(BlockLdl& factors, int member) const;
     void renew_factors();
+    void renew_factors_of_wrong();
     void balance(const BlockLdl& factors);
     void find_wrong();
     bool pivot();
@@ -150,7 +157,7 @@ class DirectSystem {
     bool renew_friction();
 
     std::vector<double> velocity_before_;
-    std::vector<int> wrong_;  // equations
+    std::vector<Wrong> wrong_;
     // While descending.
     std::vector<Bounded> bounded_;
     BlockLdl unbounded_factors_;
