@@ -215,8 +215,9 @@ Manifold collide_chain_and_hull(const Convex& shape_a, const Convex& shape_b, co
     const Front front(surface, b);
     // Without corners that jut out there is the face and nothing else, and most that is near is beside it.
     if (!surface.a_juts_out && !surface.b_juts_out) {
-        const Manifold m = corner_only ? Manifold{} : face_manifold(surface, b, front, reach_m);
-        return m.count == 0 || best_axis(b, edges_of(shape_a)).separation > reach ? Manifold{} : m;
+        if (corner_only || front.is_beside(kSharedAtJoin_m)) return {};
+        if (best_axis(b, edges_of(shape_a)).separation > reach) return {};
+        return face_manifold(surface, b, front, reach_m);
     }
     const CoreEdges a = edges_of(shape_a);
     const Axis axis_b = best_axis(b, a);

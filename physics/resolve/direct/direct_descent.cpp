@@ -103,6 +103,7 @@ bool DirectSystem::shorten_wrong() {
     for (const Wrong& w : wrong_) {
         if (equations[at(w.equation)].bound != Bound::Round) continue;
         change_over(w.equation);
+        is_stale_ = true;
         any = true;
     }
     return any;

@@ -62,6 +62,7 @@ NearPair near_pair(const PairLane& lane) {
     pair.offset_a = lane.offset_a;
     pair.offset_b = lane.offset_b;
     pair.reach_m = lane.half_a.x;
+    pair.sight.gap_m = lane.half_b.x;
     pair.flags = lane.reports ? near_flag::kRemembers : 0;
     return pair;
 }
@@ -83,6 +84,7 @@ bool holds(const NearPair& pair, const PairLane& expected) {
            pair.body_b == expected.body_b && pair.shape_a == expected.shape_a &&
            pair.shape_b == expected.shape_b && pair.offset_a == expected.offset_a &&
            pair.offset_b == expected.offset_b && pair.reach_m == expected.half_a.x &&
+           pair.sight.gap_m == expected.half_b.x &&
            pair.flags == (expected.reports ? near_flag::kRemembers : 0);
 }
 
@@ -171,7 +173,7 @@ void add(Random& random, int contact, ContactLanes& lanes, Model& model) {
         const PairGeometry geometry = geometry_of(kept.bucket);
         kept.lane = lanes.open_near(geometry);
         NearPair& pair = lanes.near_pairs(geometry)[kept.lane];
-        REQUIRE((pair.contact == kNone && pair.flags == 0 && pair.sight.gap_m == 0));
+        REQUIRE(holds(pair, PairLane{}));
         pair = near_pair(kept.pair);
     }
     model[contact] = kept;

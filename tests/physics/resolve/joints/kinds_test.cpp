@@ -262,6 +262,7 @@ TEST_CASE("gears turn against each other by their ratio, and a rack slides with 
 
 TEST_CASE("two slides in gear accelerate by their ratio") {
     for (const float ratio : {3.0f, -0.5f}) {
+        INFO("ratio " << ratio);
         Bench bench;
         const auto slide_up = [&](BodyId body, float x_m) {
             return bench.join(PrismaticJointDef{.body_a = bench.ground,
@@ -285,7 +286,6 @@ TEST_CASE("two slides in gear accelerate by their ratio") {
             const double at_b = d(bench.world.joint(slide_b)->translation());
             REQUIRE(at_a + k * at_b == Approx(0).margin(1e-3));
         }
-        INFO("ratio " << ratio);
         CHECK(d(bench.world.body(a)->linear_velocity().y) == Approx(up_a).epsilon(2e-3));
         CHECK(d(bench.world.body(b)->linear_velocity().y) == Approx(-up_a / k).epsilon(2e-3));
     }

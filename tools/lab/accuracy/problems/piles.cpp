@@ -1,6 +1,7 @@
 // Problem 24: the slope of a pile that a column of hexagons falls into. There is no formula for it: an engine
 // is compared with itself, at 32 substeps or iterations and steps of 1/240 s. A pile is chaotic, so each
-// setting runs from many starts that differ by a micrometre, and means are compared.
+// setting runs from many starts that differ by a micrometre, and means are compared. Such starts go down much
+// alike: what piles do in general, docs/adr/029-both-points-at-once.md tells.
 #include <algorithm>
 #include <array>
 #include <cmath>
