@@ -225,6 +225,7 @@ bool DirectSystem::is_wrong(const DirectEquation& e, int member, int equation) c
     return e.state == State::AtLow ? over < -kSame : over > kSame;
 }
 
+// Renewing the factors is left to the caller.
 void DirectSystem::change_over(int equation) {
     DirectEquation& e = equations[at(equation)];
     if (e.bound == Bound::Round) {  // shortened once and for all
