@@ -30,17 +30,18 @@ class ChunkedList {
     /// thread has room for twice its share of the most that ever stood here: on two threads it is enough for
     /// as much again, whoever appends it.
     void start(int count, int grain, const TaskPool& tasks) {
-        const auto threads = static_cast<std::size_t>(tasks.threads());
-        if (lists_.size() < threads) lists_.resize(threads);
-        most_ = std::max(most_, size());
-        for (List& list : lists_) {
-            list.items.clear();
-            reserve_amply(list.items, std::min(most_, 2 * most_ / threads));
-        }
+        keep_room(tasks);
+        for (List& list : lists_) list.items.clear();
         // Mostly as many as before, and few.
         const auto chunks = static_cast<std::size_t>(chunk_count(count, grain));
         if (parts_.size() != chunks) resize_amply(parts_, chunks);
         for (Part& part : parts_) part = {};
+    }
+
+    /// Empties it without a loop that would fill it.
+    void clear(const TaskPool& tasks) {
+        keep_room(tasks);
+        parts_.clear();
     }
 
     /// What a chunk appends to; nothing else does meanwhile.
@@ -91,6 +92,15 @@ class ChunkedList {
     }
 
   private:
+    void keep_room(const TaskPool& tasks) {
+        const auto threads = static_cast<std::size_t>(tasks.threads());
+        const std::size_t stood = size();
+        if (stood <= most_ && lists_.size() >= threads) return;
+        if (lists_.size() < threads) lists_.resize(threads);
+        most_ = std::max(most_, stood);
+        for (List& list : lists_) reserve_amply(list.items, std::min(most_, 2 * most_ / threads));
+    }
+
     std::vector<List> lists_;  // by thread
     std::vector<Part> parts_;  // by chunk
     std::size_t most_ = 0;

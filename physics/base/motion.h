@@ -144,6 +144,7 @@ struct Motions {
 
 inline void Motions::resize(int size) {
     const auto count = static_cast<std::size_t>(size);
+    if (count == velocity.size()) return;
     resize_amply(velocity, count);
     resize_amply(pose, count);
     resize_amply(without_contacts, count);

@@ -44,12 +44,12 @@ constexpr std::size_t kDriveRow = offsetof(BodyRecord, inner_radius_m);
 static_assert(offsetof(BodyRecord, gravity_scale) == kDriveRow + 12);
 constexpr std::size_t kSleepRow = offsetof(BodyRecord, sleep_speed_m_s);
 
-// A column of the rows: the last one stands for those that there are not.
+// A column of the rows, and zero for those that there are not.
 HWY_INLINE V load_column(const BodyLanes& lanes, int lane, const std::vector<float>& column) {
     const float* from = column.data() + lanes.first;
     if (HWY_LIKELY(lanes.count == kLanes)) return hn::LoadU(D(), from + lane);
-    alignas(32) float values[kStep];
-    for (int i = 0; i < kStep; ++i) values[i] = from[std::min(lane + i, lanes.count - 1)];
+    alignas(32) float values[kStep] = {};
+    for (int i = 0; i < kStep && lane + i < lanes.count; ++i) values[i] = from[lane + i];
     return hn::Load(D(), values);
 }
 
@@ -241,10 +241,14 @@ BodyLanes body_lanes(BodyStore& bodies, int first, int last) {
     // Rows of what woke body by body are in no order that hardware would foresee.
     for (int row = first + 2 * kLanes; row < std::min(first + 3 * kLanes, last); ++row)
         bodies.ask_for(body_of[static_cast<std::size_t>(row)]);
-    for (int lane = 0; lane < kLanes; ++lane) {
-        const int body = body_of[static_cast<std::size_t>(first + std::min(lane, lanes.count - 1))];
+    for (int lane = 0; lane < lanes.count; ++lane) {
+        const int body = body_of[static_cast<std::size_t>(first + lane)];
         lanes.records[lane] = &bodies.slots[body];
         lanes.places[lane] = &bodies.places[static_cast<std::size_t>(body)];
+    }
+    for (int lane = lanes.count; lane < kLanes; ++lane) {
+        lanes.records[lane] = lanes.records[lanes.count - 1];
+        lanes.places[lane] = lanes.places[lanes.count - 1];
     }
     return lanes;
 }

@@ -43,22 +43,14 @@ void BoxCover::look_at_shapes() {
 
 void BoxCover::flush() {
     look_at_shapes();
-    // Lanes without a shape of their own do what the last one does.
+    // Lanes without a shape of their own look at that of the last one, and find a box that nobody asks for.
     const int last = count_ - 1;
     for (int lane = count_; lane < kLanes; ++lane) {
-        lanes_.way_x[lane] = lanes_.way_x[last];
-        lanes_.way_y[lane] = lanes_.way_y[last];
-        lanes_.turn[lane] = lanes_.turn[last];
-        lanes_.room[lane] = lanes_.room[last];
-        lanes_.margin[lane] = lanes_.margin[last];
-        lanes_.radius[lane] = lanes_.radius[last];
-        lanes_.count[lane] = lanes_.count[last];
         lanes_.places[lane] = lanes_.places[last];
         lanes_.centers[lane] = lanes_.centers[last];
         lanes_.shapes[lane] = lanes_.shapes[last];
-        lanes_.boxes[lane] = lanes_.boxes[last];
+        lanes_.boxes[lane] = &unasked_;
         copy_lane_bit(lanes_.right_boxes, lane, lanes_.right_boxes, last);
-        copy_lane_bit(lanes_.going_along, lane, lanes_.going_along, last);
     }
     const LaneBits anew = cover_boxes(lanes_, moving_);
     std::vector<float>& slack = stores_.bodies.rows(RowSet::Awake).box_slack;

@@ -40,6 +40,7 @@ class BoxCover {
     Stores& stores_;
     std::vector<int>& untold_;
     CoverLanes lanes_;
+    Aabb unasked_{};
     // Shapes that have been asked for, and how their bodies are known.
     Lanes<int> shapes_{};
     Lanes<int> rows_{};

@@ -29,9 +29,9 @@ struct alignas(32) CoverLanes {
 };
 
 /// Makes those boxes anew that do not enclose what they must with kAabbReach_m to spare, and those that go
-/// along: the lanes of them. All eight lanes are read and written; those that are not needed repeat another.
-/// `moving`: some lane has a way or a turn. Same bits at every SIMD level, and as `extents` and `make_aabb`
-/// give.
+/// along: the lanes of them. All eight lanes are read and written, so those that are not needed must name
+/// something, too. `moving`: some lane has a way or a turn. Same bits at every SIMD level, and as `extents`
+/// and `make_aabb` give.
 LaneBits cover_boxes(CoverLanes& lanes, bool moving);
 
 }  // namespace cairn::physics

@@ -70,6 +70,21 @@ class Update {
         plain_.begin();
         if (!scratch_.pressed) scratch_.pressed = std::make_unique<PressedScratch>();
         scratch_.pressed->bodies.clear();
+        if (stores_.contacts.slots.size() > 0) {
+            look_at_all();
+        } else {
+            find_none();
+        }
+        const std::span<const int> moved = stores_.boxes_moved;
+        world_.tasks.parallel_for(static_cast<int>(moved.size()), kBodiesPerChunk, [&](const Chunk& chunk) {
+            for (int i = chunk.begin; i < chunk.end; ++i)
+                stores_.bodies.places[moved[i]].flags &= ~place_flag::kBoxesMoved;
+        });
+        stores_.boxes_moved.clear();
+    }
+
+  private:
+    void look_at_all() {
         std::array<int, kPairGeometries> near_before{};
         for (int g = 0; g < kPairGeometries; ++g)
             near_before[g] = stores_.contacts.lanes.near_count(static_cast<PairGeometry>(g));
@@ -89,17 +104,20 @@ class Update {
         plain_.end();
         remove_gone(stores_, world_.events, scratch_);
         stores_.contacts.lanes.arrange();
-        const std::span<const int> moved = stores_.boxes_moved;
-        world_.tasks.parallel_for(static_cast<int>(moved.size()), kBodiesPerChunk, [&](const Chunk& chunk) {
-            for (int i = chunk.begin; i < chunk.end; ++i)
-                stores_.bodies.places[moved[i]].flags &= ~place_flag::kBoxesMoved;
-        });
-        stores_.boxes_moved.clear();
         for (int g = 0; g < kPairGeometries; ++g)
             stores_.contacts.lanes.shrink_near(static_cast<PairGeometry>(g), near_before[g]);
     }
 
-  private:
+    // Where there are no contacts at all: what a look at them would find.
+    void find_none() {
+        find_unmoved();
+        stores_.contacts.lanes.arrange();
+        scratch_.standing->all_blocks_known = true;
+        scratch_.some_bounce_in_lanes = false;
+        scratch_.notes_in_order.clear();
+        plain_.end();
+    }
+
     // Near and loose contacts from where the last call left off: waking lists more.
     void update_uncolored() {
         const auto lanes = [&](PairGeometry geometry) { return stores_.contacts.lanes.near_count(geometry); };

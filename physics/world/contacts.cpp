@@ -75,6 +75,11 @@ bool has_contact(const Stores& stores, int shape_a, int shape_b) {
 
 void find_new_pairs(Stores& stores, StepScratch& scratch, TaskPool& tasks) {
     const int groups = stores.broad.start_search(tasks);
+    if (groups == 0) {
+        scratch.beside.clear(tasks);
+        scratch.pairs.clear();
+        return stores.broad.end_search(scratch.pairs);
+    }
     scratch.found_pairs.start(groups, kGroupsPerChunk, tasks);
     scratch.beside.start(groups, kGroupsPerChunk, tasks);
     tasks.parallel_for(groups, kGroupsPerChunk, [&](const Chunk& chunk) {

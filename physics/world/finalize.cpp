@@ -115,13 +115,15 @@ void tell_fat_box(Stores& stores, int shape) {
 
 void tell_fat_boxes(Stores& stores, StepScratch& scratch, float way_s, TaskPool& tasks) {
     const ChunkedList<int>& shapes = scratch.untold_boxes;
+    const std::size_t count = shapes.size();
+    if (count == 0) return;
     const auto way_of = [&](int body) {
         const Place& place = stores.bodies.places[body];
         if (way_s == 0 || (place.flags & place_flag::kHasWay) == 0) return Vec2{};
         return way_s * scratch.advances[place.row].velocity_m_s;
     };
     // Where many moved it is less work to go over all nodes of the tree.
-    if (8 * shapes.size() < static_cast<std::size_t>(stores.broad.tree(Layer::Awake).size())) {
+    if (8 * count < static_cast<std::size_t>(stores.broad.tree(Layer::Awake).size())) {
         shapes.for_each([&](int shape) {
             tell_fat_box(stores, shape);
             stores.broad.set_way(shape, way_of(stores.shapes[shape].body));
@@ -178,16 +180,21 @@ void halt_lost_bodies(const BodyStore& bodies, StepScratch& scratch, std::vector
                       TaskPool& tasks) {
     const BodyRows& awake = bodies.rows(RowSet::Awake);
     Motions& motions = scratch.motions;
-    scratch.noted_rows.start(awake.size(), kRowsPerChunk, tasks);
+    const auto is_lost = [&](int row) {
+        return !is_finite(motions, row + 1) || leaves_world(bodies, motions, row + 1);
+    };
+    std::atomic<bool> some_are_lost = false;
     tasks.parallel_for(awake.size(), kRowsPerChunk, [&](const Chunk& chunk) {
-        ChunkedList<int>::Appender lost(scratch.noted_rows, chunk);
-        for (int row = chunk.begin; row < chunk.end; ++row) {
-            if (is_finite(motions, row + 1) && !leaves_world(bodies, motions, row + 1)) continue;
-            halt(motions, row + 1);
-            lost.items().push_back(row);
-        }
+        bool some_here = false;
+        for (int row = chunk.begin; row < chunk.end; ++row) some_here |= is_lost(row);
+        if (some_here) some_are_lost.store(true, std::memory_order_relaxed);
     });
-    scratch.noted_rows.for_each([&](int row) { quarantined.push_back(bodies.slots.id(awake.body[row])); });
+    if (!some_are_lost) return;
+    for (int row = 0; row < awake.size(); ++row) {
+        if (!is_lost(row)) continue;
+        halt(motions, row + 1);
+        quarantined.push_back(bodies.slots.id(awake.body[row]));
+    }
 }
 
 void forget_halted(Stores& stores, std::span<const BodyId> halted) {

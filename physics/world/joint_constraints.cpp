@@ -202,6 +202,8 @@ void prepare_joints(Stores& stores, const StepTime& time, StepScratch& scratch, 
     std::vector<JointConstraint>& joints = scratch.joints;
     joints.resize(static_cast<std::size_t>(stores.joints.swept.size()));
     scratch.torn.clear();
+    scratch.has_crowded_springs = false;
+    if (stores.joints.slots.size() == 0) return list_jointed_rows(stores, scratch);
     std::size_t next = 0;
     bool springs = false;
     FrameTurns frame_turns;
@@ -224,7 +226,6 @@ void prepare_joints(Stores& stores, const StepTime& time, StepScratch& scratch, 
         lanes.take_off_loads(scratch.motions, loads, tasks);
     }
     list_jointed_rows(stores, scratch);
-    scratch.has_crowded_springs = false;
     if (!springs && !lanes.springs_changed()) return;
     scratch.spring_loads.assign(static_cast<std::size_t>(scratch.motions.size()), {});
     add_spring_loads(joints, scratch.joint_places, scratch.motions, scratch.spring_loads);

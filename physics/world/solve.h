@@ -150,7 +150,8 @@ inline bool is_made(const StepScratch& scratch, int substep, int substeps) {
 inline void fly_freely(StepScratch& scratch, Vec2 gravity_m_s2, float dt_s, std::uint64_t step,
                        TaskPool& tasks) {
     tasks.parallel_for(scratch.motions.size(), kRowsPerChunk, [&](const Chunk& rows) {
-        fly_freely(scratch.motions, scratch.drives, gravity_m_s2, dt_s, step, rows.begin, rows.end);
+        const int first = std::max(rows.begin, kWorldRow + 1);  // the world does not fly
+        fly_freely(scratch.motions, scratch.drives, gravity_m_s2, dt_s, step, first, rows.end);
     });
 }
 

@@ -358,7 +358,7 @@ struct StepScratch {
 
     Motions motions;  // row i + 1 is awake row i
     std::vector<Drive> drives;
-    ChunkedList<int> noted_rows;  // of a loop: those that move along no axis or one or are paddles; are lost
+    ChunkedList<int> noted_rows;  // that move along no axis or one, or are paddles
     std::vector<ContactConstraint>
         contacts;  // in plain form: solved as scalars, or wanted for restitution or events
     std::vector<int> scalar_contacts;       // those of them
