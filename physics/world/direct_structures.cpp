@@ -28,6 +28,21 @@ std::size_t at(int i) {
     return static_cast<std::size_t>(i);
 }
 
+// Of the stiffest spring of a joint; 0 if it has none.
+float spring_frequency_hz(const JointDef& def) {
+    return std::visit(
+        []<class Def>(const Def& d) {
+            if constexpr (requires { d.enable_spring; }) {
+                return d.enable_spring ? d.frequency_hz : 0.0f;
+            } else if constexpr (requires { d.linear_frequency_hz; }) {
+                return std::max(d.linear_frequency_hz, d.angular_frequency_hz);
+            } else {
+                return 0.0f;
+            }
+        },
+        def);
+}
+
 // Calls visit(joint) for active joints, and asks for their records ahead.
 template <class Visit>
 void for_each_active(const Stores& stores, const Visit& visit) {
@@ -51,8 +66,11 @@ bool StructureSearch::Masses::are_uneven(float ratio) const {
     return least_inverse > 0 && most_inverse / least_inverse > ratio;
 }
 
-void StructureSearch::find(const Stores& stores, JointSolver solver, std::vector<DirectStructure>& structures,
+void StructureSearch::find(const Stores& stores, JointSolver solver, float h_s,
+                           std::vector<DirectStructure>& structures,
                            std::vector<DirectStructure>& without_loads) {
+    stiffest_soft_hz_ = 0;
+    softest_stiff_hz_ = std::numeric_limits<float>::infinity();
     recycle(without_loads);
     recycle(structures);
     if (solver == JointSolver::Sweeping || stores.joints.active.size() == 0) return;
@@ -61,7 +79,7 @@ void StructureSearch::find(const Stores& stores, JointSolver solver, std::vector
     static_assert(kMassRatio <= kUnevenMasses);
     if (solver != JointSolver::Direct && !masses.are_uneven(kMassRatio) && !is_any_held(stores)) return;
     join(stores);
-    sum_up(stores);
+    sum_up(stores, h_s);
     list(stores, solver, structures, without_loads);
 }
 
@@ -128,7 +146,7 @@ void StructureSearch::join(const Stores& stores) {
 }
 
 // In the order of their first joints.
-void StructureSearch::sum_up(const Stores& stores) {
+void StructureSearch::sum_up(const Stores& stores, float h_s) {
     summaries_.clear();
     of_root_.assign(moves_.size(), kNone);
     seen_.assign(moves_.size(), 0);
@@ -147,6 +165,7 @@ void StructureSearch::sum_up(const Stores& stores) {
         const auto* pin = std::get_if<RevoluteJointDef>(&record.def);
         s.plain_pins = s.plain_pins && pin != nullptr && is_plain_pin(*pin);
         s.lacks_load = s.lacks_load || !record.load_known;
+        if (pin == nullptr || pin->enable_spring) note_spring(spring_frequency_hz(record.def), h_s, s);
         for_each_body(stores, joint, [&](int body) {
             if (!moves(body)) s.is_held = true;
             if (!moves(body) || seen_[at(body)]) return;
@@ -155,6 +174,20 @@ void StructureSearch::sum_up(const Stores& stores) {
             s.masses.widen(inverse_mass_[at(body)]);
         });
     });
+}
+
+void StructureSearch::note_spring(float frequency_hz, float h_s, Summary& s) {
+    if (frequency_hz * h_s < kStiffTurns) {
+        stiffest_soft_hz_ = std::max(stiffest_soft_hz_, frequency_hz);
+    } else {
+        softest_stiff_hz_ = std::min(softest_stiff_hz_, frequency_hz);
+        ++s.stiff_springs;
+    }
+}
+
+// Springs that bear each other: a sweep from one end to the other hands down too little.
+bool StructureSearch::is_stiff(const Summary& s) {
+    return s.is_held && s.stiff_springs > 1;
 }
 
 bool StructureSearch::is_pendulum(const Summary& s) {
@@ -166,11 +199,11 @@ bool StructureSearch::bears_with_few(const Summary& s) {
 }
 
 bool StructureSearch::may_be_hard(const Summary& s) {
-    if (s.joints < kFewestJoints) return is_pendulum(s) || bears_with_few(s);
+    if (s.joints < kFewestJoints) return is_pendulum(s) || bears_with_few(s) || is_stiff(s);
     if (static_cast<float>(s.joints) > kJointsPerBody * static_cast<float>(s.bodies) + kSpareJoints)
         return false;
     const bool may_be_deep = s.is_held && s.joints > kDepth;
-    return may_be_deep || s.masses.are_uneven(kMassRatio);
+    return may_be_deep || is_stiff(s) || s.masses.are_uneven(kMassRatio);
 }
 
 bool StructureSearch::may_need_loads(const Summary& s) {
@@ -231,7 +264,7 @@ bool StructureSearch::is_hard_to_sweep(const DirectStructure& s, const Summary& 
                                        const Stores& stores) {
     if (summary.joints < kFewestJoints) return true;
     const bool uneven = summary.masses.are_uneven(kMassRatio);
-    if (!uneven && depth_of(s, stores) <= kDepth) return false;
+    if (!uneven && !is_stiff(summary) && depth_of(s, stores) <= kDepth) return false;
     return products_per_joint(s, stores) <= kMaxProducts;
 }
 

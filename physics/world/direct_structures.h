@@ -4,12 +4,14 @@
 // Invariant: the order of structures, and what is in them, follow from the list of active joints alone.
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include <cairn/physics/joint.h>
 
 #include "base/union_find.h"
 #include "resolve/direct/block_ldl.h"
+#include "resolve/joints/exact_spring.h"
 
 namespace cairn::physics {
 
@@ -24,10 +26,15 @@ struct DirectStructure {
 
 class StructureSearch {
   public:
-    /// Structures that are to be solved directly, as the choice of the world says. Those of plain pins that
-    /// would be but for their loops, and have pins whose loads are not known, are `without_loads`.
-    void find(const Stores& stores, JointSolver solver, std::vector<DirectStructure>& structures,
+    /// Structures that are to be solved directly in substeps of h_s, as the choice of the world says. Those
+    /// of plain pins that would be but for their loops, and have pins whose loads are not known, are
+    /// `without_loads`.
+    void find(const Stores& stores, JointSolver solver, float h_s, std::vector<DirectStructure>& structures,
               std::vector<DirectStructure>& without_loads);
+    /// Whether substeps of h_s change nothing of what was found.
+    [[nodiscard]] bool holds_for(float h_s) const {
+        return stiffest_soft_hz_ * h_s < kStiffTurns && !(softest_stiff_hz_ * h_s < kStiffTurns);
+    }
     /// Empties the list, and keeps the memory of its structures for those that are found next.
     void recycle(std::vector<DirectStructure>& structures);
 
@@ -47,17 +54,20 @@ class StructureSearch {
         bool is_held = false;     // by what does not move
         bool plain_pins = true;   // and nothing else
         bool lacks_load = false;  // of one of them
-        int listed = -1;          // place among the structures
+        int stiff_springs = 0;
+        int listed = -1;  // place among the structures
     };
 
     Masses note_movers(const Stores& stores);
     [[nodiscard]] bool moves(int body) const { return moves_[static_cast<std::size_t>(body)] != 0; }
     [[nodiscard]] bool is_any_held(const Stores& stores) const;
     void join(const Stores& stores);
-    void sum_up(const Stores& stores);
+    void sum_up(const Stores& stores, float h_s);
     [[nodiscard]] static bool is_pendulum(const Summary& s);
     [[nodiscard]] static bool bears_with_few(const Summary& s);
     [[nodiscard]] static bool may_be_hard(const Summary& s);
+    [[nodiscard]] static bool is_stiff(const Summary& s);
+    void note_spring(float frequency_hz, float h_s, Summary& s);
     [[nodiscard]] static bool may_need_loads(const Summary& s);
     void list(const Stores& stores, JointSolver solver, std::vector<DirectStructure>& structures,
               std::vector<DirectStructure>& without_loads);
@@ -70,6 +80,8 @@ class StructureSearch {
     [[nodiscard]] int depth_of(const DirectStructure& s, const Stores& stores);
     [[nodiscard]] double products_per_joint(const DirectStructure& s, const Stores& stores);
 
+    float stiffest_soft_hz_ = 0;
+    float softest_stiff_hz_ = std::numeric_limits<float>::infinity();
     std::vector<char> moves_;          // by body
     std::vector<float> inverse_mass_;  // by body, of awake ones
     UnionFind sets_;                   // of bodies

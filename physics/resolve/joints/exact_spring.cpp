@@ -58,6 +58,13 @@ constexpr double kLeastCrowd = 0.6;
 // Softer ones keep to their poles in any crowd: 21 Hz.
 constexpr double kLeastStiff = 0.3;
 
+// Implicit Euler: energy goes, and never comes.
+ExactSpring implicit(ExactSpring spring, double square, double damping) {
+    spring.d1 = static_cast<float>(square + damping);
+    spring.d0 = 0;
+    return spring;
+}
+
 }  // namespace
 
 ExactSpring make_exact_spring(double frequency_hz, double damping_ratio, double h_s, double stiffening) {
@@ -105,11 +112,12 @@ bool is_crowd(const SpringLoad& load, double h_s) {
 
 ExactSpring crowded(ExactSpring spring, double square, double damping) {
     spring.crowded = true;
-    if (square > kLeastStiff) {
-        spring.d1 = static_cast<float>(square + damping);  // implicit Euler
-        spring.d0 = 0;
-    }
-    return spring;
+    return square > kLeastStiff ? implicit(spring, square, damping) : spring;
+}
+
+ExactSpring crowded_in_structure(ExactSpring spring, double square, double damping) {
+    constexpr double kStiff_rad = 2 * static_cast<double>(kPi) * static_cast<double>(kStiffTurns);
+    return square > kStiff_rad * kStiff_rad ? implicit(spring, square, damping) : spring;
 }
 
 }  // namespace cairn::physics
