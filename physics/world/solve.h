@@ -169,9 +169,9 @@ inline void note_spring_speeds(JointLanes& joints, StepScratch& scratch, TaskPoo
 /// The impulses of contacts in the last step, as the first guess of this one. Within a step
 /// integrate_velocities carries them on.
 inline void warm_start_contacts(StepScratch& scratch, const StepTime& time, TaskPool& tasks) {
-    for (const int i : scratch.scalar_contacts) {
+    scratch.plain_groups.for_each(tasks, [&](int i) {
         warm_start_contact(scratch.contacts[i], scratch.motions, time.step_ratio, time.impulse_ratio);
-    }
+    });
     warm_start(scratch.batches->rest_runs(), scratch.motions, time.step_ratio, time.impulse_ratio, tasks);
 }
 
@@ -224,9 +224,8 @@ inline void solve_joints(JointLanes& lanes, StepScratch& scratch, float h_s, Act
 
 inline void solve_contacts(StepScratch& scratch, const ContactRules& rules, float h_s, Pass pass, Scope scope,
                            TaskPool& tasks) {
-    for (const int i : scratch.scalar_contacts) {
-        solve_contact(scratch.contacts[i], scratch.motions, rules, h_s, pass);
-    }
+    scratch.plain_groups.for_each(
+        tasks, [&](int i) { solve_contact(scratch.contacts[i], scratch.motions, rules, h_s, pass); });
     solve(scratch.batches->rest_runs(), scratch.motions, rules, h_s, pass, scope, tasks);
 }
 

@@ -71,6 +71,7 @@ void step_world(WorldState& world, float dt_s) {
     StaticsEstimate statics(stores, def.gravity_m_s2, time, scratch, tasks);
     if (world.direct.count > 0) statics.finish(tasks);
     start_direct_solve(stores, rules, time, scratch, world.direct, tasks);
+    scratch.plain_groups.divide(scratch.scalar_contacts, scratch.contacts, scratch.motions, tasks);
 
     clock.enter(Stage::Solve);
     const Acting acting = what_acts(stores, scratch);

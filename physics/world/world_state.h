@@ -39,6 +39,7 @@
 #include "world/filter_calls.h"
 #include "world/joint_store.h"
 #include "world/material_mixing.h"
+#include "world/plain_groups.h"
 #include "world/resting.h"
 #include "world/sensors.h"
 #include "world/shape_store.h"
@@ -362,6 +363,7 @@ struct StepScratch {
     std::vector<ContactConstraint>
         contacts;  // in plain form: solved as scalars, or wanted for restitution or events
     std::vector<int> scalar_contacts;       // those of them
+    PlainGroups plain_groups;               // of the scalar ones
     std::vector<AwaitedContact> awaited;    // those that are reached in the course of the step
     BentScratch bent;                       // of bodies that may be turned aside in it
     std::vector<SweepingContact> sweeping;  // those that are collided anew in each substep
