@@ -100,7 +100,7 @@ void DirectSystem::settle() {
 // Pairs whose length is too great are shortened, and stay so.
 bool DirectSystem::shorten_wrong() {
     bool any = false;
-    for (const Wrong& w : wrong_) {
+    for (const Place& w : wrong_) {
         if (equations[at(w.equation)].bound != Bound::Round) continue;
         change_over(w.equation);
         is_stale_ = true;
@@ -111,13 +111,10 @@ bool DirectSystem::shorten_wrong() {
 
 void DirectSystem::descend() {
     bounded_.clear();
-    for (int m = 0; m < static_cast<int>(members.size()); ++m) {
-        for (int i = members[at(m)].first_equation; i < members[at(m)].last_equation; ++i) {
-            const DirectEquation& e = equations[at(i)];
-            if (e.bound != Bound::Range && e.bound != Bound::Friction) continue;
-            if (e.state == State::Idle || e.state == State::Given) continue;
-            bounded_.push_back({m, i, std::clamp(e.before + e.impulse, e.low, e.high)});
-        }
+    for (const Place& p : limited_) {
+        const DirectEquation& e = equations[at(p.equation)];
+        if (e.bound == Bound::Round || e.state == State::Given) continue;
+        bounded_.push_back({p.member, p.equation, std::clamp(e.before + e.impulse, e.low, e.high)});
     }
     unbounded_factors_ = factors_;
     settle();

@@ -2,7 +2,6 @@
 #include "resolve/direct/direct_system.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -95,37 +94,6 @@ double DirectSystem::speed(int member, int equation, std::span<const double> of_
     return sum;
 }
 
-// Of all equations of a member at once; the same sums as `speed`.
-void DirectSystem::speeds(const Member& m, std::array<double, kMaxBlock>& out) const {
-    const DirectEquation* const own = equations.data() + m.first_equation;
-    with_count(m.equations(), [&](auto count) {
-        for (int e = 0; e < count; ++e) out[at(e)] = own[e].drift;
-        const double* j = j_.data() + m.first_j;
-        for (int l = m.first_link; l < m.last_link; ++l) {
-            const double* v = velocity.data() + 3 * links[at(l)].body;
-            for (int e = 0; e < count; ++e, j += 3) out[at(e)] += j[0] * v[0] + j[1] * v[1] + j[2] * v[2];
-        }
-    });
-}
-
-bool DirectSystem::some_act(const Member& m) const {
-    bool some = false;
-    for (int e = m.first_equation; e < m.last_equation; ++e) some |= equations[at(e)].state == State::Acts;
-    return some;
-}
-
-void DirectSystem::push(int member, int equation, double impulse) {
-    const Member& m = members[at(member)];
-    const double* j = j_.data() + m.first_j + 3 * (equation - m.first_equation);
-    for (int l = m.first_link; l < m.last_link; ++l, j += 3 * m.equations()) {
-        const DirectBody& body = bodies[at(links[at(l)].body)];
-        double* v = velocity.data() + 3 * links[at(l)].body;
-        v[0] += j[0] * impulse / body.mass;
-        v[1] += j[1] * impulse / body.mass;
-        v[2] += j[2] * impulse / body.inertia;
-    }
-}
-
 void DirectSystem::factor(BlockLdl& factors) const {
     for (std::size_t b = 0; b < bodies.size(); ++b) {
         const BlockLdl::BlockValues diagonal = factors.diagonal(static_cast<int>(b));
@@ -163,44 +131,41 @@ void DirectSystem::renew_factors() {
 
 // Where nothing but the states of those that were wrong changed since the last time.
 void DirectSystem::renew_factors_of_wrong() {
-    for (const Wrong& w : wrong_) set_member(factors_, w.member);
+    for (const Place& w : wrong_) set_member(factors_, w.member);
     factors_.factor();
     --factorizations_left_;
 }
 
+// Momentum that an impulse gives, into the right-hand side.
+void DirectSystem::push(const Member& m, int equation, double impulse) {
+    const double* j = j_.data() + m.first_j + 3 * (equation - m.first_equation);
+    for (int l = m.first_link; l < m.last_link; ++l, j += 3 * m.equations()) {
+        double* x = x_.data() + place_of_body(links[at(l)].body);
+        for (int i = 0; i < 3; ++i) x[i] += j[i] * impulse;
+    }
+}
+
 // Velocities and impulses that fulfil the equations as they are now; with their factors.
 void DirectSystem::balance(const BlockLdl& factors) {
-    velocity = velocity_before_;
+    x_ = momentum_before_;
     for (int m = 0; m < static_cast<int>(members.size()); ++m) {
-        for (int i = members[at(m)].first_equation; i < members[at(m)].last_equation; ++i) {
+        const Member& member = members[at(m)];
+        double* x = x_.data() + place_of_member(m);
+        for (int i = member.first_equation; i < member.last_equation; ++i, ++x) {
             DirectEquation& e = equations[at(i)];
-            if (e.state == State::Acts) continue;
+            if (e.state == State::Acts) {
+                *x = e.wanted - e.drift;
+                continue;
+            }
             if (e.state == State::Idle) e.impulse = 0;
             if (e.state == State::AtLow) e.impulse = e.low - e.before;
             if (e.state == State::AtHigh) e.impulse = e.high - e.before;
-            if (e.impulse != 0) push(m, i, e.impulse);
-        }
-    }
-    for (int b = 0; b < static_cast<int>(bodies.size()); ++b)
-        std::fill_n(x_.data() + place_of_body(b), 3, 0.0);
-    for (int m = 0; m < static_cast<int>(members.size()); ++m) {
-        double* x = x_.data() + place_of_member(m);
-        if (!some_act(members[at(m)])) {
-            std::fill_n(x, members[at(m)].equations(), 0.0);
-            continue;
-        }
-        std::array<double, kMaxBlock> now;
-        speeds(members[at(m)], now);
-        const double* speed = now.data();
-        for (int i = members[at(m)].first_equation; i < members[at(m)].last_equation; ++i, ++x, ++speed) {
-            *x = equations[at(i)].state == State::Acts ? equations[at(i)].wanted - *speed : 0;
+            if (e.impulse != 0) push(member, i, e.impulse);
         }
     }
     factors.solve(x_);
-    for (int b = 0; b < static_cast<int>(bodies.size()); ++b) {
-        const double* x = x_.data() + place_of_body(b);
-        for (int i = 0; i < 3; ++i) velocity[at(3 * b + i)] += x[i];
-    }
+    for (int b = 0; b < static_cast<int>(bodies.size()); ++b)
+        std::copy_n(x_.data() + place_of_body(b), 3, velocity.data() + 3 * b);
     for (int m = 0; m < static_cast<int>(members.size()); ++m) {
         const double* x = x_.data() + place_of_member(m);
         for (int i = members[at(m)].first_equation; i < members[at(m)].last_equation; ++i, ++x) {
@@ -210,7 +175,7 @@ void DirectSystem::balance(const BlockLdl& factors) {
 }
 
 bool DirectSystem::is_wrong(const DirectEquation& e, int member, int equation) const {
-    if (e.bound == Bound::None || e.state == State::Idle || e.state == State::Given) return false;
+    if (e.state == State::Given) return false;
     const double whole = e.before + e.impulse;
     if (e.bound == Bound::Round) {
         const double partner = equations[at(equation + 1)].before + equations[at(equation + 1)].impulse;
@@ -245,10 +210,8 @@ void DirectSystem::change_over(int equation) {
 
 void DirectSystem::find_wrong() {
     wrong_.clear();
-    for (int m = 0; m < static_cast<int>(members.size()); ++m) {
-        for (int i = members[at(m)].first_equation; i < members[at(m)].last_equation; ++i) {
-            if (is_wrong(equations[at(i)], m, i)) wrong_.push_back({m, i});
-        }
+    for (const Place& p : limited_) {
+        if (is_wrong(equations[at(p.equation)], p.member, p.equation)) wrong_.push_back(p);
     }
 }
 
@@ -267,7 +230,7 @@ bool DirectSystem::pivot() {
         } else {
             --chances;
         }
-        for (const Wrong& w : wrong_) change_over(w.equation);
+        for (const Place& w : wrong_) change_over(w.equation);
         if (chances >= 0) renew_factors_of_wrong();
     }
     is_stale_ = true;
@@ -299,8 +262,26 @@ bool DirectSystem::renew_friction() {
     return changed;
 }
 
+void DirectSystem::start(std::span<const double> velocity_before) {
+    momentum_before_.assign(x_.size(), 0);
+    for (int b = 0; b < static_cast<int>(bodies.size()); ++b) {
+        const double* v = velocity_before.data() + 3 * b;
+        double* momentum = momentum_before_.data() + place_of_body(b);
+        momentum[0] = bodies[at(b)].mass * v[0];
+        momentum[1] = bodies[at(b)].mass * v[1];
+        momentum[2] = bodies[at(b)].inertia * v[2];
+    }
+    limited_.clear();
+    for (int m = 0; m < static_cast<int>(members.size()); ++m) {
+        for (int i = members[at(m)].first_equation; i < members[at(m)].last_equation; ++i) {
+            const DirectEquation& e = equations[at(i)];
+            if (e.bound != Bound::None && e.state != State::Idle) limited_.push_back({m, i});
+        }
+    }
+}
+
 int DirectSystem::satisfy(std::span<const double> velocity_before, int most_factorizations) {
-    velocity_before_.assign(velocity_before.begin(), velocity_before.end());
+    start(velocity_before);
     is_stale_ = true;
     factorizations_left_ = most_factorizations;
     for (int round = 0; round < kMaxFrictionRounds; ++round) {

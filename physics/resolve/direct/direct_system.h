@@ -1,6 +1,7 @@
 // Equations on the velocities of some bodies, solved together, with bounds on their impulses.
-//     [M  J^T; J  -E] [dv; -p] = [0; w - J v]
-// M the masses, J the Jacobian, E the give of each equation, w the speed wanted, p the impulses.
+//     [M  J^T; J  -E] [v; -p] = [M v0; w]
+// M the masses, v0 the velocities before, J the Jacobian, E the give of each equation, w the speed wanted, p
+// the impulses.
 //
 // Bounds make it a linear complementarity problem with a positive definite matrix: each impulse is either
 // within its bounds, and its equation holds, or at one of them, and the speed is on the side to which that
@@ -120,7 +121,7 @@ class DirectSystem {
     std::vector<double> velocity;  // three per body: m/s, m/s, rad/s
 
   private:
-    struct Wrong {
+    struct Place {
         int member = 0;
         int equation = 0;
     };
@@ -133,9 +134,8 @@ class DirectSystem {
         bool stays = false;  // at its bound, though its equation would let it go
     };
 
-    void speeds(const Member& m, std::array<double, kMaxBlock>& out) const;
-    [[nodiscard]] bool some_act(const Member& m) const;
-    void push(int member, int equation, double impulse);
+    void start(std::span<const double> velocity_before);
+    void push(const Member& m, int equation, double impulse);
     void factor(BlockLdl& factors) const;
     void set_member(BlockLdl& factors, int member) const;
     void renew_factors();
@@ -156,8 +156,9 @@ class DirectSystem {
     void change_over(int equation);
     bool renew_friction();
 
-    std::vector<double> velocity_before_;
-    std::vector<Wrong> wrong_;
+    std::vector<double> momentum_before_;  // of bodies, in the order of x_; and 0 elsewhere
+    std::vector<Place> limited_;           // equations that have bounds, and are not idle
+    std::vector<Place> wrong_;
     // While descending.
     std::vector<Bounded> bounded_;
     BlockLdl unbounded_factors_;
