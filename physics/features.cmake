@@ -52,6 +52,7 @@ cairn_feature(DIRECT_SOLVER "the direct solver of joint structures and uneven co
   resolve/direct/direct_equations.cpp
   resolve/direct/direct_structure.cpp
   resolve/direct/direct_system.cpp
+  resolve/direct/ldl_numbers.cpp
   resolve/direct/pin_chain.cpp
   resolve/direct/pin_chain_energy.cpp
   resolve/direct/pin_chain_row.cpp

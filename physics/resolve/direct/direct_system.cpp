@@ -65,6 +65,7 @@ void DirectSystem::arrange() {
     j_.assign(at(numbers), 0);
     velocity.assign(3 * bodies.size(), 0);
     x_.assign(at(factors_.size()), 0);
+    momentum_before_.assign(x_.size(), 0);
 }
 
 void DirectSystem::weigh() {
@@ -148,10 +149,9 @@ void DirectSystem::push(const Member& m, int equation, double impulse) {
 // Velocities and impulses that fulfil the equations as they are now; with their factors.
 void DirectSystem::balance(const BlockLdl& factors) {
     x_ = momentum_before_;
-    for (int m = 0; m < static_cast<int>(members.size()); ++m) {
-        const Member& member = members[at(m)];
-        double* x = x_.data() + place_of_member(m);
-        for (int i = member.first_equation; i < member.last_equation; ++i, ++x) {
+    for (std::size_t m = 0; m < members.size(); ++m) {
+        double* x = x_.data() + place_of_member(static_cast<int>(m));
+        for (int i = members[m].first_equation; i < members[m].last_equation; ++i, ++x) {
             DirectEquation& e = equations[at(i)];
             if (e.state == State::Acts) {
                 *x = e.wanted - e.drift;
@@ -160,16 +160,19 @@ void DirectSystem::balance(const BlockLdl& factors) {
             if (e.state == State::Idle) e.impulse = 0;
             if (e.state == State::AtLow) e.impulse = e.low - e.before;
             if (e.state == State::AtHigh) e.impulse = e.high - e.before;
-            if (e.impulse != 0) push(member, i, e.impulse);
+            if (e.impulse != 0) push(members[m], i, e.impulse);
         }
     }
     factors.solve(x_);
-    for (int b = 0; b < static_cast<int>(bodies.size()); ++b)
-        std::copy_n(x_.data() + place_of_body(b), 3, velocity.data() + 3 * b);
-    for (int m = 0; m < static_cast<int>(members.size()); ++m) {
-        const double* x = x_.data() + place_of_member(m);
-        for (int i = members[at(m)].first_equation; i < members[at(m)].last_equation; ++i, ++x) {
-            if (equations[at(i)].state == State::Acts) equations[at(i)].impulse = -*x;
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+        const double* x = x_.data() + place_of_body(static_cast<int>(b));
+        for (std::size_t i = 0; i < 3; ++i) velocity[3 * b + i] = x[i];
+    }
+    for (std::size_t m = 0; m < members.size(); ++m) {
+        const double* x = x_.data() + place_of_member(static_cast<int>(m));
+        DirectEquation* const last = equations.data() + members[m].last_equation;
+        for (DirectEquation* e = equations.data() + members[m].first_equation; e != last; ++e, ++x) {
+            if (e->state == State::Acts) e->impulse = -*x;
         }
     }
 }
@@ -263,7 +266,6 @@ bool DirectSystem::renew_friction() {
 }
 
 void DirectSystem::start(std::span<const double> velocity_before) {
-    momentum_before_.assign(x_.size(), 0);
     for (int b = 0; b < static_cast<int>(bodies.size()); ++b) {
         const double* v = velocity_before.data() + 3 * b;
         double* momentum = momentum_before_.data() + place_of_body(b);

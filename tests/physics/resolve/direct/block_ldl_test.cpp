@@ -6,6 +6,8 @@
 #include <cmath>
 #include <vector>
 
+#include <cairn/physics/simd.h>
+
 #include "physics/support/random.h"
 
 namespace cairn::physics {
@@ -43,6 +45,7 @@ std::vector<double> solve_dense(Dense a, std::vector<double> b) {
 struct Problem {
     std::vector<BlockLdl::Node> nodes;
     std::vector<BlockLdl::Edge> edges;
+    double give = 1e-6;
     BlockLdl system;
     Dense dense;
 
@@ -56,9 +59,11 @@ struct Problem {
     void fill(test::Random& random) {
         system.analyze(nodes, edges);
         dense.assign(at(system.size()), std::vector<double>(at(system.size()), 0));
+        // Places that no unknown has stay as they are.
+        for (std::size_t i = 0; i < dense.size(); ++i) dense[i][i] = 1;
         for (std::size_t n = 0; n < nodes.size(); ++n) {
             for (int i = 0; i < nodes[n].size; ++i) {
-                const double value = nodes[n].late ? -1e-6 : random.real(0.1, 10);
+                const double value = nodes[n].late ? -give : random.real(0.1, 10);
                 const int place = system.offset(static_cast<int>(n)) + i;
                 system.diagonal(static_cast<int>(n)).set(i, i, value);
                 dense[at(place)][at(place)] = value;
@@ -103,6 +108,37 @@ TEST_CASE("random structures with loops are solved as by dense elimination") {
         }
         problem.fill(random);
         problem.require_solved(random);
+    }
+}
+
+TEST_CASE("nodes of all sizes are solved, to the same bits by every level of SIMD") {
+    const std::vector<SimdLevel> levels = available_simd_levels();
+    test::Random random(7);
+    for (int round = 0; round < 50; ++round) {
+        Problem problem;
+        problem.give = 0.1;
+        const int bodies = 2 + random.below(6);
+        for (int i = 0; i < bodies; ++i) problem.body();
+        for (int i = 0; i < 2 * bodies; ++i) {
+            const int a = random.below(bodies);
+            const int b = random.below(bodies);
+            problem.joint(1 + random.below(kMaxBlock), a, b == a ? -1 : b);
+        }
+        problem.fill(random);
+        problem.require_solved(random);
+        std::vector<std::vector<double>> solutions;
+        for (const SimdLevel level : levels) {
+            force_simd_level(level).value();
+            BlockLdl system = problem.system;
+            for (int node = 0; node < bodies; ++node) system.diagonal(node).set(0, 0, 11);
+            system.factor();
+            std::vector<double> x(at(system.size()));
+            for (std::size_t i = 0; i < x.size(); ++i) x[i] = 1 / (1 + static_cast<double>(i));
+            system.solve(x);
+            solutions.push_back(x);
+        }
+        force_simd_level(levels.back()).value();
+        for (const std::vector<double>& x : solutions) REQUIRE(x == solutions.front());
     }
 }
 
