@@ -142,14 +142,16 @@ void BlockLdl::list_updates() {
     }
 }
 
-// By least degree, ties by number, what may be eliminated. Leaves the order, and of each node the neighbours
-// that are eliminated after it.
+// By least degree, what may be eliminated; of equals the lowest in the elimination tree, so that branches
+// grow together and the ways to the root are short; and then by number. Leaves the order, and of each node
+// the neighbours that are eliminated after it.
 void BlockLdl::eliminate() {
     const auto degree = [&](int i) { return static_cast<int>(neighbours_[index(i)].size()); };
     order_.clear();
     waiting_.clear();
+    level_.assign(nodes_.size(), 0);
     const auto wait = [&](int node) {
-        waiting_.push_back({degree(node), node});
+        waiting_.push_back({degree(node), level_[index(node)], node});
         std::push_heap(waiting_.begin(), waiting_.end(), std::greater<>());
     };
     for (int i = 0; i < static_cast<int>(nodes_.size()); ++i) {
@@ -161,14 +163,16 @@ void BlockLdl::eliminate() {
         const Waiting next = waiting_.back();
         waiting_.pop_back();
         const int node = next.node;
-        // Degrees change while nodes wait: then they wait again, with the new one.
-        if (rank_[index(node)] >= 0 || next.degree != degree(node)) continue;
+        // Degrees and levels change while nodes wait: then they wait again, with the new ones.
+        if (rank_[index(node)] >= 0 || next.degree != degree(node) || next.level != level_[index(node)])
+            continue;
         rank_[index(node)] = static_cast<int>(order_.size());
         order_.push_back(node);
         const std::vector<int>& around = neighbours_[index(node)];
         for (const int i : around) {
             std::vector<int>& list = neighbours_[index(i)];
             remove_sorted(list, node);
+            level_[index(i)] = std::max(level_[index(i)], next.level + 1);
             for (const int j : around) {
                 if (j != i) add_sorted(list, j);
             }

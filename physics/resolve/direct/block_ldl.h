@@ -2,7 +2,8 @@
 //
 // Made for the systems of joints, [ M  J^T ; J  -E ] with M of bodies and E >= 0 of joints: quasi-definite,
 // so any order works; an order in which a joint comes after one of its bodies keeps pivots of ordinary size,
-// whatever E. Nodes are eliminated by least degree, so a tree has no fill, and a chain is block-tridiagonal.
+// whatever E. Nodes are eliminated by least degree, so a tree has no fill, and a chain is block-tridiagonal;
+// among equals by a low elimination tree.
 // A column is factored from its own values and from what columns before it left for it, so those below which
 // nothing changed are kept: states of contacts that change over, and structures that stand still, cost
 // little. Invariant: values and unknowns stand in the order of elimination, so that all passes stream through
@@ -85,6 +86,7 @@ class BlockLdl {
 
     struct Waiting {
         int degree = 0;
+        int level = 0;
         int node = 0;
         auto operator<=>(const Waiting&) const = default;
     };
@@ -109,7 +111,8 @@ class BlockLdl {
     // While analyzing.
     std::vector<std::vector<int>> neighbours_;  // by node, sorted
     std::vector<int> order_;
-    std::vector<int> rank_;  // by node
+    std::vector<int> rank_;   // by node
+    std::vector<int> level_;  // by node: the longest way to it in the elimination tree
     std::vector<Waiting> waiting_;
 };
 
