@@ -11,7 +11,6 @@
 // pivoting algorithm for large-scale strictly monotone linear complementarity problems" (1994).
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>

@@ -57,7 +57,8 @@ struct LdlNumbers {
 
 /// Anew only the columns that changed, and those above them in the elimination tree.
 void factor(LdlNumbers& numbers);
-/// Solves in place for a right-hand side, in which each node has the places of whole strips.
+/// Solves in place for a right-hand side, in which each node has the places of whole strips;
+/// those beyond its unknowns stay as they are.
 void solve(const LdlNumbers& numbers, double* x);
 
 }  // namespace cairn::physics
