@@ -46,6 +46,11 @@ void find_structures(Stores& stores, JointSolver solver, float h_s, DirectGroups
     groups.version = stores.joints.version;
 }
 
+// A structure that is swept where too much touches it.
+bool is_left_where_crowded(const DirectStructure& s) {
+    return s.only_free || s.only_whole;
+}
+
 // A body that hangs together with more than a group may take up.
 constexpr int kTooMany = -2;
 
@@ -227,7 +232,7 @@ class Growth {
             groups_.too_many.push_back(body);
         }
         for (const int found : groups_.found) {
-            if (structure(found).only_free) continue;
+            if (is_left_where_crowded(structure(found))) continue;
             DirectStructure& group = new_group();
             group.bodies.assign(structure(found).bodies.begin(), structure(found).bodies.end());
             group.joints.assign(structure(found).joints.begin(), structure(found).joints.end());
@@ -265,7 +270,7 @@ void choose_direct_groups(Stores& stores, JointSolver solver, float h_s, DirectG
     const bool any = !groups.structures.empty() || stores.contacts.uneven.size() > 0;
     if (!any || solver == JointSolver::Sweeping) return;
     for (const DirectStructure& structure : groups.structures) {
-        if (!structure.only_free) continue;
+        if (!is_left_where_crowded(structure)) continue;
         for (const int joint : structure.joints) stores.joints.slots[joint].direct = false;
     }
     Growth growth(stores, groups);

@@ -28,17 +28,21 @@ std::size_t at(int i) {
     return static_cast<std::size_t>(i);
 }
 
-// Of the stiffest spring of a joint; 0 if it has none.
-float spring_frequency_hz(const JointDef& def) {
+// Hz; 0 where there is none.
+struct Frequencies {
+    float along = 0;  // of a spring along a line
+    float about = 0;  // of one that turns what is pinned
+};
+
+Frequencies spring_frequencies(const JointDef& def) {
+    if (const auto* pin = std::get_if<RevoluteJointDef>(&def))
+        return {0, pin->enable_spring ? pin->frequency_hz : 0};
+    if (const auto* weld = std::get_if<WeldJointDef>(&def))
+        return {weld->linear_frequency_hz, weld->linear_frequency_hz > 0 ? 0 : weld->angular_frequency_hz};
     return std::visit(
-        []<class Def>(const Def& d) {
-            if constexpr (requires { d.enable_spring; }) {
-                return d.enable_spring ? d.frequency_hz : 0.0f;
-            } else if constexpr (requires { d.linear_frequency_hz; }) {
-                return std::max(d.linear_frequency_hz, d.angular_frequency_hz);
-            } else {
-                return 0.0f;
-            }
+        []<class Def>(const Def& d) -> Frequencies {
+            if constexpr (requires { d.enable_spring; }) return {d.enable_spring ? d.frequency_hz : 0, 0};
+            return {};
         },
         def);
 }
@@ -56,6 +60,15 @@ void for_each_active(const Stores& stores, const Visit& visit) {
 
 }  // namespace
 
+bool StiffSprings::note(float frequency_hz, float h_s) {
+    if (frequency_hz * h_s < turns_) {
+        stiffest_soft_hz_ = std::max(stiffest_soft_hz_, frequency_hz);
+        return false;
+    }
+    softest_stiff_hz_ = std::min(softest_stiff_hz_, frequency_hz);
+    return true;
+}
+
 void StructureSearch::Masses::widen(float inverse_mass) {
     if (inverse_mass <= 0) return;
     if (least_inverse == 0 || inverse_mass < least_inverse) least_inverse = inverse_mass;
@@ -69,15 +82,16 @@ bool StructureSearch::Masses::are_uneven(float ratio) const {
 void StructureSearch::find(const Stores& stores, JointSolver solver, float h_s,
                            std::vector<DirectStructure>& structures,
                            std::vector<DirectStructure>& without_loads) {
-    stiffest_soft_hz_ = 0;
-    softest_stiff_hz_ = std::numeric_limits<float>::infinity();
+    stiff_along_.forget();
+    stiff_about_.forget();
     recycle(without_loads);
     recycle(structures);
     if (solver == JointSolver::Sweeping || stores.joints.active.size() == 0) return;
     const Masses masses = note_movers(stores);
     // What nothing holds, of masses like each other, is swept: ragdolls that tumble need no lists.
     static_assert(kMassRatio <= kUnevenMasses);
-    if (solver != JointSolver::Direct && !masses.are_uneven(kMassRatio) && !is_any_held(stores)) return;
+    if (solver != JointSolver::Direct && !masses.are_uneven(kMassRatio) && !may_any_be_hard(stores, h_s))
+        return;
     join(stores);
     sum_up(stores, h_s);
     list(stores, solver, structures, without_loads);
@@ -93,6 +107,7 @@ void StructureSearch::recycle(DirectStructure& structure) {
     structure.joints.clear();
     structure.bodies.clear();
     structure.only_free = false;
+    structure.only_whole = false;
     spare_.push_back(std::move(structure));
 }
 
@@ -120,10 +135,13 @@ StructureSearch::Masses StructureSearch::note_movers(const Stores& stores) {
     return masses;
 }
 
-bool StructureSearch::is_any_held(const Stores& stores) const {
+// What is held may be, and stiff springs about pins.
+bool StructureSearch::may_any_be_hard(const Stores& stores, float h_s) {
     bool found = false;
     for_each_active(stores, [&](int joint) {
         for_each_body(stores, joint, [&](int body) { found = found || !moves(body); });
+        const float about_hz = spring_frequencies(stores.joints.slots[joint].def).about;
+        if (about_hz > 0 && stiff_about_.note(about_hz, h_s)) found = true;
     });
     return found;
 }
@@ -165,7 +183,7 @@ void StructureSearch::sum_up(const Stores& stores, float h_s) {
         const auto* pin = std::get_if<RevoluteJointDef>(&record.def);
         s.plain_pins = s.plain_pins && pin != nullptr && is_plain_pin(*pin);
         s.lacks_load = s.lacks_load || !record.load_known;
-        if (pin == nullptr || pin->enable_spring) note_spring(spring_frequency_hz(record.def), h_s, s);
+        note_springs(record.def, h_s, s);
         for_each_body(stores, joint, [&](int body) {
             if (!moves(body)) s.is_held = true;
             if (!moves(body) || seen_[at(body)]) return;
@@ -176,18 +194,16 @@ void StructureSearch::sum_up(const Stores& stores, float h_s) {
     });
 }
 
-void StructureSearch::note_spring(float frequency_hz, float h_s, Summary& s) {
-    if (frequency_hz * h_s < kStiffTurns) {
-        stiffest_soft_hz_ = std::max(stiffest_soft_hz_, frequency_hz);
-    } else {
-        softest_stiff_hz_ = std::min(softest_stiff_hz_, frequency_hz);
-        ++s.stiff_springs;
-    }
+void StructureSearch::note_springs(const JointDef& def, float h_s, Summary& s) {
+    const Frequencies springs = spring_frequencies(def);
+    if (springs.along > 0 && stiff_along_.note(springs.along, h_s)) ++s.stiff_along;
+    if (springs.about > 0 && stiff_about_.note(springs.about, h_s)) ++s.stiff_about;
 }
 
-// Springs that bear each other: a sweep from one end to the other hands down too little.
+// Springs that bear each other: a sweep from one end to the other hands down too little. Those about pins
+// make energy when swept, whether or not something holds them.
 bool StructureSearch::is_stiff(const Summary& s) {
-    return s.is_held && s.stiff_springs > 1;
+    return s.stiff_about > 1 || (s.is_held && s.stiff_along > 1);
 }
 
 bool StructureSearch::is_pendulum(const Summary& s) {
@@ -251,6 +267,7 @@ void StructureSearch::list(const Stores& stores, JointSolver solver, std::vector
         }
         if (kept != i) structures[kept] = std::move(structures[i]);
         structures[kept].only_free = is_pendulum(summary);
+        structures[kept].only_whole = is_for_sag_alone(structures[kept], summary, stores);
         ++kept;
     }
     structures.resize(kept);
@@ -266,6 +283,14 @@ bool StructureSearch::is_hard_to_sweep(const DirectStructure& s, const Summary& 
     const bool uneven = summary.masses.are_uneven(kMassRatio);
     if (!uneven && !is_stiff(summary) && depth_of(s, stores) <= kDepth) return false;
     return products_per_joint(s, stores) <= kMaxProducts;
+}
+
+// What is swept otherwise, and holds still then, but sags too far.
+bool StructureSearch::is_for_sag_alone(const DirectStructure& s, const Summary& summary,
+                                       const Stores& stores) {
+    if (summary.stiff_about > 1 || summary.stiff_along < 2) return false;
+    if (summary.joints < kFewestJoints) return !bears_with_few(summary);
+    return !summary.masses.are_uneven(kMassRatio) && depth_of(s, stores) <= kDepth;
 }
 
 // Joints between the farthest body and what holds the structure; 0 if nothing does.

@@ -28,6 +28,8 @@ void update_links(Stores& stores, int body) {
             unlist_contact(stores, contact);
         }
     });
+    // Which structures there are depends on what moves, even where the same joints stay active.
+    if (record.first_joint != kNone) ++stores.joints.version;
     for_each_edge(stores.joints.slots, record.first_joint, [&](int joint, int) {
         const JointRecord& j = stores.joints.slots[joint];
         if (takes_part(j) && is_active(stores.bodies, j.body_a, j.body_b)) {
