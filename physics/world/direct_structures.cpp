@@ -28,25 +28,6 @@ std::size_t at(int i) {
     return static_cast<std::size_t>(i);
 }
 
-// Hz; 0 where there is none.
-struct Frequencies {
-    float along = 0;  // of a spring along a line
-    float about = 0;  // of one that turns what is pinned
-};
-
-Frequencies spring_frequencies(const JointDef& def) {
-    if (const auto* pin = std::get_if<RevoluteJointDef>(&def))
-        return {0, pin->enable_spring ? pin->frequency_hz : 0};
-    if (const auto* weld = std::get_if<WeldJointDef>(&def))
-        return {weld->linear_frequency_hz, weld->linear_frequency_hz > 0 ? 0 : weld->angular_frequency_hz};
-    return std::visit(
-        []<class Def>(const Def& d) -> Frequencies {
-            if constexpr (requires { d.enable_spring; }) return {d.enable_spring ? d.frequency_hz : 0, 0};
-            return {};
-        },
-        def);
-}
-
 // Calls visit(joint) for active joints, and asks for their records ahead.
 template <class Visit>
 void for_each_active(const Stores& stores, const Visit& visit) {
@@ -60,15 +41,6 @@ void for_each_active(const Stores& stores, const Visit& visit) {
 
 }  // namespace
 
-bool StiffSprings::note(float frequency_hz, float h_s) {
-    if (frequency_hz * h_s < turns_) {
-        stiffest_soft_hz_ = std::max(stiffest_soft_hz_, frequency_hz);
-        return false;
-    }
-    softest_stiff_hz_ = std::min(softest_stiff_hz_, frequency_hz);
-    return true;
-}
-
 void StructureSearch::Masses::widen(float inverse_mass) {
     if (inverse_mass <= 0) return;
     if (least_inverse == 0 || inverse_mass < least_inverse) least_inverse = inverse_mass;
@@ -79,21 +51,17 @@ bool StructureSearch::Masses::are_uneven(float ratio) const {
     return least_inverse > 0 && most_inverse / least_inverse > ratio;
 }
 
-void StructureSearch::find(const Stores& stores, JointSolver solver, float h_s,
-                           std::vector<DirectStructure>& structures,
+void StructureSearch::find(const Stores& stores, JointSolver solver, std::vector<DirectStructure>& structures,
                            std::vector<DirectStructure>& without_loads) {
-    stiff_along_.forget();
-    stiff_about_.forget();
     recycle(without_loads);
     recycle(structures);
     if (solver == JointSolver::Sweeping || stores.joints.active.size() == 0) return;
     const Masses masses = note_movers(stores);
     // What nothing holds, of masses like each other, is swept: ragdolls that tumble need no lists.
     static_assert(kMassRatio <= kUnevenMasses);
-    if (solver != JointSolver::Direct && !masses.are_uneven(kMassRatio) && !may_any_be_hard(stores, h_s))
-        return;
+    if (solver != JointSolver::Direct && !masses.are_uneven(kMassRatio) && !is_any_held(stores)) return;
     join(stores);
-    sum_up(stores, h_s);
+    sum_up(stores);
     list(stores, solver, structures, without_loads);
 }
 
@@ -107,7 +75,6 @@ void StructureSearch::recycle(DirectStructure& structure) {
     structure.joints.clear();
     structure.bodies.clear();
     structure.only_free = false;
-    structure.only_whole = false;
     spare_.push_back(std::move(structure));
 }
 
@@ -135,13 +102,10 @@ StructureSearch::Masses StructureSearch::note_movers(const Stores& stores) {
     return masses;
 }
 
-// What is held may be, and stiff springs about pins.
-bool StructureSearch::may_any_be_hard(const Stores& stores, float h_s) {
+bool StructureSearch::is_any_held(const Stores& stores) const {
     bool found = false;
     for_each_active(stores, [&](int joint) {
         for_each_body(stores, joint, [&](int body) { found = found || !moves(body); });
-        const float about_hz = spring_frequencies(stores.joints.slots[joint].def).about;
-        if (about_hz > 0 && stiff_about_.note(about_hz, h_s)) found = true;
     });
     return found;
 }
@@ -164,7 +128,7 @@ void StructureSearch::join(const Stores& stores) {
 }
 
 // In the order of their first joints.
-void StructureSearch::sum_up(const Stores& stores, float h_s) {
+void StructureSearch::sum_up(const Stores& stores) {
     summaries_.clear();
     of_root_.assign(moves_.size(), kNone);
     seen_.assign(moves_.size(), 0);
@@ -183,7 +147,6 @@ void StructureSearch::sum_up(const Stores& stores, float h_s) {
         const auto* pin = std::get_if<RevoluteJointDef>(&record.def);
         s.plain_pins = s.plain_pins && pin != nullptr && is_plain_pin(*pin);
         s.lacks_load = s.lacks_load || !record.load_known;
-        note_springs(record.def, h_s, s);
         for_each_body(stores, joint, [&](int body) {
             if (!moves(body)) s.is_held = true;
             if (!moves(body) || seen_[at(body)]) return;
@@ -192,18 +155,6 @@ void StructureSearch::sum_up(const Stores& stores, float h_s) {
             s.masses.widen(inverse_mass_[at(body)]);
         });
     });
-}
-
-void StructureSearch::note_springs(const JointDef& def, float h_s, Summary& s) {
-    const Frequencies springs = spring_frequencies(def);
-    if (springs.along > 0 && stiff_along_.note(springs.along, h_s)) ++s.stiff_along;
-    if (springs.about > 0 && stiff_about_.note(springs.about, h_s)) ++s.stiff_about;
-}
-
-// Springs that bear each other: a sweep from one end to the other hands down too little. Those about pins
-// make energy when swept, whether or not something holds them.
-bool StructureSearch::is_stiff(const Summary& s) {
-    return s.stiff_about > 1 || (s.is_held && s.stiff_along > 1);
 }
 
 bool StructureSearch::is_pendulum(const Summary& s) {
@@ -215,11 +166,11 @@ bool StructureSearch::bears_with_few(const Summary& s) {
 }
 
 bool StructureSearch::may_be_hard(const Summary& s) {
-    if (s.joints < kFewestJoints) return is_pendulum(s) || bears_with_few(s) || is_stiff(s);
+    if (s.joints < kFewestJoints) return is_pendulum(s) || bears_with_few(s);
     if (static_cast<float>(s.joints) > kJointsPerBody * static_cast<float>(s.bodies) + kSpareJoints)
         return false;
     const bool may_be_deep = s.is_held && s.joints > kDepth;
-    return may_be_deep || is_stiff(s) || s.masses.are_uneven(kMassRatio);
+    return may_be_deep || s.masses.are_uneven(kMassRatio);
 }
 
 bool StructureSearch::may_need_loads(const Summary& s) {
@@ -267,7 +218,6 @@ void StructureSearch::list(const Stores& stores, JointSolver solver, std::vector
         }
         if (kept != i) structures[kept] = std::move(structures[i]);
         structures[kept].only_free = is_pendulum(summary);
-        structures[kept].only_whole = is_for_sag_alone(structures[kept], summary, stores);
         ++kept;
     }
     structures.resize(kept);
@@ -281,16 +231,8 @@ bool StructureSearch::is_hard_to_sweep(const DirectStructure& s, const Summary& 
                                        const Stores& stores) {
     if (summary.joints < kFewestJoints) return true;
     const bool uneven = summary.masses.are_uneven(kMassRatio);
-    if (!uneven && !is_stiff(summary) && depth_of(s, stores) <= kDepth) return false;
+    if (!uneven && depth_of(s, stores) <= kDepth) return false;
     return products_per_joint(s, stores) <= kMaxProducts;
-}
-
-// What is swept otherwise, and holds still then, but sags too far.
-bool StructureSearch::is_for_sag_alone(const DirectStructure& s, const Summary& summary,
-                                       const Stores& stores) {
-    if (summary.stiff_about > 1 || summary.stiff_along < 2) return false;
-    if (summary.joints < kFewestJoints) return !bears_with_few(summary);
-    return !summary.masses.are_uneven(kMassRatio) && depth_of(s, stores) <= kDepth;
 }
 
 // Joints between the farthest body and what holds the structure; 0 if nothing does.

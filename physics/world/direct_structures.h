@@ -4,14 +4,12 @@
 // Invariant: the order of structures, and what is in them, follow from the list of active joints alone.
 #pragma once
 
-#include <limits>
 #include <vector>
 
 #include <cairn/physics/joint.h>
 
 #include "base/union_find.h"
 #include "resolve/direct/block_ldl.h"
-#include "resolve/joints/exact_spring.h"
 
 namespace cairn::physics {
 
@@ -21,43 +19,15 @@ struct Stores;
 struct DirectStructure {
     std::vector<int> joints;
     std::vector<int> bodies;
-    bool only_free = false;   // solved directly only in steps in which nothing can touch it
-    bool only_whole = false;  // or only with all that touches it
-};
-
-/// Which springs are stiff in substeps of some length, and for how long that stays so.
-class StiffSprings {
-  public:
-    explicit StiffSprings(float turns) : turns_(turns) {}
-
-    void forget() {
-        stiffest_soft_hz_ = 0;
-        softest_stiff_hz_ = std::numeric_limits<float>::infinity();
-    }
-    /// Whether a spring is stiff; it is kept in mind.
-    bool note(float frequency_hz, float h_s);
-    /// Whether the springs that were noted are all what they were in substeps of h_s, too.
-    [[nodiscard]] bool hold_for(float h_s) const {
-        return stiffest_soft_hz_ * h_s < turns_ && !(softest_stiff_hz_ * h_s < turns_);
-    }
-
-  private:
-    float turns_;  // periods in a substep
-    float stiffest_soft_hz_ = 0;
-    float softest_stiff_hz_ = std::numeric_limits<float>::infinity();
+    bool only_free = false;  // solved directly only in steps in which nothing can touch it
 };
 
 class StructureSearch {
   public:
-    /// Structures that are to be solved directly in substeps of h_s, as the choice of the world says. Those
-    /// of plain pins that would be but for their loops, and have pins whose loads are not known, are
-    /// `without_loads`.
-    void find(const Stores& stores, JointSolver solver, float h_s, std::vector<DirectStructure>& structures,
+    /// Structures that are to be solved directly, as the choice of the world says. Those of plain pins that
+    /// would be but for their loops, and have pins whose loads are not known, are `without_loads`.
+    void find(const Stores& stores, JointSolver solver, std::vector<DirectStructure>& structures,
               std::vector<DirectStructure>& without_loads);
-    /// Whether substeps of h_s change nothing of what was found.
-    [[nodiscard]] bool holds_for(float h_s) const {
-        return stiff_along_.hold_for(h_s) && stiff_about_.hold_for(h_s);
-    }
     /// Empties the list, and keeps the memory of its structures for those that are found next.
     void recycle(std::vector<DirectStructure>& structures);
 
@@ -77,21 +47,17 @@ class StructureSearch {
         bool is_held = false;     // by what does not move
         bool plain_pins = true;   // and nothing else
         bool lacks_load = false;  // of one of them
-        int stiff_along = 0;      // springs along a line
-        int stiff_about = 0;      // springs about a pin
         int listed = -1;          // place among the structures
     };
 
     Masses note_movers(const Stores& stores);
     [[nodiscard]] bool moves(int body) const { return moves_[static_cast<std::size_t>(body)] != 0; }
-    [[nodiscard]] bool may_any_be_hard(const Stores& stores, float h_s);
+    [[nodiscard]] bool is_any_held(const Stores& stores) const;
     void join(const Stores& stores);
-    void sum_up(const Stores& stores, float h_s);
+    void sum_up(const Stores& stores);
     [[nodiscard]] static bool is_pendulum(const Summary& s);
     [[nodiscard]] static bool bears_with_few(const Summary& s);
     [[nodiscard]] static bool may_be_hard(const Summary& s);
-    [[nodiscard]] static bool is_stiff(const Summary& s);
-    void note_springs(const JointDef& def, float h_s, Summary& s);
     [[nodiscard]] static bool may_need_loads(const Summary& s);
     void list(const Stores& stores, JointSolver solver, std::vector<DirectStructure>& structures,
               std::vector<DirectStructure>& without_loads);
@@ -101,13 +67,9 @@ class StructureSearch {
     // These want the bodies numbered.
     [[nodiscard]] bool is_hard_to_sweep(const DirectStructure& s, const Summary& summary,
                                         const Stores& stores);
-    [[nodiscard]] bool is_for_sag_alone(const DirectStructure& s, const Summary& summary,
-                                        const Stores& stores);
     [[nodiscard]] int depth_of(const DirectStructure& s, const Stores& stores);
     [[nodiscard]] double products_per_joint(const DirectStructure& s, const Stores& stores);
 
-    StiffSprings stiff_along_{kStiffTurns};
-    StiffSprings stiff_about_{kStiffTurnsOfPins};
     std::vector<char> moves_;          // by body
     std::vector<float> inverse_mass_;  // by body, of awake ones
     UnionFind sets_;                   // of bodies

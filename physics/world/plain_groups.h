@@ -19,6 +19,8 @@ class PlainGroups {
     void divide(std::span<const int> plain, std::span<const ContactConstraint> contacts,
                 const Motions& motions, const TaskPool& tasks);
 
+    /// How many pieces of work threads may take.
+    [[nodiscard]] std::size_t parts() const { return parts_.size(); }
     /// Calls solve(place) for all contacts, as they were divided.
     template <class Solve>
     void for_each(TaskPool& tasks, const Solve& solve) const {

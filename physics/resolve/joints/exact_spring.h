@@ -13,15 +13,6 @@ struct ExactSpring {
     bool crowded = false;
 };
 
-/// Periods in a substep from which on a spring along a line is stiff. Of what such springs bear for each
-/// other sweeps hand down too little: chains of eight sag 4 % too far at 1.4 times it, by a fifth to two
-/// fifths at 2.7 times, and 50 times as far at 27 times.
-inline constexpr float kStiffTurns = 0.26f;
-
-/// The same of a spring that turns what is pinned. Sweeps of pins and of such springs feed each other from
-/// .39 on in six boxes pinned end to end, from .33 on in twelve: they gain 100 times their energy.
-inline constexpr float kStiffTurnsOfPins = 0.3f;
-
 /// What the springs at one body amount to.
 struct SpringLoad {
     double together_1_s2 = 0;  // the sum of w^2, each times the share of the body in J 1/M J^T
@@ -50,8 +41,8 @@ bool is_crowd(const SpringLoad& load, double h_s);
 /// is 2 z w h.
 ExactSpring crowded(ExactSpring spring, double square, double damping);
 
-/// A spring with a crowded body that is solved directly: the same unless it is stiff. Undamped ones in a ring
-/// would make energy.
+/// A spring with a crowded body that is solved directly: the same unless frames cannot show it. Undamped ones
+/// in a ring would make energy.
 ExactSpring crowded_in_structure(ExactSpring spring, double square, double damping);
 
 }  // namespace cairn::physics

@@ -74,6 +74,7 @@ TEST_CASE("contacts in groups are solved each once, and those of a body in their
             std::vector<int> once(contacts.size(), 0);
             for (const int place : plain) once[static_cast<std::size_t>(place)] = 1;
             CHECK(times == once);
+            CHECK((groups.parts() > 1) == (threads > 1 && count >= 60));
         }
     }
 }
