@@ -203,8 +203,11 @@ void prepare_joints(Stores& stores, const StepTime& time, StepScratch& scratch, 
     joints.resize(static_cast<std::size_t>(stores.joints.swept.size()));
     scratch.torn.clear();
     scratch.has_crowded_springs = false;
-    if (stores.joints.slots.size() == 0 && !stores.joints.lanes.springs_changed())
-        return list_jointed_rows(stores, scratch);
+    if (stores.joints.slots.size() == 0 && !stores.joints.lanes.springs_changed()) {
+        scratch.jointed_rows.clear();
+        scratch.few_are_jointed = true;
+        return;
+    }
     std::size_t next = 0;
     bool springs = false;
     FrameTurns frame_turns;
