@@ -260,13 +260,19 @@ class Placing {
         const BlockKind kind = kind_of(bucket);
         const std::uint32_t bit = 1u << color_of(bucket);
         std::uint32_t& colors_b = stores_.contacts.colors[static_cast<std::size_t>(b)];
-        bool fits = (colors_b & bit) == 0 && stores_.bodies.slots[b].inverse_mass > 0 &&
+        // What got another mass since the last step leaves its lanes at the start of the next.
+        const auto may_be_moved = [&](int body) {
+            return stores_.bodies.is_awake(body) &&
+                   (stores_.bodies.slots[body].inverse_mass > 0 ||
+                    stores_.masses.entries[static_cast<std::size_t>(body)].is_outdated);
+        };
+        bool fits = (colors_b & bit) == 0 && may_be_moved(b) &&
                     (type_a == BodyType::Static) == (kind == BlockKind::OneBody) &&
                     (type_a == BodyType::Kinematic) == (kind == BlockKind::Carried);
         colors_b |= bit;
         if (kind == BlockKind::TwoBodies) {
             std::uint32_t& colors_a = stores_.contacts.colors[static_cast<std::size_t>(a)];
-            fits = fits && (colors_a & bit) == 0 && stores_.bodies.slots[a].inverse_mass > 0;
+            fits = fits && (colors_a & bit) == 0 && may_be_moved(a);
             colors_a |= bit;
         }
         in_.require(fits, "a body is moved twice in one colour of contacts, or by none that moves it");

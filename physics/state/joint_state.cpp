@@ -196,14 +196,18 @@ class Seating {
     [[nodiscard]] bool is_free(int joint, const AnchorBlock& anchors, std::size_t lane, std::uint32_t bit,
                                bool both) const {
         const JointRecord& record = stores_.joints.slots[joint];
-        const auto can_be_moved = [&](int body) { return stores_.bodies.slots[body].inverse_mass > 0; };
+        // What got another mass since the last step leaves its lanes at the start of the next.
+        const auto may_be_moved = [&](int body, bool moved) {
+            return (stores_.bodies.slots[body].inverse_mass > 0) == moved ||
+                   stores_.masses.entries[static_cast<std::size_t>(body)].is_outdated;
+        };
         const auto is_taken = [&](int body) {
             return (stores_.joints.colors[static_cast<std::size_t>(body)] & bit) != 0;
         };
         return record.seat.lane == kNone && record.active_index != kNone && record.swept_index == kNone &&
                kind_of(record) == JointKind::Revolute && anchors.body_a[lane] == record.body_a &&
-               anchors.body_b[lane] == record.body_b && can_be_moved(record.body_b) &&
-               !is_taken(record.body_b) && can_be_moved(record.body_a) == both &&
+               anchors.body_b[lane] == record.body_b && may_be_moved(record.body_b, true) &&
+               !is_taken(record.body_b) && may_be_moved(record.body_a, both) &&
                !(both && is_taken(record.body_a));
     }
 
@@ -259,7 +263,8 @@ void load_joint_lists(Reader& in, Stores& stores) {
     JointStore& joints = stores.joints;
     joints.version = 0;
     joints.colors.assign(static_cast<std::size_t>(stores.bodies.slots.end_index()), 0);
-    load_list(in, joints, joints.active, [](const JointRecord& record) { return takes_part(record); });
+    load_list(in, joints, joints.active,
+              [&](const JointRecord& record) { return acts(stores.bodies, record); });
     load_list(in, joints, joints.swept,
               [](const JointRecord& record) { return record.active_index != kNone; });
     if (!in.ok()) return;

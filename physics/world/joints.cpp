@@ -63,11 +63,7 @@ void settle_gear(Stores& stores, JointRecord& record) {
 }
 
 void activate_if_awake(Stores& stores, int joint) {
-    const JointRecord& record = stores.joints.slots[joint];
-    if (takes_part(record) &&
-        (stores.bodies.is_awake(record.body_a) || stores.bodies.is_awake(record.body_b))) {
-        list_joint(stores, joint);
-    }
+    if (acts(stores.bodies, stores.joints.slots[joint])) list_joint(stores, joint);
 }
 
 // The angle to frames that were put elsewhere: of all those whole turns apart, the nearest to what it was.
@@ -157,6 +153,16 @@ void wake_joint_bodies(Stores& stores, int joint) {
 
 bool takes_part(const JointRecord& joint) {
     return kind_of(joint) != JointKind::Filter;
+}
+
+bool acts(const BodyStore& bodies, const JointRecord& joint) {
+    if (!takes_part(joint)) return false;
+    const bool a_awake = bodies.is_awake(joint.body_a);
+    const bool b_awake = bodies.is_awake(joint.body_b);
+    const bool a_moves = bodies.slots[joint.body_a].type == BodyType::Dynamic;
+    const bool b_moves = bodies.slots[joint.body_b].type == BodyType::Dynamic;
+    if (!a_moves && !b_moves) return a_awake || b_awake;
+    return (a_moves && a_awake) || (b_moves && b_awake);
 }
 
 }  // namespace cairn::physics

@@ -17,5 +17,7 @@ void wake_joint_bodies(Stores& stores, int joint);
 
 /// Whether a joint has anything to solve.
 bool takes_part(const JointRecord& joint);
+/// Whether it has in this step: while one of its bodies is awake, and one that it can move if there is any.
+bool acts(const BodyStore& bodies, const JointRecord& joint);
 
 }  // namespace cairn::physics

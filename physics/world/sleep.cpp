@@ -13,17 +13,24 @@
 namespace cairn::physics {
 namespace {
 
-// A contact or joint takes part in the step while one of its bodies is awake.
-bool is_active(const BodyStore& bodies, int body_a, int body_b) {
-    return bodies.is_awake(body_a) || bodies.is_awake(body_b);
+// Lanes move the rows of awake bodies. What sleeps on a platform that is awake is near it, until it is woken.
+void relist_beside(Stores& stores, int contact) {
+    const ContactRecord& c = stores.contacts.slots[contact];
+    const auto sleeps = [&](int body) {
+        const BodyRecord& record = stores.bodies.slots[body];
+        return record.type == BodyType::Dynamic && record.set == RowSet::Asleep;
+    };
+    const bool moves_a_sleeper = sleeps(c.body_a) || sleeps(c.body_b);
+    if (moves_a_sleeper && is_colored(c.bucket)) unlist_contact(stores, contact);
+    list_contact(stores, contact);
 }
 
 void update_links(Stores& stores, int body) {
     const BodyRecord& record = stores.bodies.slots[body];
     for_each_edge(stores.contacts.slots, record.first_contact, [&](int contact, int) {
         const ContactRecord& c = stores.contacts.slots[contact];
-        if (is_active(stores.bodies, c.body_a, c.body_b)) {
-            list_contact(stores, contact);
+        if (stores.bodies.is_awake(c.body_a) || stores.bodies.is_awake(c.body_b)) {
+            relist_beside(stores, contact);
         } else {
             unlist_contact(stores, contact);
         }
@@ -31,8 +38,7 @@ void update_links(Stores& stores, int body) {
     // Which structures there are depends on what moves, even where the same joints stay active.
     if (record.first_joint != kNone) ++stores.joints.version;
     for_each_edge(stores.joints.slots, record.first_joint, [&](int joint, int) {
-        const JointRecord& j = stores.joints.slots[joint];
-        if (takes_part(j) && is_active(stores.bodies, j.body_a, j.body_b)) {
+        if (acts(stores.bodies, stores.joints.slots[joint])) {
             list_joint(stores, joint);
         } else {
             unlist_joint(stores, joint);
@@ -56,6 +62,17 @@ bool is_moving(const Stores& stores, int body) {
     const BodyRows& rows = stores.bodies.rows_of(body);
     const int row = stores.bodies.slots[body].row;
     return rows.velocity[row] != Vec2{} || rows.spin[row] != 0;
+}
+
+// By a joint. What touches a body that moves wakes in the step.
+bool is_held_by_moving(const Stores& stores, int body) {
+    bool held = false;
+    for_each_edge(stores.joints.slots, stores.bodies.slots[body].first_joint, [&](int joint, int side) {
+        const JointRecord& j = stores.joints.slots[joint];
+        const int other = side == 0 ? j.body_b : j.body_a;
+        held |= stores.bodies.slots[other].type == BodyType::Kinematic && is_moving(stores, other);
+    });
+    return held;
 }
 
 // Joins bodies into islands. `matters(row_a, row_b)` tells of awake rows whether it is of interest that the
@@ -242,6 +259,9 @@ void put_island_to_sleep(Stores& stores, StepScratch& scratch, int body) {
         if (scratch.islands.together(row, own_row)) scratch.resting.push_back(awake.body[row]);
     }
     put_to_sleep(stores, scratch.resting);
+    for (const int sleeper : scratch.resting) {
+        if (is_held_by_moving(stores, sleeper)) return wake_body(stores, sleeper);
+    }
 }
 
 }  // namespace cairn::physics

@@ -31,6 +31,9 @@ void wake_joint_bodies(Stores&, int) {}
 bool takes_part(const JointRecord&) {
     return false;
 }
+bool acts(const BodyStore&, const JointRecord&) {
+    return false;
+}
 
 void list_joint(Stores&, int) {}
 void unlist_joint(Stores&, int) {}

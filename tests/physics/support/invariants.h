@@ -103,10 +103,11 @@ inline void check_shapes(const Stores& stores) {
     REQUIRE(in_trees == listed);
 }
 
-/// Of contacts or joints: each is in the lists of its two bodies once, and listed when one of them is awake.
+/// Of contacts or joints: each is in the lists of its two bodies once, and listed when `takes_part(record)`.
 /// `is_listed(record)` says so, and checks that the list knows the record too.
-template <class Store, class Head, class IsListed>
-void check_links(const Stores& stores, const Store& store, int listed, Head&& head, IsListed&& is_listed) {
+template <class Store, class Head, class IsListed, class TakesPart>
+void check_links(const Stores& stores, const Store& store, int listed, Head&& head, IsListed&& is_listed,
+                 TakesPart&& takes_part) {
     std::multiset<std::pair<int, int>> in_lists;  // record, body
     for (int body = 0; body < stores.bodies.slots.end_index(); ++body) {
         if (!stores.bodies.slots.alive(body)) continue;
@@ -122,9 +123,8 @@ void check_links(const Stores& stores, const Store& store, int listed, Head&& he
         const auto& r = store.slots[record];
         REQUIRE(in_lists.count({record, r.body_a}) == 1);
         REQUIRE(in_lists.count({record, r.body_b}) == 1);
-        const bool should_be = stores.bodies.is_awake(r.body_a) || stores.bodies.is_awake(r.body_b);
         const bool is_there = is_listed(record);
-        REQUIRE(is_there == should_be);
+        REQUIRE(is_there == takes_part(r));
         found += is_there ? 1 : 0;
     }
     REQUIRE(listed == found);
@@ -220,12 +220,13 @@ inline int count_listed(const ContactStore& contacts) {
     return count;
 }
 
-/// No moving body stands in two lanes of a colour, or in lanes of two domains; and the bits of each body are
-/// those of its lanes.
+/// No moving body stands in two lanes of a colour, or in lanes of two domains, or sleeps; and the bits of
+/// each body are those of its lanes.
 inline void check_colors(const Stores& stores) {
     std::vector<std::uint32_t> colors(static_cast<std::size_t>(stores.bodies.slots.end_index()), 0);
     const auto take = [&](int body, int color) {
         REQUIRE((colors[body] >> color & 1) == 0);
+        REQUIRE(stores.bodies.is_awake(body));
         colors[body] |= 1u << color;
     };
     const ContactLanes& lanes = stores.contacts.lanes;
@@ -337,7 +338,10 @@ inline void check_world(const WorldState& world) {
     check_links(
         stores, stores.contacts, count_listed(stores.contacts),
         [](const BodyRecord& body) { return body.first_contact; },
-        [&](int contact) { return contact_is_listed(stores.contacts, contact); });
+        [&](int contact) { return contact_is_listed(stores.contacts, contact); },
+        [&](const ContactRecord& c) {
+            return stores.bodies.is_awake(c.body_a) || stores.bodies.is_awake(c.body_b);
+        });
     check_links(
         stores, stores.joints, stores.joints.active.size(),
         [](const BodyRecord& body) { return body.first_joint; },
@@ -345,6 +349,19 @@ inline void check_world(const WorldState& world) {
             const int index = stores.joints.slots[joint].active_index;
             if (index != kNone) REQUIRE(stores.joints.active[index] == joint);
             return index != kNone;
+        },
+        // Where a joint has bodies that it can move, one of those is awake.
+        [&](const JointRecord& j) {
+            int awake = 0;
+            int moved = 0;
+            int moved_awake = 0;
+            for (const int body : {j.body_a, j.body_b}) {
+                const bool is_moved = stores.bodies.slots[body].type == BodyType::Dynamic;
+                awake += stores.bodies.is_awake(body) ? 1 : 0;
+                moved += is_moved ? 1 : 0;
+                moved_awake += is_moved && stores.bodies.is_awake(body) ? 1 : 0;
+            }
+            return kind_of(j) != JointKind::Filter && (moved > 0 ? moved_awake : awake) > 0;
         });
     check_colors(stores);
     check_near_pairs(stores);

@@ -2,6 +2,8 @@
 #include <catch2/catch.hpp>
 #include <vector>
 
+#include <cairn/physics/simd.h>
+
 #include "physics/support/making.h"
 
 namespace cairn::physics {
@@ -319,6 +321,68 @@ TEST_CASE("a platform that moves keeps awake what it carries, and what it carrie
     run_for(world, 1);
     CHECK(world.body(box)->is_awake());
     CHECK(world.body(box)->position().y == Approx(0.77).margin(0.005));
+}
+
+TEST_CASE("what sleeps on a platform that never does wakes when that begins to move") {
+    // Alone, and with as many others as are solved together.
+    const int count = GENERATE(1, 8, 11);
+    World world;
+    std::vector<BodyId> lifts;
+    std::vector<BodyId> boxes;
+    for (int i = 0; i < count; ++i) {
+        const double x = 5 * i;
+        const BodyDef lift{.type = BodyType::Kinematic, .position_m = {x, 0}, .allow_sleep = false};
+        lifts.push_back(add(world, lift, Box{2, 0.25f}));
+        boxes.push_back(add(world, {.position_m = {x, 0.75}}, Box{0.5f, 0.5f}));
+    }
+    run_for(world, 2);
+    REQUIRE(awake_of(world, boxes) == 0);
+    REQUIRE(awake_of(world, lifts) == count);
+    world.body(lifts.front())->set_linear_velocity({0, 1}).value();
+    run_for(world, 1);
+    CHECK(world.body(boxes.front())->position().y == Approx(1.75).margin(0.005));
+    CHECK(awake_of(world, boxes) == 1);
+    for (std::size_t i = 1; i < boxes.size(); ++i) {
+        CHECK(world.body(boxes[i])->position().y == Approx(0.75).margin(0.005));
+    }
+}
+
+TEST_CASE("what is put to sleep on a moving platform wakes again, at every SIMD level alike") {
+    const std::vector<SimdLevel> levels = available_simd_levels();
+    std::vector<std::uint64_t> hashes;
+    for (const SimdLevel level : levels) {
+        force_simd_level(level).value();
+        World world;
+        const BodyId turntable = add(world, {.type = BodyType::Kinematic}, Box{2, 0.25f});
+        const BodyId box = add(world, {.position_m = {1, 0.75}}, Box{0.5f, 0.5f});
+        const BodyId other = add(world, {.position_m = {-1, 0.75}}, Box{0.5f, 0.5f});
+        step_times(world, 20);
+        world.body(turntable)->set_angular_velocity(0.5f).value();
+        step_times(world, 20);
+        world.body(box)->set_awake(false);
+        CHECK_FALSE(world.body(box)->is_awake());
+        step_times(world, 20);
+        CHECK(awake_of(world, {box, other}) == 2);
+        CHECK(world.body(box)->angle() == Approx(20.0 / 60).margin(0.02));
+        CHECK(world.body(other)->angle() == Approx(20.0 / 60).margin(0.02));
+        hashes.push_back(world.state_hash());
+    }
+    force_simd_level(levels.back()).value();
+    CHECK(hashes == std::vector<std::uint64_t>(levels.size(), hashes.front()));
+}
+
+TEST_CASE("what hangs on a moving platform by a joint cannot be put to sleep") {
+    World world;
+    const BodyId platform =
+        add(world, {.type = BodyType::Kinematic, .linear_velocity_m_s = {1, 0}}, Box{2, 0.25f});
+    const BodyId held = add(world, {.position_m = {0, -2}}, Box{0.5f, 0.5f});
+    world.create_joint(DistanceJointDef{.body_a = platform, .body_b = held, .length_m = 2}).value();
+    step_times(world, 20);
+    world.body(held)->set_awake(false);
+    CHECK(world.body(held)->is_awake());
+    world.body(platform)->set_linear_velocity({}).value();
+    world.body(held)->set_awake(false);
+    CHECK_FALSE(world.body(held)->is_awake());
 }
 
 TEST_CASE("a platform that runs into sleepers wakes and pushes them") {

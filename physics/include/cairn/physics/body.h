@@ -98,7 +98,8 @@ class Body {
     void set_locks(AxisLocks locks);  ///< what it does along axes that become locked ends at once
 
     [[nodiscard]] bool is_awake() const;
-    /// Putting one body to sleep puts to sleep all that it touches or is jointed to.
+    /// Putting one body to sleep puts to sleep all that it touches or is jointed to. What a moving kinematic
+    /// body holds or touches wakes again.
     void set_awake(bool awake);
     [[nodiscard]] bool allows_sleep() const;
     void set_allow_sleep(bool allow);
