@@ -25,6 +25,7 @@ cairn_feature(JOINTS "joints of all kinds"
   resolve/joints/joint_kernels.cpp
   resolve/joints/joint_lanes.cpp
   resolve/joints/joint_place_kernel.cpp
+  resolve/joints/joint_pool.cpp
   resolve/joints/joint_solver.cpp
   resolve/joints/laws.cpp
   resolve/joints/motor.cpp
@@ -38,6 +39,7 @@ cairn_feature(JOINTS "joints of all kinds"
   resolve/joints/torn_joints.cpp
   resolve/joints/weld.cpp
   resolve/joints/wheel.cpp
+  resolve/joints/wheel_kernels.cpp
   world/joint_constraints.cpp
   world/joint_lists.cpp
   world/joint_measures.cpp

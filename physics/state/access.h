@@ -68,11 +68,11 @@ struct StateAccess {
         return use(pairs, links, blocks, impacts, free, chains, is_arranged);
     }
 
-    /// use(pins, drives, h, springs changed, has crowded springs, has loads, dt).
+    /// use(pins, drives, wheels, h, springs changed, has crowded springs, has loads, dt).
     template <class Lanes, class Use>
     static auto joints(Lanes& lanes, Use&& use) {
-        auto& [h_s, pins, drives, springs_changed, has_crowded_springs, has_loads, dt_s] = lanes;
-        return use(pins, drives, h_s, springs_changed, has_crowded_springs, has_loads, dt_s);
+        auto& [h_s, pins, drives, wheels, springs_changed, has_crowded_springs, has_loads, dt_s] = lanes;
+        return use(pins, drives, wheels, h_s, springs_changed, has_crowded_springs, has_loads, dt_s);
     }
 
     /// use(blocks, anchors, links, free blocks, chains).

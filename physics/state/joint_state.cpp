@@ -113,7 +113,7 @@ class Seating {
     Seating(Reader& in, Stores& stores) : in_(in), stores_(stores) {}
 
     template <class Block>
-    void load_pool(JointPool<Block>& pool, bool drives) {
+    void load_pool(JointPool<Block>& pool, JointLaneKind kind) {
         StateAccess::pool(pool, [&](auto& blocks, auto& anchors, auto& links, auto& free, auto& chains) {
             blocks.clear();
             anchors.clear();
@@ -145,7 +145,7 @@ class Seating {
                     links[first + k] = {used, k > 0 ? block - 1 : kNone, k + 1 < length ? block + 1 : kNone};
                     load_block(blocks[first + k], anchors[first + k]);
                     if (in_.ok())
-                        seat(anchors[first + k], used, block, static_cast<std::int16_t>(bucket), drives);
+                        seat(anchors[first + k], used, block, static_cast<std::int16_t>(bucket), kind);
                 }
             }
             free.reserve(blocks.capacity());
@@ -167,7 +167,7 @@ class Seating {
         in_.value(anchors);
     }
 
-    void seat(const AnchorBlock& anchors, int used, int block, std::int16_t bucket, bool drives) {
+    void seat(const AnchorBlock& anchors, int used, int block, std::int16_t bucket, JointLaneKind kind) {
         const std::uint32_t bit = 1u << joint_color(bucket);
         const bool both = joint_block_kind(bucket) == JointBlockKind::TwoBodies;
         in_.require(anchors.breakable < 1u << used, "a joint can break in a lane that is not used");
@@ -180,22 +180,23 @@ class Seating {
                 continue;
             }
             const bool may_sit =
-                names(stores_.joints.slots, joint) && is_free(joint, anchors, lane, bit, both);
+                names(stores_.joints.slots, joint) && is_free(joint, kind, anchors, lane, bit, both);
             if (!in_.require(may_sit, "a joint is in a lane that cannot hold it")) return;
             JointRecord& record = stores_.joints.slots[joint];
             const bool at_home =
                 joint_domain(bucket) == kInterface ||
                 joint_domain(bucket) == domain_of(stores_.domains, record.body_a, record.body_b, both);
             if (!in_.require(at_home, "a joint is of a domain that its bodies are not of")) return;
-            record.seat = {block * kLanes + i, bucket, drives};
+            record.seat = {block * kLanes + i, bucket, kind};
             stores_.joints.colors[static_cast<std::size_t>(record.body_b)] |= bit;
             if (both) stores_.joints.colors[static_cast<std::size_t>(record.body_a)] |= bit;
         }
     }
 
-    [[nodiscard]] bool is_free(int joint, const AnchorBlock& anchors, std::size_t lane, std::uint32_t bit,
-                               bool both) const {
+    [[nodiscard]] bool is_free(int joint, JointLaneKind kind, const AnchorBlock& anchors, std::size_t lane,
+                               std::uint32_t bit, bool both) const {
         const JointRecord& record = stores_.joints.slots[joint];
+        const JointKind fitting = kind == JointLaneKind::Wheel ? JointKind::Wheel : JointKind::Revolute;
         // What got another mass since the last step leaves its lanes at the start of the next.
         const auto may_be_moved = [&](int body, bool moved) {
             return (stores_.bodies.slots[body].inverse_mass > 0) == moved ||
@@ -205,7 +206,7 @@ class Seating {
             return (stores_.joints.colors[static_cast<std::size_t>(body)] & bit) != 0;
         };
         return record.seat.lane == kNone && record.active_index != kNone && record.swept_index == kNone &&
-               kind_of(record) == JointKind::Revolute && anchors.body_a[lane] == record.body_a &&
+               kind_of(record) == fitting && anchors.body_a[lane] == record.body_a &&
                anchors.body_b[lane] == record.body_b && may_be_moved(record.body_b, true) &&
                !is_taken(record.body_b) && may_be_moved(record.body_a, both) &&
                !(both && is_taken(record.body_a));
@@ -241,10 +242,11 @@ void save_joint_lists(const JointStore& joints, Writer& out) {
     StateAccess::list(joints.active, [&](const std::vector<int>& list) { out.list(list); });
     StateAccess::list(joints.swept, [&](const std::vector<int>& list) { out.list(list); });
     StateAccess::joints(joints.lanes,
-                        [&](const auto& pins, const auto& drives, float h_s, bool springs_changed,
-                            bool has_crowded_springs, bool has_loads, float dt_s) {
+                        [&](const auto& pins, const auto& drives, const auto& wheels, float h_s,
+                            bool springs_changed, bool has_crowded_springs, bool has_loads, float dt_s) {
                             save_pool(pins, out);
                             save_pool(drives, out);
+                            save_pool(wheels, out);
                             out.value(h_s);
                             out.value(springs_changed);
                             out.value(has_crowded_springs);
@@ -268,17 +270,19 @@ void load_joint_lists(Reader& in, Stores& stores) {
     load_list(in, joints, joints.swept,
               [](const JointRecord& record) { return record.active_index != kNone; });
     if (!in.ok()) return;
-    StateAccess::joints(joints.lanes, [&](auto& pins, auto& drives, float& h_s, bool& springs_changed,
-                                          bool& has_crowded_springs, bool& has_loads, float& dt_s) {
-        Seating seating(in, stores);
-        seating.load_pool(pins, false);
-        if (in.ok()) seating.load_pool(drives, true);
-        in.value(h_s);
-        in.value(springs_changed);
-        in.value(has_crowded_springs);
-        in.value(has_loads);
-        in.value(dt_s);
-    });
+    StateAccess::joints(joints.lanes,
+                        [&](auto& pins, auto& drives, auto& wheels, float& h_s, bool& springs_changed,
+                            bool& has_crowded_springs, bool& has_loads, float& dt_s) {
+                            Seating seating(in, stores);
+                            seating.load_pool(pins, JointLaneKind::Pin);
+                            if (in.ok()) seating.load_pool(drives, JointLaneKind::Drive);
+                            if (in.ok()) seating.load_pool(wheels, JointLaneKind::Wheel);
+                            in.value(h_s);
+                            in.value(springs_changed);
+                            in.value(has_crowded_springs);
+                            in.value(has_loads);
+                            in.value(dt_s);
+                        });
     for (const int joint : joints.active) {
         const JointRecord& record = joints.slots[joint];
         in.require((record.seat.lane != kNone) != (record.swept_index != kNone),

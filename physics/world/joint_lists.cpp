@@ -24,40 +24,50 @@ bool can_be_moved(const BodyRecord& body) {
 // Springs without damping start from a guess of their own, new ones from a speed of their own, and gears and
 // structures look at the constraints of their joints: these are for the scalar solver, as are axes that do
 // not move.
+template <class Def>
+bool has_spring_for_lane(const JointRecord& record) {
+    const auto* def = std::get_if<Def>(&record.def);
+    return def != nullptr && (!def->enable_spring || (def->damping_ratio != 0 && record.stepped));
+}
+
 bool fits_lane(const Stores& stores, int joint) {
     const JointRecord& record = stores.joints.slots[joint];
-    const auto* def = std::get_if<RevoluteJointDef>(&record.def);
-    if (record.direct || def == nullptr) return false;
-    if (def->enable_spring && (def->damping_ratio == 0 || !record.stepped)) return false;
+    if (record.direct) return false;
+    if (!has_spring_for_lane<RevoluteJointDef>(record) && !has_spring_for_lane<WheelJointDef>(record))
+        return false;
     const BodyRecord& a = stores.bodies.slots[record.body_a];
     const BodyRecord& b = stores.bodies.slots[record.body_b];
     if (!can_be_moved(b) || locked_axes(a) != 0 || locked_axes(b) != 0) return false;
     return find_gear_on(stores, joint) == kNone;
 }
 
+double angle_between(const JointFrames& frames) {
+    return static_cast<double>(frames.angle_b_rad) - static_cast<double>(frames.angle_a_rad);
+}
+
 AnchorLane make_anchor(const Stores& stores, int joint) {
     const JointRecord& record = stores.joints.slots[joint];
-    const auto& def = std::get<RevoluteJointDef>(record.def);
+    const JointFrames frames = frames_of(record.def);
     AnchorLane lane;
     lane.joint = joint;
     lane.body_a = record.body_a;
     lane.body_b = record.body_b;
-    lane.local_a = def.local_anchor_a_m - stores.bodies.slots[record.body_a].mass.center_m;
-    lane.local_b = def.local_anchor_b_m - stores.bodies.slots[record.body_b].mass.center_m;
+    lane.local_a = frames.anchor_a_m - stores.bodies.slots[record.body_a].mass.center_m;
+    lane.local_b = frames.anchor_b_m - stores.bodies.slots[record.body_b].mass.center_m;
     lane.turn =
         inverse(stores.bodies.places[record.body_a].rotation) * stores.bodies.places[record.body_b].rotation;
-    const double frames =
-        static_cast<double>(def.local_angle_b_rad) - static_cast<double>(def.local_angle_a_rad);
     const double angle =
-        deterministic::atan2(static_cast<double>(lane.turn.s), static_cast<double>(lane.turn.c)) + frames;
+        deterministic::atan2(static_cast<double>(lane.turn.s), static_cast<double>(lane.turn.c)) +
+        angle_between(frames);
     lane.turns = static_cast<float>(std::round((joint_angle(stores.bodies, record) - angle) / kTurn_rad));
     const JointStrength strength = strength_of(record.def);
     lane.breakable = std::isfinite(strength.break_force_n) || std::isfinite(strength.break_torque_nm);
     return lane;
 }
 
-DriveLane make_drive(const RevoluteJointDef& def, float h_s) {
-    const float frames = def.local_angle_b_rad - def.local_angle_a_rad;
+// All but where the spring draws to and the limits are.
+template <class Def>
+DriveLane make_laws(const Def& def, float h_s) {
     DriveLane drive;
     drive.softness = softness_of(def.stiffness, h_s);
     if (def.enable_spring) {
@@ -66,17 +76,49 @@ DriveLane make_drive(const RevoluteJointDef& def, float h_s) {
         drive.damping = 2 * def.damping_ratio * (drive.spring_frequency_rad_s * h_s);
         drive.spring = make_exact_spring(static_cast<double>(def.frequency_hz),
                                          static_cast<double>(def.damping_ratio), static_cast<double>(h_s), 1);
-        drive.spring_target = def.target_rad - frames;
     }
     if (def.enable_motor) {
         drive.motor_speed = def.motor_speed_rad_s;
         drive.motor_limit = def.max_motor_torque_nm * h_s;
     }
+    return drive;
+}
+
+DriveLane make_drive(const RevoluteJointDef& def, float h_s) {
+    const float frames = def.local_angle_b_rad - def.local_angle_a_rad;
+    DriveLane drive = make_laws(def, h_s);
+    if (def.enable_spring) drive.spring_target = def.target_rad - frames;
     if (def.enable_limit) {
-        drive.lower = std::max(def.lower_rad - frames, -kNoLimit_rad);
-        drive.upper = std::min(def.upper_rad - frames, kNoLimit_rad);
+        drive.lower = std::max(def.lower_rad - frames, -kNoLimit);
+        drive.upper = std::min(def.upper_rad - frames, kNoLimit);
     }
     return drive;
+}
+
+DriveLane make_drive(const WheelJointDef& def, float h_s) {
+    DriveLane drive = make_laws(def, h_s);
+    if (def.enable_spring) drive.spring_target = def.target_m;
+    if (def.enable_limit) {
+        drive.lower = std::max(def.lower_m, -kNoLimit);
+        drive.upper = std::min(def.upper_m, kNoLimit);
+    }
+    return drive;
+}
+
+DriveLane make_drive(const JointRecord& record, float h_s) {
+    if (const auto* wheel = std::get_if<WheelJointDef>(&record.def)) return make_drive(*wheel, h_s);
+    return make_drive(std::get<RevoluteJointDef>(record.def), h_s);
+}
+
+JointSeat add_to_lane(JointLanes& lanes, int bucket, const AnchorLane& anchor, const JointRecord& record,
+                      float h_s) {
+    if (const auto* wheel = std::get_if<WheelJointDef>(&record.def)) {
+        const Rotation frame = Rotation::from_angle(static_cast<double>(wheel->local_angle_a_rad));
+        return lanes.add_wheel(bucket, anchor, {frame.c, frame.s}, make_drive(*wheel, h_s));
+    }
+    const auto& revolute = std::get<RevoluteJointDef>(record.def);
+    if (is_plain_pin(revolute)) return lanes.add_pin(bucket, anchor);
+    return lanes.add_drive(bucket, anchor, make_drive(revolute, h_s));
 }
 
 bool try_to_seat(Stores& stores, int joint, float h_s) {
@@ -95,18 +137,10 @@ bool try_to_seat(Stores& stores, int joint, float h_s) {
     joints.colors[static_cast<std::size_t>(record.body_b)] |= 1u << color;
     if (both) joints.colors[static_cast<std::size_t>(record.body_a)] |= 1u << color;
 
-    const auto& def = std::get<RevoluteJointDef>(record.def);
-    const AnchorLane anchor = make_anchor(stores, joint);
-    record.seat = is_plain_pin(def) ? joints.lanes.add_pin(bucket, anchor)
-                                    : joints.lanes.add_drive(bucket, anchor, make_drive(def, h_s));
+    record.seat = add_to_lane(joints.lanes, bucket, make_anchor(stores, joint), record, h_s);
     joints.lanes.set_impulses(record.seat, record.impulse);
     if (record.load_n != Vec2{}) joints.lanes.set_load(record.seat, record.load_n);
     return true;
-}
-
-double frame_angle(const JointRecord& record) {
-    const auto& def = std::get<RevoluteJointDef>(record.def);
-    return static_cast<double>(def.local_angle_b_rad) - static_cast<double>(def.local_angle_a_rad);
 }
 
 void forget_lane(Stores& stores, int joint) {
@@ -181,10 +215,7 @@ void seat_joints(Stores& stores, const StepTime& time, StepScratch& scratch) {
     joints.lanes.arrange();
     if (joints.lanes.h_s != time.h_s) {
         joints.lanes.h_s = time.h_s;
-        joints.lanes.for_each_drive([&](int joint, int lane) {
-            const auto& def = std::get<RevoluteJointDef>(joints.slots[joint].def);
-            joints.lanes.set_drive(lane, make_drive(def, time.h_s));
-        });
+        joints.lanes.set_drives([&](int joint) { return make_drive(joints.slots[joint], time.h_s); });
     }
     if (joints.swept.size() == 0) return;
     const auto bodies = static_cast<std::size_t>(stores.bodies.slots.end_index());
@@ -221,7 +252,7 @@ JointMemory memory_of(const JointStore& joints, int joint) {
     if (record.seat.lane == kNone)
         return {record.impulse, record.angle_rad, record.reaction_force, record.reaction_torque};
     JointMemory memory = joints.lanes.memory(record.seat);
-    memory.angle_rad += frame_angle(record);
+    memory.angle_rad += angle_between(frames_of(record.def));
     return memory;
 }
 

@@ -100,8 +100,8 @@ class Linking {
             link_any(c.body_a, c.body_b);
         }
         stores_.joints.lanes.arrange();
-        stores_.joints.lanes.for_each_block([&](const AnchorBlock& anchors, const PinBlock& pins,
-                                                JointBlockKind kind) { link_block(anchors, pins, kind); });
+        stores_.joints.lanes.for_each_block([&](const AnchorBlock& anchors, const JointRows& rows,
+                                                JointBlockKind kind) { link_block(anchors, rows, kind); });
         for (const int joint : stores_.joints.swept) {
             const JointRecord& j = stores_.joints.slots[joint];
             link_any(j.body_a, j.body_b);
@@ -132,9 +132,9 @@ class Linking {
         }
     }
 
-    void link_block(const AnchorBlock& anchors, const PinBlock& pins, JointBlockKind kind) {
+    void link_block(const AnchorBlock& anchors, const JointRows& rows, JointBlockKind kind) {
         if (kind == JointBlockKind::TwoBodies && blocks_know_rows_) {
-            for (std::size_t lane = 0; lane < kLanes; ++lane) link_rows(pins.a[lane], pins.b[lane]);
+            for (std::size_t lane = 0; lane < kLanes; ++lane) link_rows(rows.a[lane], rows.b[lane]);
             return;
         }
         for (std::size_t lane = 0; lane < kLanes && anchors.joint[lane] != kNone; ++lane)

@@ -288,7 +288,7 @@ inline void check_nothing_missed(const Stores& stores) {
 /// domain that those of them which it moves are of.
 inline void check_seats(const Stores& stores) {
     const JointStore& joints = stores.joints;
-    std::set<std::pair<bool, int>> lanes;
+    std::set<std::pair<JointLaneKind, int>> lanes;
     for (int joint = 0; joint < joints.slots.end_index(); ++joint) {
         if (!joints.slots.alive(joint)) continue;
         const JointRecord& j = joints.slots[joint];
@@ -297,7 +297,7 @@ inline void check_seats(const Stores& stores) {
         REQUIRE(!(seated && j.swept_index != kNone));
         if (j.swept_index != kNone) REQUIRE(joints.swept[j.swept_index] == joint);
         if (!seated) continue;
-        REQUIRE(lanes.insert({j.seat.drives, j.seat.lane}).second);
+        REQUIRE(lanes.insert({j.seat.kind, j.seat.lane}).second);
         const std::uint32_t bit = 1u << joint_color(j.seat.bucket);
         REQUIRE((joints.colors[static_cast<std::size_t>(j.body_b)] & bit) != 0);
         const bool both = joint_block_kind(j.seat.bucket) == JointBlockKind::TwoBodies;

@@ -113,7 +113,17 @@ class Operations {
         const auto& slots = world_.stores.bodies.slots;
         const bool movable = slots[a].type == BodyType::Dynamic || slots[b].type == BodyType::Dynamic;
         if (a == b || !movable) return;
-        if (random_.chance(0.5)) {
+        if (random_.chance(0.3)) {
+            create_joint(world_, WheelJointDef{.body_a = slots.id(a),
+                                               .body_b = slots.id(b),
+                                               .local_anchor_a_m = random_.vector(-1, 1),
+                                               .local_angle_a_rad = random_.real_f(-3, 3),
+                                               .enable_limit = random_.chance(0.5),
+                                               .enable_motor = random_.chance(0.5),
+                                               .motor_speed_rad_s = 5,
+                                               .max_motor_torque_nm = 1,
+                                               .collide_connected = random_.chance(0.5)});
+        } else if (random_.chance(0.5)) {
             create_joint(world_, RevoluteJointDef{.body_a = slots.id(a),
                                                   .body_b = slots.id(b),
                                                   .local_anchor_a_m = random_.vector(-1, 1),

@@ -1,4 +1,4 @@
-// Joints in lanes against the scalar solver of all kinds, which is a second implementation of the same laws.
+// Revolute joints in lanes against the scalar solver, and the upkeep of lanes.
 #include "resolve/joints/joint_lanes.h"
 
 #include <catch2/catch.hpp>
@@ -9,61 +9,25 @@
 
 #include <cairn/physics/simd.h>
 
-#include "integrator/integrate.h"
-#include "physics/support/random.h"
-#include "resolve/joints/joint_solver.h"
-#include "resolve/joints/kinds.h"
+#include "physics/support/joint_twins.h"
 #include "resolve/joints/pin_loads.h"
 
 namespace cairn::physics {
 namespace {
 
-using test::Random;
+using namespace test;
 
-constexpr float kSubstep_s = 1.0f / 240;
 constexpr int kPairs = 21;  // a body a and a body b each: all of one colour
 
-// Both solvers on the same bodies.
-struct Twins {
-    std::vector<RevoluteJointDef> defs;
-    std::vector<Place> places{Place{}};
-    Motions swept;
-    Motions in_lanes;
-    std::vector<JointConstraint> constraints;
-    JointLanes lanes;
-    std::vector<JointSeat> seats;
-    std::vector<JointPlace> joint_places;
-    TaskPool tasks{1, nullptr};
-
+struct Twins : JointTwins {
     Twins(bool drives, bool anchored) {
         Random random(anchored ? 7 : 5);
-        for (Motions* motions : {&swept, &in_lanes}) motions->add({}, 0, 0, 0);
         for (int pair = 0; pair < kPairs; ++pair) {
             add_body(random, !anchored);
             add_body(random, true);
         }
         for (int pair = 0; pair < kPairs; ++pair) join(random, pair, drives, anchored);
-        std::vector<SpringLoad> loads(places.size());
-        lanes.arrange();
-        lanes.place(places, in_lanes, 1, 4 * kSubstep_s, tasks);
-        place_joints(constraints, swept, joint_places);
-        add_spring_loads(constraints, joint_places, swept, loads);
-        make_springs(constraints, kSubstep_s, loads);
-        lanes.settle_springs(loads, false, tasks);
-    }
-
-    void add_body(Random& random, bool pushed) {
-        const Vec2 v = random.vector(-2, 2);
-        const float w = random.real_f(-20, 20);
-        const float inverse_mass = pushed ? random.real_f(0.1, 2) : 0;
-        const float inverse_inertia = pushed ? random.real_f(0.1, 9) : 0;
-        for (Motions* motions : {&swept, &in_lanes}) {
-            motions->add(v, w, inverse_mass, inverse_inertia);
-            motions->mover.back() = MovedBy::Turning;
-        }
-        const Rotation rotation = Rotation::from_angle(random.real(-3, 3));
-        const Vec2 center = random.vector(-0.1, 0.1);
-        places.push_back({Position{} + center, rotation, static_cast<int>(places.size())});
+        begin();
     }
 
     void join(Random& random, int pair, bool drives, bool anchored) {
@@ -71,9 +35,7 @@ struct Twins {
         const int b = a + 1;
         RevoluteJointDef def{.local_anchor_a_m = random.vector(-1, 1),
                              .local_anchor_b_m = random.vector(-1, 1)};
-        const Rotation turn = inverse(places[static_cast<std::size_t>(a)].rotation) *
-                              places[static_cast<std::size_t>(b)].rotation;
-        const float angle = turn.angle_rad();
+        const float angle = turn(a, b).angle_rad();
         if (drives) {
             def.enable_limit = true;
             def.lower_rad = angle - random.real_f(-0.2, 0.2);
@@ -86,22 +48,14 @@ struct Twins {
             def.damping_ratio = random.real_f(0.1, 2);
             def.target_rad = 0.3f;
         }
-        defs.push_back(def);
-
-        JointConstraint c;
-        c.kind = JointKind::Revolute;
-        c.rows = {a, b};
-        c.anchors = {a, b, rotate(places[static_cast<std::size_t>(a)].rotation, def.local_anchor_a_m),
-                     rotate(places[static_cast<std::size_t>(b)].rotation, def.local_anchor_b_m),
-                     places[static_cast<std::size_t>(b)].center - places[static_cast<std::size_t>(a)].center};
-        c.start_angle_rad = angle;
+        JointConstraint c = constraint(JointKind::Revolute, a, b, def.local_anchor_a_m, def.local_anchor_b_m);
         JointStart start;
         start.h_s = kSubstep_s;
         describe(c, def, start);
         constraints.push_back(c);
 
         const int bucket = joint_bucket(0, anchored ? JointBlockKind::Anchored : JointBlockKind::TwoBodies);
-        const AnchorLane anchor{pair, a, b, def.local_anchor_a_m, def.local_anchor_b_m, turn};
+        const AnchorLane anchor{pair, a, b, def.local_anchor_a_m, def.local_anchor_b_m, turn(a, b)};
         seats.push_back(drives ? lanes.add_drive(bucket, anchor, drive_of(def))
                                : lanes.add_pin(bucket, anchor));
     }
@@ -150,44 +104,6 @@ struct Twins {
             const auto at = static_cast<std::size_t>(lane % kLanes);
             const Vec2 expected{joint_places[i].directions[0].q, joint_places[i].directions[1].q};
             CHECK(length(Vec2{block.error_x[at], block.error_y[at]} - expected) < 1e-5f);
-        }
-    }
-
-    void substep() {
-        const JointPassTime time{softness_of(JointStiffness{}, kSubstep_s), 1 / kSubstep_s};
-        note_spring_speeds(constraints, joint_places, swept);
-        lanes.note_spring_speeds(in_lanes, tasks);
-        for (Motions* motions : {&swept, &in_lanes}) {
-            for (std::size_t row = 1; row < places.size(); ++row) {
-                if (motions->velocity[row].inverse_mass > 0) motions->velocity[row].v += Vec2{0, -0.04f};
-            }
-        }
-        warm_start_joints(constraints, joint_places, swept);
-        lanes.warm_start(in_lanes, tasks);
-        solve_joints(constraints, joint_places, swept, kSubstep_s, Pass::Biased);
-        lanes.solve(in_lanes, time, tasks);
-        integrate_positions(swept, kSubstep_s);
-        integrate_positions(in_lanes, kSubstep_s);
-        solve_joints(constraints, joint_places, swept, kSubstep_s, Pass::Relax);
-        lanes.relax(in_lanes, time, tasks);
-    }
-
-    void check_agree() const {
-        for (std::size_t row = 0; row < places.size(); ++row) {
-            INFO("row " << row);
-            const VelocityRow& expected = swept.velocity[row];
-            const VelocityRow& found = in_lanes.velocity[row];
-            const float room = 2e-3f * (1 + length(expected.v) + std::fabs(expected.w));
-            CHECK(length(found.v - expected.v) < room);
-            CHECK(std::fabs(found.w - expected.w) < room);
-        }
-        for (std::size_t i = 0; i < constraints.size(); ++i) {
-            INFO("joint " << i);
-            const JointMemory memory = lanes.memory(seats[i]);
-            for (std::size_t k = 0; k < memory.impulse.size(); ++k) {
-                const float expected = constraints[i].impulse[k];
-                CHECK(std::fabs(memory.impulse[k] - expected) < 2e-3f * (1 + std::fabs(expected)));
-            }
         }
     }
 };
@@ -297,8 +213,10 @@ TEST_CASE("joints keep what is theirs when they change domains and lanes are put
                           Rotation::from_angle(random.real(-3, 3)),
                           static_cast<float>(random.below(5)),
                           random.chance(0.2)};
-        seats[joint] = random.chance(0.5) ? lanes.add_pin(bucket, anchors[joint])
-                                          : lanes.add_drive(bucket, anchors[joint], {.motor_limit = 1});
+        const double draw = random.real(0, 3);
+        seats[joint] = draw < 1   ? lanes.add_pin(bucket, anchors[joint])
+                       : draw < 2 ? lanes.add_drive(bucket, anchors[joint], {.motor_limit = 1})
+                                  : lanes.add_wheel(bucket, anchors[joint], {1, 0}, {.motor_limit = 1});
         JointImpulses impulse{};
         impulse[impulse_index(0, Role::HoldOrSpring)] = static_cast<float>(joint);
         impulse[impulse_index(2, Role::Motor)] = static_cast<float>(-joint);
@@ -329,12 +247,13 @@ TEST_CASE("joints keep what is theirs when they change domains and lanes are put
         INFO("joint " << joint);
         const JointMemory memory = lanes.memory(seat);
         CHECK(memory.impulse[impulse_index(0, Role::HoldOrSpring)] == static_cast<float>(joint));
-        if (seat.drives) CHECK(memory.impulse[impulse_index(2, Role::Motor)] == static_cast<float>(-joint));
-        if (!seat.drives) CHECK(lanes.load(seat) == Vec2{0, static_cast<float>(joint)});
+        const bool is_pin = seat.kind == JointLaneKind::Pin;
+        if (!is_pin) CHECK(memory.impulse[impulse_index(2, Role::Motor)] == static_cast<float>(-joint));
+        if (is_pin) CHECK(lanes.load(seat) == Vec2{0, static_cast<float>(joint)});
     }
     std::size_t met = 0;
-    std::map<std::pair<bool, int>, int> last;  // sum of rows, by pool and bucket
-    lanes.for_each_block([&](const AnchorBlock& block, const PinBlock&, JointBlockKind kind) {
+    std::map<std::pair<JointLaneKind, int>, int> last;  // sum of rows, by pool and bucket
+    lanes.for_each_block([&](const AnchorBlock& block, const JointRows&, JointBlockKind kind) {
         for (std::size_t lane = 0; lane < kLanes && block.joint[lane] != kNone; ++lane) {
             ++met;
             const int joint = block.joint[lane];
@@ -351,7 +270,7 @@ TEST_CASE("joints keep what is theirs when they change domains and lanes are put
             const int row_b = places[static_cast<std::size_t>(a.body_b)].row;
             const int row_a = places[static_cast<std::size_t>(a.body_a)].row;
             const int sum = row_b + (kind == JointBlockKind::Anchored ? row_b : row_a);
-            int& before = last[{seat.drives, seat.bucket}];
+            int& before = last[{seat.kind, seat.bucket}];
             CHECK(before <= sum);
             before = sum;
         }
