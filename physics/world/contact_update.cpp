@@ -14,6 +14,7 @@
 #include "world/contact_events.h"
 #include "world/contact_lists.h"
 #include "world/contacts.h"
+#include "world/direct_groups.h"
 #include "world/fast_bodies.h"
 #include "world/narrow_phase.h"
 #include "world/near_pairs.h"
@@ -88,6 +89,7 @@ class Update {
         std::array<int, kPairGeometries> near_before{};
         for (int g = 0; g < kPairGeometries; ++g)
             near_before[g] = stores_.contacts.lanes.near_count(static_cast<PairGeometry>(g));
+        const int awake_before = stores_.bodies.rows(RowSet::Awake).size();
         update_uncolored();
         visit_contacts(stores_.contacts, scratch_.met,
                        [&](int contact) { unlist_contact(stores_, contact); });
@@ -96,6 +98,9 @@ class Update {
         visit_contacts(stores_.contacts, scratch_.met, [&](int contact) { color_contact(stores_, contact); });
         scratch_.met.clear();
         update_uncolored();  // those that found no colour
+        // What woke may hang together with what moves already, and nothing else holds its joints.
+        if (stores_.bodies.rows(RowSet::Awake).size() > awake_before)
+            choose_direct_groups(stores_, world_.def.joint_solver, world_.direct);
         stores_.contacts.lanes.arrange();
         update_blocks();
         visit_contacts(stores_.contacts, scratch_.parted,

@@ -245,12 +245,35 @@ TEST_CASE("a direct solution is the same at any number of threads") {
     CHECK(run(1) == run(5));
 }
 
+// Its groups are those of a chain that never slept.
+TEST_CASE("a sleeping chain that bears a heavy ball is held in the step in which it is hit") {
+    Hanging asleep(20, 1e4, false);
+    Hanging awake(20, 1e4, false);
+    std::vector<double> gaps;
+    for (Hanging* chain : {&asleep, &awake}) {
+        step_times(chain->world, 60);
+        if (chain == &asleep) chain->world.body(chain->bodies.front())->set_awake(false);
+        const BodyId bird =
+            add(chain->world, {.position_m = {-3, -5}, .linear_velocity_m_s = {20, 0}, .gravity_scale = 0},
+                Circle{{}, 0.2f});
+        REQUIRE(chain->world.counts().awake_bodies == (chain == &asleep ? 1 : 22));
+        double gap = 0;
+        for (int i = 0; i < 20; ++i) {
+            chain->world.step(kStep_s).value();
+            gap = std::max(gap, chain->greatest_gap());
+        }
+        REQUIRE(chain->world.counts().awake_bodies == 22);
+        CHECK(d(chain->world.body(bird)->linear_velocity().x) < 10);  // it hit
+        gaps.push_back(gap);
+    }
+    CHECK(gaps[0] < 2 * gaps[1]);
+}
+
 TEST_CASE(
     "a restored world solves the same joints directly as the one that it is of, after a body fell asleep") {
     const WorldDef def{.joint_solver = JointSolver::Direct};
     World world(def);
-    // Awake, so that the joints stay active.
-    const BodyId carrier = world.create_body({.type = BodyType::Kinematic}).value();
+    const BodyId carrier = world.create_body({.type = BodyType::Kinematic, .allow_sleep = false}).value();
     const BodyId ball = add(world, {.position_m = {0, -1}}, Circle{{}, 0.25f});
     for (const float side : {-1.0f, 1.0f}) {
         world
@@ -266,7 +289,9 @@ TEST_CASE(
     world.body(carrier)->set_linear_velocity({0.5f, 0}).value();
     world.body(ball)->set_linear_velocity({1, 1}).value();
     step_times(world, 25);
+    world.body(carrier)->set_linear_velocity({}).value();
     world.body(ball)->set_awake(false);
+    REQUIRE_FALSE(world.body(ball)->is_awake());
     step_times(world, 1);
     World other(def);
     other.restore(world.snapshot().value().bytes()).value();
