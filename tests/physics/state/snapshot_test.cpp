@@ -317,12 +317,12 @@ TEST_CASE("what gained or lost its mass since the last step goes through snapsho
     World world;
     add_ground(world);
     const BodyId light = add(world, {.position_m = {0, 0.5}}, Box{0.5f, 0.5f});
-    const BodyId hanging = add(world, {.position_m = {5, 3}}, Circle{0.5f});
+    const BodyId hanging = add(world, {.position_m = {5, 3}}, Circle{{}, 0.5f});
     const BodyId empty = world.create_body({.position_m = {5, 4}}).value();
     world.create_joint(RevoluteJointDef{.body_a = empty, .body_b = hanging, .local_anchor_b_m = {0, 1}})
         .value();
-    const BodyId nail = add(world, {.position_m = {8, 4}}, Circle{0.25f});
-    const BodyId swing = add(world, {.position_m = {8, 3}}, Circle{0.5f});
+    const BodyId nail = add(world, {.position_m = {8, 4}}, Circle{{}, 0.25f});
+    const BodyId swing = add(world, {.position_m = {8, 3}}, Circle{{}, 0.5f});
     world.create_joint(RevoluteJointDef{.body_a = swing, .body_b = nail, .local_anchor_a_m = {0, 1}}).value();
     step_times(world, 5);
 
