@@ -70,7 +70,8 @@ bool is_held_by_moving(const Stores& stores, int body) {
     for_each_edge(stores.joints.slots, stores.bodies.slots[body].first_joint, [&](int joint, int side) {
         const JointRecord& j = stores.joints.slots[joint];
         const int other = side == 0 ? j.body_b : j.body_a;
-        held |= stores.bodies.slots[other].type == BodyType::Kinematic && is_moving(stores, other);
+        const bool is_carrier = stores.bodies.slots[other].type == BodyType::Kinematic;
+        held |= takes_part(j) && is_carrier && is_moving(stores, other);
     });
     return held;
 }

@@ -279,8 +279,10 @@ constexpr Function kFunctions[] = {
     function<&set_gravity_scale>("set_gravity_scale", "scale", "",
                                  "0 lets the body float, 1 is the world's gravity."),
     function<&is_awake>("is_awake", "", "awake", ""),
-    function<&set_awake>("set_awake", "awake", "",
-                         "Putting a body to sleep puts to sleep all that it touches."),
+    function<&set_awake>(
+        "set_awake", "awake", "",
+        "Putting a body to sleep puts to sleep all that it touches or is jointed to. What a moving "
+        "kinematic body holds or touches wakes again."),
     function<&allows_sleep>("allows_sleep", "", "allows", ""),
     function<&set_allow_sleep>("set_allow_sleep", "allow", "", ""),
     function<&locks>("locks", "", "x, y, rotation", "Which of its motions are locked."),

@@ -1094,7 +1094,7 @@ function Body:set_gravity_scale(scale) end
 ---@return boolean awake
 function Body:is_awake() end
 
----Putting a body to sleep puts to sleep all that it touches.
+---Putting a body to sleep puts to sleep all that it touches or is jointed to. What a moving kinematic body holds or touches wakes again.
 ---@param awake boolean
 function Body:set_awake(awake) end
 

@@ -383,6 +383,12 @@ TEST_CASE("what hangs on a moving platform by a joint cannot be put to sleep") {
     world.body(platform)->set_linear_velocity({}).value();
     world.body(held)->set_awake(false);
     CHECK_FALSE(world.body(held)->is_awake());
+    // A joint that only keeps from colliding holds nothing.
+    const BodyId beside = add(world, {.position_m = {5, -2}}, Box{0.5f, 0.5f});
+    world.create_joint(FilterJointDef{.body_a = platform, .body_b = beside}).value();
+    world.body(platform)->set_linear_velocity({1, 0}).value();
+    world.body(beside)->set_awake(false);
+    CHECK_FALSE(world.body(beside)->is_awake());
 }
 
 TEST_CASE("a platform that runs into sleepers wakes and pushes them") {
