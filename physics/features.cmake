@@ -44,7 +44,8 @@ cairn_feature(JOINTS "joints of all kinds"
   world/joint_lists.cpp
   world/joint_measures.cpp
   world/joint_rules.cpp
-  world/joints.cpp)
+  world/joints.cpp
+  world/stiff_springs.cpp)
 cairn_feature(DIRECT_SOLVER "the direct solver of joint structures and uneven contacts (needs joints)"
   resolve/direct/block_ldl.cpp
   resolve/direct/chain_factors.cpp

@@ -100,7 +100,7 @@ class Update {
         update_uncolored();  // those that found no colour
         // What woke may hang together with what moves already, and nothing else holds its joints.
         if (stores_.bodies.rows(RowSet::Awake).size() > awake_before)
-            choose_direct_groups(stores_, world_.def.joint_solver, world_.direct);
+            choose_direct_groups(stores_, world_.def.joint_solver, time_.h_s, world_.direct);
         stores_.contacts.lanes.arrange();
         update_blocks();
         visit_contacts(stores_.contacts, scratch_.parted,

@@ -32,18 +32,23 @@ bool moves(const Stores& stores, int body) {
     return stores.bodies.is_awake(body) && (record.inverse_mass > 0 || record.inverse_inertia > 0);
 }
 
-void find_structures(Stores& stores, JointSolver solver, DirectGroups& groups) {
+void find_structures(Stores& stores, JointSolver solver, float h_s, DirectGroups& groups) {
     for (const DirectStructure& s : groups.structures) {
         for (const int body : s.bodies) groups.structure_of[static_cast<std::size_t>(body)] = kNone;
     }
     groups.structure_of.resize(static_cast<std::size_t>(stores.bodies.slots.end_index()), kNone);
     for (const int joint : stores.joints.active) stores.joints.slots[joint].direct = false;
-    groups.search.find(stores, solver, groups.structures, groups.without_loads);
+    groups.search.find(stores, solver, h_s, groups.structures, groups.without_loads);
     for (std::size_t s = 0; s < groups.structures.size(); ++s) {
         for (const int body : groups.structures[s].bodies)
             groups.structure_of[static_cast<std::size_t>(body)] = static_cast<int>(s);
     }
     groups.version = stores.joints.version;
+}
+
+// A structure that is swept where too much touches it.
+bool is_left_where_crowded(const DirectStructure& s) {
+    return s.only_free || s.only_whole;
 }
 
 // A body that hangs together with more than a group may take up.
@@ -227,7 +232,7 @@ class Growth {
             groups_.too_many.push_back(body);
         }
         for (const int found : groups_.found) {
-            if (structure(found).only_free) continue;
+            if (is_left_where_crowded(structure(found))) continue;
             DirectStructure& group = new_group();
             group.bodies.assign(structure(found).bodies.begin(), structure(found).bodies.end());
             group.joints.assign(structure(found).joints.begin(), structure(found).joints.end());
@@ -258,13 +263,14 @@ void forget_groups(Stores& stores, DirectGroups& groups) {
 
 }  // namespace
 
-void choose_direct_groups(Stores& stores, JointSolver solver, DirectGroups& groups) {
+void choose_direct_groups(Stores& stores, JointSolver solver, float h_s, DirectGroups& groups) {
     forget_groups(stores, groups);
-    if (groups.version != stores.joints.version) find_structures(stores, solver, groups);
+    if (groups.version != stores.joints.version || !groups.search.holds_for(h_s))
+        find_structures(stores, solver, h_s, groups);
     const bool any = !groups.structures.empty() || stores.contacts.uneven.size() > 0;
     if (!any || solver == JointSolver::Sweeping) return;
     for (const DirectStructure& structure : groups.structures) {
-        if (!structure.only_free) continue;
+        if (!is_left_where_crowded(structure)) continue;
         for (const int joint : structure.joints) stores.joints.slots[joint].direct = false;
     }
     Growth growth(stores, groups);

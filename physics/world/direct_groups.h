@@ -10,8 +10,9 @@ namespace cairn::physics {
 /// the ratio.
 inline constexpr float kUnevenMasses = 50;
 
-/// Stage: finds structures anew when joints or what they join changed, and takes their joints out of the
-/// lanes; then what touches structures and uneven contacts. Marks the bodies of all groups in their places.
-void choose_direct_groups(Stores& stores, JointSolver solver, DirectGroups& groups);
+/// Stage: finds structures anew when joints or what they join changed, or substeps so much that springs are
+/// stiff that were not, and takes their joints out of the lanes; then what touches structures and uneven
+/// contacts. Marks the bodies of all groups in their places.
+void choose_direct_groups(Stores& stores, JointSolver solver, float h_s, DirectGroups& groups);
 
 }  // namespace cairn::physics

@@ -23,6 +23,9 @@ constexpr float kJointsPerBody = 1.25f;
 constexpr int kSpareJoints = 8;
 // A chain takes 4 products of blocks per joint; three sweeps cost about as much as 16.
 constexpr double kMaxProducts = 16;
+// Stiff springs are swept sixteen times by themselves where they share bodies, and sag too far then.
+constexpr float kStiffJointsPerBody = 3;
+constexpr double kMaxStiffProducts = 64;
 
 std::size_t at(int i) {
     return static_cast<std::size_t>(i);
@@ -51,8 +54,10 @@ bool StructureSearch::Masses::are_uneven(float ratio) const {
     return least_inverse > 0 && most_inverse / least_inverse > ratio;
 }
 
-void StructureSearch::find(const Stores& stores, JointSolver solver, std::vector<DirectStructure>& structures,
+void StructureSearch::find(const Stores& stores, JointSolver solver, float h_s,
+                           std::vector<DirectStructure>& structures,
                            std::vector<DirectStructure>& without_loads) {
+    springs_.forget();
     recycle(without_loads);
     recycle(structures);
     if (solver == JointSolver::Sweeping || stores.joints.active.size() == 0) return;
@@ -61,7 +66,7 @@ void StructureSearch::find(const Stores& stores, JointSolver solver, std::vector
     static_assert(kMassRatio <= kUnevenMasses);
     if (solver != JointSolver::Direct && !masses.are_uneven(kMassRatio) && !is_any_held(stores)) return;
     join(stores);
-    sum_up(stores);
+    sum_up(stores, h_s);
     list(stores, solver, structures, without_loads);
 }
 
@@ -75,6 +80,7 @@ void StructureSearch::recycle(DirectStructure& structure) {
     structure.joints.clear();
     structure.bodies.clear();
     structure.only_free = false;
+    structure.only_whole = false;
     spare_.push_back(std::move(structure));
 }
 
@@ -128,7 +134,7 @@ void StructureSearch::join(const Stores& stores) {
 }
 
 // In the order of their first joints.
-void StructureSearch::sum_up(const Stores& stores) {
+void StructureSearch::sum_up(const Stores& stores, float h_s) {
     summaries_.clear();
     of_root_.assign(moves_.size(), kNone);
     seen_.assign(moves_.size(), 0);
@@ -147,6 +153,7 @@ void StructureSearch::sum_up(const Stores& stores) {
         const auto* pin = std::get_if<RevoluteJointDef>(&record.def);
         s.plain_pins = s.plain_pins && pin != nullptr && is_plain_pin(*pin);
         s.lacks_load = s.lacks_load || !record.load_known;
+        note_springs(record.def, h_s, s);
         for_each_body(stores, joint, [&](int body) {
             if (!moves(body)) s.is_held = true;
             if (!moves(body) || seen_[at(body)]) return;
@@ -155,6 +162,18 @@ void StructureSearch::sum_up(const Stores& stores) {
             s.masses.widen(inverse_mass_[at(body)]);
         });
     });
+}
+
+void StructureSearch::note_springs(const JointDef& def, float h_s, Summary& s) {
+    const JointActs acts = acts_of(def);
+    s.holds = s.holds || acts.holds;
+    if (acts.spring_hz > 0 && springs_.note(acts.spring_hz, h_s)) ++s.stiff_springs;
+}
+
+// Stiff springs that bear each other, or what is held: sweeps hand down too little from one to the other.
+// What nothing holds has nothing to bear for long.
+bool StructureSearch::is_stiff(const Summary& s) {
+    return s.is_held && (s.stiff_springs > 1 || (s.stiff_springs > 0 && s.holds));
 }
 
 bool StructureSearch::is_pendulum(const Summary& s) {
@@ -166,11 +185,11 @@ bool StructureSearch::bears_with_few(const Summary& s) {
 }
 
 bool StructureSearch::may_be_hard(const Summary& s) {
-    if (s.joints < kFewestJoints) return is_pendulum(s) || bears_with_few(s);
-    if (static_cast<float>(s.joints) > kJointsPerBody * static_cast<float>(s.bodies) + kSpareJoints)
-        return false;
+    if (s.joints < kFewestJoints) return is_pendulum(s) || bears_with_few(s) || is_stiff(s);
+    const float per_body = is_stiff(s) ? kStiffJointsPerBody : kJointsPerBody;
+    if (static_cast<float>(s.joints) > per_body * static_cast<float>(s.bodies) + kSpareJoints) return false;
     const bool may_be_deep = s.is_held && s.joints > kDepth;
-    return may_be_deep || s.masses.are_uneven(kMassRatio);
+    return may_be_deep || is_stiff(s) || s.masses.are_uneven(kMassRatio);
 }
 
 bool StructureSearch::may_need_loads(const Summary& s) {
@@ -208,7 +227,9 @@ void StructureSearch::list(const Stores& stores, JointSolver solver, std::vector
     for (std::size_t i = 0; i < structures.size(); ++i) {
         const Summary& summary = summaries_[at(summary_of_[i])];
         number_bodies(structures[i]);
-        if (!may_be_hard(summary) || !is_hard_to_sweep(structures[i], summary, stores)) {
+        const bool hard = may_be_hard(summary) && is_hard_to_sweep(structures[i], summary, stores);
+        const bool too_stiff = !hard && is_stiff(summary) && is_open(structures[i], stores);
+        if (!hard && !too_stiff) {
             if (may_need_loads(summary) && depth_of(structures[i], stores) > kDepth) {
                 without_loads.push_back(std::move(structures[i]));
             } else {
@@ -218,6 +239,7 @@ void StructureSearch::list(const Stores& stores, JointSolver solver, std::vector
         }
         if (kept != i) structures[kept] = std::move(structures[i]);
         structures[kept].only_free = is_pendulum(summary);
+        structures[kept].only_whole = too_stiff;
         ++kept;
     }
     structures.resize(kept);
@@ -229,10 +251,33 @@ void StructureSearch::number_bodies(const DirectStructure& s) {
 
 bool StructureSearch::is_hard_to_sweep(const DirectStructure& s, const Summary& summary,
                                        const Stores& stores) {
-    if (summary.joints < kFewestJoints) return true;
+    if (summary.joints < kFewestJoints) return is_pendulum(summary) || bears_with_few(summary);
     const bool uneven = summary.masses.are_uneven(kMassRatio);
     if (!uneven && depth_of(s, stores) <= kDepth) return false;
     return products_per_joint(s, stores) <= kMaxProducts;
+}
+
+// Whether what is held forms no loop: there what springs bend by hairs would have to be true of all joints at
+// once, and they would bear what they are built to bear a thousandfold. Springs themselves may.
+bool StructureSearch::is_open(const DirectStructure& s, const Stores& stores) {
+    const int ground = static_cast<int>(s.bodies.size());
+    held_.reset(ground + 1);
+    bool open = true;
+    for (const int joint : s.joints) {
+        if (!acts_of(stores.joints.slots[joint].def).holds) continue;
+        int first = kNone;
+        for_each_body(stores, joint, [&](int body) {
+            const int root = held_.find(moves(body) ? local_[at(body)] : ground);
+            if (first == kNone) {
+                first = root;
+            } else if (root == held_.find(first)) {
+                open = false;
+            } else {
+                held_.unite(first, root);
+            }
+        });
+    }
+    return open && products_per_joint(s, stores) <= kMaxStiffProducts;
 }
 
 // Joints between the farthest body and what holds the structure; 0 if nothing does.

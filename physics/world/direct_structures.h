@@ -10,6 +10,7 @@
 
 #include "base/union_find.h"
 #include "resolve/direct/block_ldl.h"
+#include "world/stiff_springs.h"
 
 namespace cairn::physics {
 
@@ -19,15 +20,19 @@ struct Stores;
 struct DirectStructure {
     std::vector<int> joints;
     std::vector<int> bodies;
-    bool only_free = false;  // solved directly only in steps in which nothing can touch it
+    bool only_free = false;   // solved directly only in steps in which nothing can touch it
+    bool only_whole = false;  // or only with all that touches it
 };
 
 class StructureSearch {
   public:
-    /// Structures that are to be solved directly, as the choice of the world says. Those of plain pins that
-    /// would be but for their loops, and have pins whose loads are not known, are `without_loads`.
-    void find(const Stores& stores, JointSolver solver, std::vector<DirectStructure>& structures,
+    /// Structures that are to be solved directly in substeps of h_s, as the choice of the world says. Those
+    /// of plain pins that would be but for their loops, and have pins whose loads are not known, are
+    /// `without_loads`.
+    void find(const Stores& stores, JointSolver solver, float h_s, std::vector<DirectStructure>& structures,
               std::vector<DirectStructure>& without_loads);
+    /// Whether substeps of h_s change nothing of what was found.
+    [[nodiscard]] bool holds_for(float h_s) const { return springs_.hold_for(h_s); }
     /// Empties the list, and keeps the memory of its structures for those that are found next.
     void recycle(std::vector<DirectStructure>& structures);
 
@@ -47,6 +52,8 @@ class StructureSearch {
         bool is_held = false;     // by what does not move
         bool plain_pins = true;   // and nothing else
         bool lacks_load = false;  // of one of them
+        int stiff_springs = 0;    // joints that have some
+        bool holds = false;       // does more than draw by springs
         int listed = -1;          // place among the structures
     };
 
@@ -54,10 +61,12 @@ class StructureSearch {
     [[nodiscard]] bool moves(int body) const { return moves_[static_cast<std::size_t>(body)] != 0; }
     [[nodiscard]] bool is_any_held(const Stores& stores) const;
     void join(const Stores& stores);
-    void sum_up(const Stores& stores);
+    void sum_up(const Stores& stores, float h_s);
     [[nodiscard]] static bool is_pendulum(const Summary& s);
     [[nodiscard]] static bool bears_with_few(const Summary& s);
     [[nodiscard]] static bool may_be_hard(const Summary& s);
+    [[nodiscard]] static bool is_stiff(const Summary& s);
+    void note_springs(const JointDef& def, float h_s, Summary& s);
     [[nodiscard]] static bool may_need_loads(const Summary& s);
     void list(const Stores& stores, JointSolver solver, std::vector<DirectStructure>& structures,
               std::vector<DirectStructure>& without_loads);
@@ -67,12 +76,15 @@ class StructureSearch {
     // These want the bodies numbered.
     [[nodiscard]] bool is_hard_to_sweep(const DirectStructure& s, const Summary& summary,
                                         const Stores& stores);
+    [[nodiscard]] bool is_open(const DirectStructure& s, const Stores& stores);
     [[nodiscard]] int depth_of(const DirectStructure& s, const Stores& stores);
     [[nodiscard]] double products_per_joint(const DirectStructure& s, const Stores& stores);
 
+    StiffSprings springs_;
     std::vector<char> moves_;          // by body
     std::vector<float> inverse_mass_;  // by body, of awake ones
     UnionFind sets_;                   // of bodies
+    UnionFind held_;                   // of local bodies, by joints that hold
     std::vector<int> first_;           // by place among the active joints: a body that moves, or kNone
     std::vector<int> of_root_;
     std::vector<char> seen_;

@@ -11,6 +11,7 @@
 #include "world/joint_rules.h"
 #include "world/joints.h"
 #include "world/prepare.h"
+#include "world/stiff_springs.h"
 
 namespace cairn::physics {
 namespace {
@@ -231,6 +232,7 @@ void prepare_joints(Stores& stores, const StepTime& time, StepScratch& scratch, 
     }
     list_jointed_rows(stores, scratch);
     if (!springs && !lanes.springs_changed()) return;
+    soften_stiff_springs(stores, time.h_s, scratch);
     scratch.spring_loads.assign(static_cast<std::size_t>(scratch.motions.size()), {});
     add_spring_loads(joints, scratch.joint_places, scratch.motions, scratch.spring_loads);
     lanes.add_spring_loads(scratch.motions, scratch.spring_loads, tasks);

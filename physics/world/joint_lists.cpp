@@ -67,14 +67,14 @@ AnchorLane make_anchor(const Stores& stores, int joint) {
 
 // All but where the spring draws to and the limits are.
 template <class Def>
-DriveLane make_laws(const Def& def, float h_s) {
+DriveLane make_laws(const Def& def, float frequency_hz, float h_s) {
     DriveLane drive;
     drive.softness = softness_of(def.stiffness, h_s);
     if (def.enable_spring) {
-        drive.spring_frequency_rad_s = 2 * kPi * def.frequency_hz;
+        drive.spring_frequency_rad_s = 2 * kPi * frequency_hz;
         drive.square = (drive.spring_frequency_rad_s * h_s) * (drive.spring_frequency_rad_s * h_s);
         drive.damping = 2 * def.damping_ratio * (drive.spring_frequency_rad_s * h_s);
-        drive.spring = make_exact_spring(static_cast<double>(def.frequency_hz),
+        drive.spring = make_exact_spring(static_cast<double>(frequency_hz),
                                          static_cast<double>(def.damping_ratio), static_cast<double>(h_s), 1);
     }
     if (def.enable_motor) {
@@ -86,7 +86,7 @@ DriveLane make_laws(const Def& def, float h_s) {
 
 DriveLane make_drive(const RevoluteJointDef& def, float h_s) {
     const float frames = def.local_angle_b_rad - def.local_angle_a_rad;
-    DriveLane drive = make_laws(def, h_s);
+    DriveLane drive = make_laws(def, std::min(def.frequency_hz, most_swept_frequency(h_s)), h_s);
     if (def.enable_spring) drive.spring_target = def.target_rad - frames;
     if (def.enable_limit) {
         drive.lower = std::max(def.lower_rad - frames, -kNoLimit);
@@ -96,7 +96,7 @@ DriveLane make_drive(const RevoluteJointDef& def, float h_s) {
 }
 
 DriveLane make_drive(const WheelJointDef& def, float h_s) {
-    DriveLane drive = make_laws(def, h_s);
+    DriveLane drive = make_laws(def, def.frequency_hz, h_s);
     if (def.enable_spring) drive.spring_target = def.target_m;
     if (def.enable_limit) {
         drive.lower = std::max(def.lower_m, -kNoLimit);

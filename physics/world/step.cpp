@@ -53,11 +53,11 @@ void step_world(WorldState& world, float dt_s) {
     order_contacts(stores, world.step_count, scratch);
     cover_fast_ways(stores, def.gravity_m_s2, dt_s, scratch, tasks);
     find_new_pairs(stores, scratch, tasks);
-    choose_direct_groups(stores, def.joint_solver, world.direct);
-    prepare_motions(stores.bodies, def.gravity_m_s2, dt_s, scratch, tasks);
-    clock.enter(Stage::Contacts);
     const int substeps = substeps_under(length(def.gravity_m_s2), dt_s, def.substeps, least_unit(stores));
     const StepTime time = make_step_time(dt_s, substeps, world.previous_h_s);
+    choose_direct_groups(stores, def.joint_solver, time.h_s, world.direct);
+    prepare_motions(stores.bodies, def.gravity_m_s2, dt_s, scratch, tasks);
+    clock.enter(Stage::Contacts);
     const ContactRules rules =
         make_contact_rules(time.h_s, def.max_push_out_speed_m_s, def.restitution_speed_m_s);
     update_contacts(world, time, rules);

@@ -57,7 +57,7 @@ constexpr double kMostTurn_rad = 2;
 constexpr double kLeastCrowd = 0.6;
 // Softer ones keep to their poles in any crowd: 21 Hz.
 constexpr double kLeastStiff = 0.3;
-// And where they are solved directly: 46 Hz. Undamped rings with spokes of 40 Hz gained ten times their
+// And those that are solved directly: 46 Hz. Undamped rings with spokes of 40 Hz gained ten times their
 // energy by what is left of the poles of each alone, of 47 Hz some hundred times.
 constexpr double kLeastStiffInStructure = 1.4;
 
@@ -118,7 +118,7 @@ ExactSpring crowded(ExactSpring spring, double square, double damping) {
     return square > kLeastStiff ? implicit(spring, square, damping) : spring;
 }
 
-ExactSpring crowded_in_structure(ExactSpring spring, double square, double damping) {
+ExactSpring in_structure(ExactSpring spring, double square, double damping) {
     return square > kLeastStiffInStructure ? implicit(spring, square, damping) : spring;
 }
 

@@ -386,11 +386,13 @@ bool make_springs(std::span<JointConstraint> joints, float h_s, const std::vecto
         }
         const double angle = w * static_cast<double>(h_s);
         law.spring = calmed(alone, angle * angle, std::max(sum / (w * w), 1.0));
-        if (!is_crowded) return;
         const double damping = 2 * static_cast<double>(law.spring_damping_ratio) * angle;
-        law.spring = c.direct ? crowded_in_structure(law.spring, angle * angle, damping)
-                              : crowded(law.spring, angle * angle, damping);
-        some_crowded = some_crowded || !c.direct;
+        if (c.direct) {
+            law.spring = in_structure(law.spring, angle * angle, damping);
+        } else if (is_crowded) {
+            law.spring = crowded(law.spring, angle * angle, damping);
+            some_crowded = true;
+        }
     });
     return some_crowded;
 }

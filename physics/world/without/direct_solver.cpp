@@ -9,7 +9,7 @@ namespace cairn::physics {
 
 void estimate_pin_loads(Stores&, Vec2, const StepTime&, DirectGroups&) {}
 void forget_loads_around(Stores&, int) {}
-void choose_direct_groups(Stores&, JointSolver, DirectGroups&) {}
+void choose_direct_groups(Stores&, JointSolver, float, DirectGroups&) {}
 void start_direct_solve(Stores&, const ContactRules&, const StepTime&, StepScratch&, DirectGroups&,
                         TaskPool&) {}
 void solve_direct(DirectGroups&, StepScratch&, const ContactRules&, float, Acting, TaskPool&) {}

@@ -35,7 +35,7 @@ enum class JointKind : std::uint8_t {
 /// How joints are solved, and contacts of bodies of very different mass.
 enum class JointSolver : std::uint8_t {
     /// All joints of a structure at once, with its contacts, where sweeping would leave errors: long chains,
-    /// heavy bodies on light ones, whether joined or only touching.
+    /// heavy bodies on light ones, whether joined or only touching, stiff springs beside pins.
     Automatic,
     Sweeping,  ///< one after another: the cheapest; errors grow with mass ratios and lengths
     Direct,    ///< all structures at once, whatever it costs

@@ -1,0 +1,55 @@
+// Springs that are too stiff to be swept beside what is held. The impulses of such springs and of pins call
+// for each other, and swept one after the other they feed each other: a plank on a hinge with a spring of 80
+// Hz flew off, at four substeps of 60 steps a second. So structures that have some are solved directly where
+// something holds them (direct_structures.h), and else their springs are as stiff as a sweep can follow.
+#pragma once
+
+#include <algorithm>
+#include <limits>
+
+#include <cairn/physics/joint.h>
+
+#include "resolve/joints/exact_spring.h"
+
+namespace cairn::physics {
+
+struct StepScratch;
+struct Stores;
+
+/// What a joint does by its definition.
+struct JointActs {
+    float spring_hz = 0;  // of its stiffest spring; 0: it has none
+    bool holds = false;   // or drives, or couples: all but to draw
+};
+JointActs acts_of(const JointDef& def);
+
+/// Which springs are stiff in substeps of some length, and for how long that stays so.
+class StiffSprings {
+  public:
+    void forget() { *this = {}; }
+    /// Whether a spring is stiff; it is kept in mind.
+    bool note(float frequency_hz, float h_s) {
+        const bool stiff = frequency_hz > most_swept_frequency(h_s);
+        if (stiff) {
+            softest_stiff_hz_ = std::min(softest_stiff_hz_, frequency_hz);
+        } else {
+            stiffest_soft_hz_ = std::max(stiffest_soft_hz_, frequency_hz);
+        }
+        return stiff;
+    }
+    /// Whether the springs that were noted are all what they were in substeps of h_s, too.
+    [[nodiscard]] bool hold_for(float h_s) const {
+        const float most = most_swept_frequency(h_s);
+        return stiffest_soft_hz_ <= most && softest_stiff_hz_ > most;
+    }
+
+  private:
+    float stiffest_soft_hz_ = 0;
+    float softest_stiff_hz_ = std::numeric_limits<float>::infinity();
+};
+
+/// Of the constraints of a step: makes the stiff springs of those that are swept as soft as sweeps need them,
+/// where joints hold what can be moved of their bodies.
+void soften_stiff_springs(const Stores& stores, float h_s, StepScratch& scratch);
+
+}  // namespace cairn::physics

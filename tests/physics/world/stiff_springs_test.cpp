@@ -1,0 +1,263 @@
+// Springs beside pins: bounded whatever their stiffness, by either solver, and what hangs on them hangs where
+// statics says by the one that the world chooses.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include <cairn/physics/simd.h>
+
+#include "physics/support/making.h"
+#include "physics/support/precise.h"
+
+namespace cairn::physics {
+namespace {
+
+using namespace test;
+
+struct Spring {
+    float frequency_hz;
+    float damping_ratio;
+};
+
+// Planks of a metre that pass through each other, pinned end to end.
+struct Planks {
+    explicit Planks(JointSolver solver, float gravity_m_s2 = 0, int threads = 1)
+        : world({.gravity_m_s2 = {0, -gravity_m_s2},
+                 .joint_solver = solver,
+                 .enable_sleep = false,
+                 .threads = threads}) {}
+
+    World world;
+    BodyId wall = world.create_body({.type = BodyType::Static}).value();
+    std::vector<BodyId> planks;
+    std::vector<JointId> joints;
+
+    void plank(Position position_m, double angle_rad, float density) {
+        const auto i = static_cast<float>(planks.size());
+        planks.push_back(add(world,
+                             {.position_m = position_m,
+                              .angle_rad = angle_rad,
+                              .linear_velocity_m_s = {0, 0.3f * std::sin(1.7f * i)},
+                              .angular_velocity_rad_s = 0.5f * std::cos(2.1f * i)},
+                             Box{0.5f, 0.1f}, {.density_kg_m2 = density, .filter = {.mask = 0}}));
+    }
+    void pin(BodyId a, BodyId b, Vec2 at_a, Vec2 at_b, const Spring& spring, float bend_rad = 0) {
+        joints.push_back(world
+                             .create_joint(RevoluteJointDef{.body_a = a,
+                                                            .body_b = b,
+                                                            .local_anchor_a_m = at_a,
+                                                            .local_anchor_b_m = at_b,
+                                                            .local_angle_a_rad = bend_rad,
+                                                            .enable_spring = true,
+                                                            .frequency_hz = spring.frequency_hz,
+                                                            .damping_ratio = spring.damping_ratio})
+                             .value());
+    }
+    [[nodiscard]] double greatest_gap() const {
+        double gap = 0;
+        for (const JointId id : joints) gap = std::max(gap, d(world.joint(id)->current_length()));
+        return gap;
+    }
+};
+
+void build_row(Planks& row, int count, float ratio, const Spring& spring) {
+    for (int i = 0; i < count; ++i) {
+        row.plank({i + 0.5, 0}, 0, i % 2 == 0 ? 1 : ratio);
+        const BodyId before = i == 0 ? row.wall : row.planks[static_cast<std::size_t>(i) - 1];
+        row.pin(before, row.planks.back(), {i == 0 ? 0.0f : 0.5f, 0}, {-0.5f, 0}, spring);
+    }
+}
+void build_single(Planks& row, float ratio, const Spring& spring) {
+    build_row(row, 1, ratio, spring);
+}
+void build_cantilever(Planks& row, float ratio, const Spring& spring) {
+    build_row(row, 12, ratio, spring);
+}
+void build_beam(Planks& row, float ratio, const Spring& spring) {
+    build_row(row, 8, ratio, spring);
+    row.pin(row.planks.back(), row.wall, {0.5f, 0}, {8, 0}, spring);
+}
+void build_ring(Planks& ring, float ratio, const Spring& spring) {
+    constexpr int kSize = 10;
+    constexpr double kBend = 2 * kPiD / kSize;
+    const double radius_m = 0.5 / std::tan(kPiD / kSize);
+    for (int i = 0; i < kSize; ++i) {
+        const double angle = kBend * i;
+        ring.plank({radius_m * std::cos(angle), radius_m * std::sin(angle)}, angle + kPiD / 2,
+                   i % 2 == 0 ? 1 : ratio);
+    }
+    for (int i = 0; i < kSize; ++i) {
+        ring.pin(ring.planks[static_cast<std::size_t>(i)],
+                 ring.planks[static_cast<std::size_t>((i + 1) % kSize)], {0.5f, 0}, {-0.5f, 0}, spring,
+                 static_cast<float>(kBend));
+    }
+}
+// Nothing holds it.
+void build_floating(Planks& row, float ratio, const Spring& spring) {
+    build_row(row, 9, ratio, spring);
+    row.world.destroy_joint(row.joints.front()).value();
+    row.joints.erase(row.joints.begin());
+}
+// Pins have no springs, but the middle of each plank stands on one.
+void build_pier(Planks& pier, float ratio, const Spring& spring) {
+    build_floating(pier, ratio, spring);
+    for (const JointId id : pier.joints) pier.world.joint(id)->set_spring(false, 1, 0).value();
+    for (std::size_t i = 0; i < pier.planks.size(); ++i) {
+        pier.world
+            .create_joint(DistanceJointDef{.body_a = pier.wall,
+                                           .body_b = pier.planks[i],
+                                           .local_anchor_a_m = {static_cast<float>(i) + 0.5f, 1},
+                                           .length_m = 1,
+                                           .enable_spring = true,
+                                           .frequency_hz = spring.frequency_hz,
+                                           .damping_ratio = spring.damping_ratio})
+            .value();
+    }
+}
+// Some of its pins have no springs, and springs along lines tie what lies two apart.
+void build_truss(Planks& truss, float ratio, const Spring& spring) {
+    build_row(truss, 7, ratio, spring);
+    for (std::size_t i = 1; i < truss.joints.size(); i += 3)
+        truss.world.joint(truss.joints[i])->set_spring(false, spring.frequency_hz, 0).value();
+    for (std::size_t i = 2; i < truss.planks.size(); ++i) {
+        truss.world
+            .create_joint(DistanceJointDef{.body_a = truss.planks[i - 2],
+                                           .body_b = truss.planks[i],
+                                           .local_anchor_a_m = {0, 0.1f},
+                                           .local_anchor_b_m = {0, 0.1f},
+                                           .length_m = 2,
+                                           .enable_spring = true,
+                                           .frequency_hz = spring.frequency_hz,
+                                           .damping_ratio = spring.damping_ratio})
+            .value();
+    }
+}
+
+struct Pattern {
+    const char* name;
+    void (*build)(Planks& planks, float ratio, const Spring& spring);
+    double most_gain = 1.03;
+};
+// Springs of the pier that are not stiff, and not damped, have the poles that each would have alone.
+constexpr Pattern kPatterns[] = {{"single", build_single},     {"cantilever", build_cantilever},
+                                 {"beam", build_beam},         {"ring", build_ring},
+                                 {"floating", build_floating}, {"pier", build_pier, 1.1},
+                                 {"truss", build_truss}};
+
+}  // namespace
+
+TEST_CASE("springs beside pins give back no more than was put in, however stiff they are") {
+    for (const JointSolver solver : {JointSolver::Sweeping, JointSolver::Automatic}) {
+        for (const Pattern& pattern : kPatterns) {
+            for (const float frequency : {30.0f, 50.0f, 90.0f, 120.0f, 1200.0f, 120000.0f}) {
+                for (const float damping_ratio : {0.0f, 0.3f, 2.0f}) {
+                    for (const float ratio : {1.0f, 20.0f}) {
+                        Planks planks(solver);
+                        pattern.build(planks, ratio, {frequency, damping_ratio});
+                        const double energy = planks.world.report().kinetic_energy_j;
+                        double most = 0;
+                        double gap = 0;
+                        for (int i = 0; i < 600; ++i) {
+                            planks.world.step(kStep_s).value();
+                            most = std::max(most, planks.world.report().kinetic_energy_j);
+                            gap = std::max(gap, planks.greatest_gap());
+                        }
+                        INFO((solver == JointSolver::Sweeping ? "swept " : "")
+                             << pattern.name << ", " << frequency << " Hz, damping " << damping_ratio
+                             << ", 1 : " << ratio);
+                        CHECK(most <= pattern.most_gain * energy);
+                        CHECK(gap < 0.02);
+                    }
+                }
+            }
+        }
+    }
+}
+
+// What it weighs turns it against the spring alone, whose stiffness is w^2 I about its own centre.
+TEST_CASE("a plank on a hinge with a spring hangs as far as it should, and the hinge bears its weight") {
+    constexpr float kGravity = 5;
+    for (const float frequency : {10.0f, 30.0f, 40.0f, 60.0f, 120.0f, 1200.0f}) {
+        for (const float damping_ratio : {0.0f, 0.3f, 1.0f}) {
+            INFO(frequency << " Hz, damping " << damping_ratio);
+            Planks planks(JointSolver::Automatic, kGravity);
+            build_single(planks, 1, {frequency, damping_ratio});
+            run_for(planks.world, 30);
+            const Body plank = *planks.world.body(planks.planks.front());
+            const auto joint = planks.world.joint(planks.joints.front());
+            double angle = 0;
+            double force = 0;
+            double torque = 0;
+            constexpr int kSteps = 600;
+            for (int i = 0; i < kSteps; ++i) {
+                planks.world.step(kStep_s).value();
+                angle += plank.angle() / kSteps;
+                force += d(joint->reaction_force().y) / kSteps;
+                torque += d(joint->reaction_torque()) / kSteps;
+            }
+            const double weight = d(plank.mass()) * d(kGravity);
+            const double w = 2 * kPiD * d(frequency);
+            const double stiffness = w * w * d(plank.mass_data().inertia_kg_m2);
+            CHECK(angle == Approx(-0.5 * weight / stiffness).epsilon(0.02));
+            CHECK(force == Approx(weight).epsilon(1e-3));
+            CHECK(torque == Approx(0.5 * weight).epsilon(5e-3));
+        }
+    }
+}
+
+// The first hinge bears all that hangs below it.
+TEST_CASE("a hinge with a spring gives way as far as it should to what hangs from it by plain pins") {
+    for (const float frequency : {25.0f, 60.0f, 90.0f, 600.0f}) {
+        for (const int hanging : {1, 5}) {
+            INFO(frequency << " Hz, " << hanging << " hang");
+            Planks planks(JointSolver::Automatic, 1);
+            build_single(planks, 1, {frequency, 1});
+            const double mass = d(planks.world.body(planks.planks.front())->mass());
+            const double inertia = d(planks.world.body(planks.planks.front())->mass_data().inertia_kg_m2);
+            for (int i = 0; i < hanging; ++i) {
+                planks.plank({1, -0.5 - i}, kPiD / 2, 1);
+                planks.pin(planks.planks[static_cast<std::size_t>(i)], planks.planks.back(),
+                           {i == 0 ? 0.5f : -0.5f, 0}, {0.5f, 0}, {frequency, 1});
+                planks.world.joint(planks.joints.back())->set_spring(false, 1, 0).value();
+            }
+            run_for(planks.world, 60);
+            double angle = 0;
+            constexpr int kSteps = 600;
+            for (int i = 0; i < kSteps; ++i) {
+                planks.world.step(kStep_s).value();
+                angle += planks.world.body(planks.planks.front())->angle() / kSteps;
+            }
+            const double w = 2 * kPiD * d(frequency);
+            const double torque = mass * (0.5 + hanging);
+            CHECK(angle == Approx(-torque / (w * w * inertia)).epsilon(0.02));
+        }
+    }
+}
+
+TEST_CASE("planks on stiff springs go the same way at every SIMD level and on every number of threads") {
+    const std::vector<SimdLevel> levels = available_simd_levels();
+    for (const JointSolver solver : {JointSolver::Sweeping, JointSolver::Automatic}) {
+        for (const Pattern& pattern : kPatterns) {
+            std::optional<std::uint64_t> first;
+            const auto check = [&](int threads) {
+                Planks planks(solver, 1, threads);
+                pattern.build(planks, 3, {75, 0.2f});
+                step_times(planks.world, 120);
+                if (!first) first = planks.world.state_hash();
+                CHECK(planks.world.state_hash() == *first);
+            };
+            for (const SimdLevel level : levels) {
+                INFO(pattern.name << " at " << name(level));
+                force_simd_level(level).value();
+                check(1);
+            }
+            INFO(pattern.name);
+            check(3);
+        }
+    }
+}
+
+}  // namespace cairn::physics
