@@ -122,14 +122,18 @@ void integrate_velocities(Motions& motions, bool afresh, int first, int last) {
     }
 }
 
+// What no joint moves keeps its bits: how rows are cut into batches, of which the others are none, must not
+// show.
 void begin_joints(Motions& motions, int first, int last) {
     for (int i = first; i < last; ++i) {
+        if (motions.mover[i] <= MovedBy::Substeps) continue;
         motions.without_contacts[i] = difference(motions.without_contacts[i], motions.velocity[i]);
     }
 }
 
 void end_joints(Motions& motions, int first, int last) {
     for (int i = first; i < last; ++i) {
+        if (motions.mover[i] <= MovedBy::Substeps) continue;
         motions.without_contacts[i] = sum(motions.without_contacts[i], motions.velocity[i]);
     }
 }

@@ -88,6 +88,11 @@ void hide_overlap(ContactBlock& block, int lane) {
     }
 }
 
+void show_overlap(ContactConstraint& c, const DeepOverlap& overlap) {
+    for (int i = 0; i < c.count; ++i)
+        c.points[i].separation = c.points[i].end_separation = overlap.separation[static_cast<std::size_t>(i)];
+}
+
 void push_apart(std::span<const DeepOverlap> overlaps, std::span<const ContactConstraint> contacts,
                 float most_m, Motions& motions) {
     for (const DeepOverlap& overlap : overlaps)

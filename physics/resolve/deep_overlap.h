@@ -33,6 +33,8 @@ bool overlaps_deeply(const ContactConstraint& c, float dt_s);
 /// The points only just touch, as far as the solver is concerned.
 void hide_overlap(ContactConstraint& c);
 void hide_overlap(ContactBlock& block, int lane);
+/// As it was before it was hidden.
+void show_overlap(ContactConstraint& c, const DeepOverlap& overlap);
 
 /// Moves the bodies of each contact apart until its overlap is not deep any more, but by no more than most_m.
 void push_apart(std::span<const DeepOverlap> overlaps, std::span<const ContactConstraint> contacts,

@@ -99,8 +99,10 @@ class Update {
         scratch_.met.clear();
         update_uncolored();  // those that found no colour
         // What woke may hang together with what moves already, and nothing else holds its joints.
-        if (stores_.bodies.rows(RowSet::Awake).size() > awake_before)
+        if (stores_.bodies.rows(RowSet::Awake).size() > awake_before) {
             choose_direct_groups(stores_, world_.def.joint_solver, time_.h_s, world_.direct);
+            plain_.leave_to_groups();
+        }
         stores_.contacts.lanes.arrange();
         update_blocks();
         visit_contacts(stores_.contacts, scratch_.parted,
@@ -531,6 +533,9 @@ class Update {
         }
         if (!meets(contact)) return;
         ContactInput input = make_input(stores_, single_, places_, manifold_, 0);
+        // What slept when its place was read has woken.
+        input.a = stores_.bodies.places[c.body_a].row;
+        input.b = stores_.bodies.places[c.body_b].row;
         if (special::has(c, special::kSurface)) {
             const SurfaceEffects effects = surface_effects(stores_, c);
             input.rolling_m = effects.rolling_m;

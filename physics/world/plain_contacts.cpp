@@ -1,6 +1,7 @@
 // Contacts in plain form.
 #include "world/plain_contacts.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <cairn/physics/tuning.h>
@@ -13,6 +14,10 @@ namespace cairn::physics {
 namespace {
 
 constexpr float kCalm_m_s = 1;
+
+std::size_t at(int i) {
+    return static_cast<std::size_t>(i);
+}
 
 }  // namespace
 
@@ -82,6 +87,32 @@ void PlainContacts::add(ContactInput input, const ContactMemory& memory) {
     } else if (!awaits) {
         solve_last();
     }
+}
+
+void PlainContacts::leave_to_groups() {
+    bool some = false;
+    const auto is_in_group = [&](int contact) {
+        const bool in_group = is_direct(stores_.contacts.slots[scratch_.contacts[at(contact)].contact]);
+        some = some || in_group;
+        return in_group;
+    };
+    const auto leave = [&](const auto& noted) {
+        if (!is_in_group(noted.contact)) return false;
+        scratch_.scalar_contacts.push_back(noted.contact);
+        return true;
+    };
+    std::erase_if(scratch_.sweeping, leave);
+    std::erase_if(scratch_.awaited, leave);
+    std::erase_if(scratch_.deep, [&](const DeepOverlap& overlap) {
+        if (!is_in_group(overlap.contact)) return false;
+        show_overlap(scratch_.contacts[at(overlap.contact)], overlap);
+        return true;
+    });
+    if (!some) return;
+    // One may have been awaited and sweeping from then on.
+    std::vector<int>& solved = scratch_.scalar_contacts;
+    std::ranges::sort(solved);
+    solved.erase(std::unique(solved.begin(), solved.end()), solved.end());
 }
 
 // The constraint that was added last is solved itself: no lane does it.

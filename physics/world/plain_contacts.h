@@ -28,6 +28,8 @@ class PlainContacts {
     void add_beside(const ContactConstraint& constraint, int lane, bool is_loose);
     /// Adds one that has no lane, with the impulses that it remembers by feature.
     void add(ContactInput input, const ContactMemory& memory);
+    /// When direct groups have been chosen again: those that are part of one now are solved with it alone.
+    void leave_to_groups();
 
   private:
     void mark_what_was_put_in();

@@ -476,6 +476,43 @@ TEST_CASE("a whole building made asleep stands untouched, and falls when hit") {
     CHECK(world.body(boxes[4])->position().y < 4);
 }
 
+// Contacts with rolling resistance, and of locked bodies on platforms, have no lanes.
+TEST_CASE("what hits a sleeper passes on its momentum, whether or not their contact has a lane") {
+    for (const float rolling_resistance : {0.0f, 0.01f}) {
+        for (const float speed : {0.5f, 1.2f, 10.0f}) {
+            World world({.gravity_m_s2 = {}});
+            const ShapeDef disc{.material = {.restitution = 1, .rolling_resistance = rolling_resistance}};
+            const BodyId sleeper = add(world, {.awake = false}, Circle{{}, 0.5f}, disc);
+            const BodyId bird = add(world, {.position_m = {-1.5, 0}, .linear_velocity_m_s = {speed, 0}},
+                                    Circle{{}, 0.5f}, disc);
+            REQUIRE_FALSE(world.body(sleeper)->is_awake());
+            run_for(world, 4);
+            INFO("rolling resistance " << rolling_resistance << ", " << speed << " m/s");
+            const float v_sleeper = world.body(sleeper)->linear_velocity().x;
+            const float v_bird = world.body(bird)->linear_velocity().x;
+            CHECK(v_sleeper > 0.4f * speed);
+            CHECK(v_sleeper + v_bird == Approx(speed).epsilon(1e-5));
+        }
+    }
+}
+
+TEST_CASE("a sleeper with a locked axis is pushed by its platform as one that is awake") {
+    const auto lifted = [](bool sleeps) {
+        World world;
+        const BodyId platform =
+            world.create_body({.type = BodyType::Kinematic, .allow_sleep = false}).value();
+        world.create_shape(platform, Box{4, 0.5f, {0, -0.5f}}).value();
+        const BodyId box = add(world, {.position_m = {0.3, 0.5}, .locks = {.x = true}, .allow_sleep = sleeps},
+                               Box{0.5f, 0.5f});
+        run_for(world, 3);
+        REQUIRE(world.body(box)->is_awake() != sleeps);
+        world.body(platform)->set_angular_velocity(2).value();
+        step_times(world, 3);
+        return world.body(box)->position().y;
+    };
+    CHECK(lifted(true) == Approx(lifted(false)).epsilon(1e-4));
+}
+
 TEST_CASE("a body sleeps when all of it is slower than its own speed of rest, and never at 0") {
     World world({.gravity_m_s2 = {}});
     const auto drift = [&](double y, float speed, float spin, float sleep_speed) {

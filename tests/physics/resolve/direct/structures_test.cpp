@@ -269,6 +269,52 @@ TEST_CASE("a sleeping chain that bears a heavy ball is held in the step in which
     CHECK(gaps[0] < 2 * gaps[1]);
 }
 
+// A contact without a lane is judged before the chain that it wakes is in a group.
+TEST_CASE("a sleeping chain that something is put into is held as one that is awake") {
+    std::vector<double> gaps;
+    for (const bool sleeps : {true, false}) {
+        Hanging chain(20, 1e4, false);
+        step_times(chain.world, 60);
+        if (sleeps) chain.world.body(chain.bodies.front())->set_awake(false);
+        add(chain.world, {.position_m = {-0.25, -5.2}, .gravity_scale = 0}, Box{0.3f, 0.3f},
+            {.density_kg_m2 = 2000, .material = {.rolling_resistance = 0.01f}});
+        double gap = 0;
+        for (int i = 0; i < 6; ++i) {
+            chain.world.step(kStep_s).value();
+            gap = std::max(gap, chain.greatest_gap());
+        }
+        REQUIRE(chain.world.counts().awake_bodies == 22);
+        gaps.push_back(gap);
+    }
+    CHECK(gaps[0] < 2 * gaps[1]);
+}
+
+TEST_CASE("a rod that whirls into a sleeping chain brings no energy but its own") {
+    for (const float restitution : {0.0f, 1.0f}) {
+        for (int i = 0; i < 60; ++i) {
+            Hanging chain(20, 1e4, false);
+            step_times(chain.world, 60);
+            chain.world.body(chain.bodies.front())->set_awake(false);
+            const double at_rest = chain.energy();
+            const BodyId rod =
+                add(chain.world,
+                    {.position_m = {-1, -5.2 - 0.01 * i},
+                     .angle_rad = -0.5 - 0.02 * i,
+                     .angular_velocity_rad_s = 40.0f + static_cast<float>(i),
+                     .gravity_scale = 0},
+                    Box{1.1f, 0.03f}, {.density_kg_m2 = 2000, .material = {.restitution = restitution}});
+            const double brought = kinetic_energy(*chain.world.body(rod));
+            INFO("restitution " << restitution << ", pose " << i);
+            for (int step = 0; step < 6; ++step) {
+                chain.world.step(kStep_s).value();
+                const double now = chain.energy() + kinetic_energy(*chain.world.body(rod));
+                CHECK(now - at_rest <= 1.01 * brought);
+            }
+            CHECK(chain.world.counts().awake_bodies == 22);
+        }
+    }
+}
+
 TEST_CASE(
     "a restored world solves the same joints directly as the one that it is of, after a body fell asleep") {
     const WorldDef def{.joint_solver = JointSolver::Direct};
