@@ -178,6 +178,11 @@ PinLoads pin_loads(float h_s) {
     return {h_s, soft.impulse_scale / (soft.mass_scale * soft.bias_rate)};
 }
 
+bool is_rigid_in_lane(const JointRecord& joint) {
+    const auto* wheel = std::get_if<WheelJointDef>(&joint.def);
+    return is_rigid(wheel ? wheel->stiffness : std::get<RevoluteJointDef>(joint.def).stiffness);
+}
+
 // Where joints are few among many bodies, the rows of theirs.
 void list_jointed_rows(const Stores& stores, StepScratch& scratch) {
     constexpr std::size_t kManyBodies = 32;
@@ -227,7 +232,8 @@ void prepare_joints(Stores& stores, const StepTime& time, StepScratch& scratch, 
     if (!joints.empty()) place_joints(joints, scratch.motions, scratch.joint_places);
     if (!lanes.empty()) {
         if (lanes.place(stores.bodies.places, scratch.motions, time.impulse_ratio, time.dt_s, tasks))
-            lanes.hide_tears(softness_of(JointStiffness{}, time.h_s).bias_rate, scratch.torn);
+            lanes.hide_tears([&](int joint) { return is_rigid_in_lane(stores.joints.slots[joint]); },
+                             scratch.torn);
         lanes.take_off_loads(scratch.motions, loads, tasks);
     }
     list_jointed_rows(stores, scratch);

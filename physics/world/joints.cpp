@@ -7,6 +7,7 @@
 #include "world/joint_rules.h"
 #include "world/pin_loads.h"
 #include "world/sleep.h"
+#include "world/stiff_springs.h"
 #include "world/unheld.h"
 
 namespace cairn::physics {
@@ -105,7 +106,10 @@ void redefine_joint(WorldState& world, int joint, JointDef def) {
     record.collide_connected = collides_connected(def);
     record.user_data = std::visit([](const auto& d) { return d.user_data; }, def);
     const JointFrames before = frames_of(record.def);
+    const bool sprung = acts_of(record.def).spring_hz > 0;
     record.def = std::move(def);
+    // A spring that is switched on starts as a new one.
+    if (!sprung && acts_of(record.def).spring_hz > 0) record.stepped = false;
     turn_frames(stores.bodies, record, before);
     settle_pulley(stores, record);
     settle_gear(stores, record);

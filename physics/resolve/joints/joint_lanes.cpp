@@ -288,7 +288,7 @@ void JointLanes::take_off_loads(const Motions& motions, const PinLoads& loads, T
     });
 }
 
-void JointLanes::hide_tears(float rigid_rate, std::vector<TornJoint>& torn) {
+void JointLanes::hide_tears(const std::function<bool(int)>& is_rigid, std::vector<TornJoint>& torn) {
     const auto hide = [&](auto& block, std::size_t lane) {
         TornJoint tear{block.a[lane],
                        block.b[lane],
@@ -302,16 +302,16 @@ void JointLanes::hide_tears(float rigid_rate, std::vector<TornJoint>& torn) {
         torn.push_back(tear);
     };
     const auto for_each = [](auto& pool, const auto& visit) {
-        pool.for_each_lane(pool.blocks(), [&](int block, const AnchorBlock&, std::size_t lane) {
-            visit(pool.block(block), lane);
+        pool.for_each_lane(pool.blocks(), [&](int block, const AnchorBlock& anchors, std::size_t lane) {
+            visit(pool.block(block), lane, anchors.joint[lane]);
         });
     };
-    for_each(wheels_, [&](WheelBlock& block, std::size_t lane) {
-        if (block.bias_rate[lane] >= rigid_rate) hide(block, lane);
+    for_each(wheels_, [&](WheelBlock& block, std::size_t lane, int joint) {
+        if (is_rigid(joint)) hide(block, lane);
     });
-    for_each(pins_, hide);
-    for_each(drives_, [&](DriveBlock& block, std::size_t lane) {
-        if (block.bias_rate[lane] >= rigid_rate) hide(block.pin, lane);
+    for_each(pins_, [&](PinBlock& block, std::size_t lane, int) { hide(block, lane); });
+    for_each(drives_, [&](DriveBlock& block, std::size_t lane, int joint) {
+        if (is_rigid(joint)) hide(block.pin, lane);
     });
 }
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -112,9 +113,9 @@ class JointLanes {
                TaskPool& tasks);
     /// Makes pins that have loads soft about them. Costs nothing before the first load is set.
     void take_off_loads(const Motions& motions, const PinLoads& loads, TaskPool& tasks);
-    /// Hides torn joints from the passes, and appends how they were. Those softer than
-    /// `rigid_rate` are let alone.
-    void hide_tears(float rigid_rate, std::vector<TornJoint>& torn);
+    /// Hides torn joints from the passes, and appends how they were. Those that are not `is_rigid(joint)` are
+    /// let alone; plain pins are.
+    void hide_tears(const std::function<bool(int)>& is_rigid, std::vector<TornJoint>& torn);
     /// Whether springs came, went or changed since `settle_springs` was last told of none that are swept, or
     /// act together otherwise than they did then.
     [[nodiscard]] bool springs_changed() const { return springs_changed_; }

@@ -28,7 +28,7 @@ JointLaw& LawBuilder::add(LawKind kind, int direction, int count) {
 void LawBuilder::hold(int direction, int count, float target, const JointStiffness& stiffness) {
     JointLaw& law = add(LawKind::Hold, direction, count);
     law.target = target;
-    law.rigid = stiffness.frequency_hz >= JointStiffness{}.frequency_hz;
+    law.rigid = is_rigid(stiffness);
     law.softness = softness_of(stiffness, h_s_);
 }
 

@@ -25,6 +25,11 @@ struct SpringSetting {
     float high = kUnlimited;
 };
 
+/// No softer than the default.
+inline bool is_rigid(const JointStiffness& stiffness) {
+    return stiffness.frequency_hz >= JointStiffness{}.frequency_hz;
+}
+
 /// In substeps of h; what those cannot resolve is softened to what they can.
 Softness softness_of(const JointStiffness& stiffness, float h_s);
 

@@ -2,6 +2,7 @@
 // implementation of the same laws.
 #pragma once
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <vector>
 
@@ -62,12 +63,19 @@ struct JointTwins {
     }
     [[nodiscard]] Rotation turn(int a, int b) const { return inverse(place(a).rotation) * place(b).rotation; }
 
+    /// Of the constraint of the same number.
+    [[nodiscard]] bool is_rigid(int joint) const {
+        const JointConstraint& c = constraints[static_cast<std::size_t>(joint)];
+        return std::any_of(c.laws.begin(), c.laws.begin() + c.law_count,
+                           [](const JointLaw& law) { return law.kind == LawKind::Hold && law.rigid; });
+    }
+
     /// When all joints are there.
     void begin() {
         std::vector<SpringLoad> loads(places.size());
         lanes.arrange();
         if (lanes.place(places, in_lanes, 1, 4 * kSubstep_s, tasks))
-            lanes.hide_tears(softness_of(JointStiffness{}, kSubstep_s).bias_rate, torn_in_lanes);
+            lanes.hide_tears([&](int joint) { return is_rigid(joint); }, torn_in_lanes);
         for (JointConstraint& c : constraints) {
             if (TornJoint tear{}; hide_tear(c, tear)) torn.push_back(tear);
         }

@@ -102,21 +102,30 @@ TEST_CASE("a new spring is from its first step on where the oscillator is that s
                         Approx(exact(0.1, d(speed), w, d(ratio), (i + 1) / 60.0)).margin(2e-3 * amplitude));
                 }
             }
-            // Of a pin: it has a lane from its second step on.
-            World world({.gravity_m_s2 = {}, .enable_sleep = false});
-            const BodyId hook = world.create_body({.type = BodyType::Static}).value();
-            const BodyId disc = add(world, {.angle_rad = 0.2}, Circle{{}, 0.25f});
-            world
-                .create_joint(RevoluteJointDef{.body_a = hook,
-                                               .body_b = disc,
-                                               .enable_spring = true,
-                                               .frequency_hz = frequency,
-                                               .damping_ratio = ratio})
-                .value();
-            for (int i = 1; i <= 30; ++i) {
-                world.step(kStep_s).value();
-                REQUIRE(world.body(disc)->angle() ==
-                        Approx(exact(0.2, 0, w, d(ratio), i / 60.0)).margin(2e-3 * 0.2));
+            // Of a pin: it has a lane from its second step on. Or its spring is switched on later.
+            for (const JointSolver solver : {JointSolver::Sweeping, JointSolver::Direct}) {
+                for (const bool late : {false, true}) {
+                    World world({.gravity_m_s2 = {}, .joint_solver = solver, .enable_sleep = false});
+                    const BodyId hook = world.create_body({.type = BodyType::Static}).value();
+                    const BodyId disc = add(world, {.angle_rad = 0.2}, Circle{{}, 0.25f});
+                    const JointId pin = world
+                                            .create_joint(RevoluteJointDef{.body_a = hook,
+                                                                           .body_b = disc,
+                                                                           .enable_spring = !late,
+                                                                           .frequency_hz = frequency,
+                                                                           .damping_ratio = ratio})
+                                            .value();
+                    if (late) {
+                        step_times(world, 5);
+                        world.joint(pin)->set_spring(true, frequency, ratio).value();
+                    }
+                    INFO((solver == JointSolver::Direct ? "direct" : "swept") << (late ? ", late" : ""));
+                    for (int i = 1; i <= 30; ++i) {
+                        world.step(kStep_s).value();
+                        REQUIRE(world.body(disc)->angle() ==
+                                Approx(exact(0.2, 0, w, d(ratio), i / 60.0)).margin(2e-3 * 0.2));
+                    }
+                }
             }
         }
     }

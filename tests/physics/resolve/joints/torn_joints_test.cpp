@@ -95,6 +95,35 @@ TEST_CASE("a chain of which a link was put elsewhere comes together") {
     CHECK(world.report().max_joint_error_m < 5e-3f);
 }
 
+// An undamped spring keeps a joint out of the lanes. This one is too soft to matter.
+TEST_CASE("a wheel of a stiffness of its own is torn in a lane as without one") {
+    const auto height_after = [](const JointStiffness& stiffness, float damping_ratio) {
+        World world({.gravity_m_s2 = {}, .joint_solver = JointSolver::Sweeping});
+        const BodyId wall = world.create_body({.type = BodyType::Static}).value();
+        const BodyId wheel = add(world, {}, Circle{{}, 0.3f});
+        world
+            .create_joint(WheelJointDef{.body_a = wall,
+                                        .body_b = wheel,
+                                        .enable_spring = true,
+                                        .frequency_hz = 0.01f,
+                                        .damping_ratio = damping_ratio,
+                                        .stiffness = stiffness})
+            .value();
+        step_times(world, 10);
+        world.body(wheel)->set_transform({0, 6}, 0).value();
+        step_times(world, 1);
+        return world.body(wheel)->position().y;
+    };
+    for (const JointStiffness& stiffness :
+         {JointStiffness{60, 2}, JointStiffness{30, 0.5f}, JointStiffness{20, 0.1f}, JointStiffness{60, 5},
+          JointStiffness{120, 10}}) {
+        INFO(stiffness.frequency_hz << " Hz, damping ratio " << stiffness.damping_ratio);
+        const double in_lane = height_after(stiffness, 1e-4f);
+        CHECK(in_lane == Approx(height_after(stiffness, 0)).margin(1e-5));
+        CHECK((in_lane < 1e-5) == (stiffness.frequency_hz >= 60));
+    }
+}
+
 TEST_CASE("what is soft is left to its forces when it is torn") {
     const auto run = [](const JointDef& joint) {
         World world(kWeightless);
