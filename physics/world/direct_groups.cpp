@@ -46,11 +46,6 @@ void find_structures(Stores& stores, JointSolver solver, float h_s, DirectGroups
     groups.version = stores.joints.version;
 }
 
-// A structure that is swept where too much touches it.
-bool is_left_where_crowded(const DirectStructure& s) {
-    return s.only_free || s.only_whole;
-}
-
 // A body that hangs together with more than a group may take up.
 constexpr int kTooMany = -2;
 
@@ -232,7 +227,7 @@ class Growth {
             groups_.too_many.push_back(body);
         }
         for (const int found : groups_.found) {
-            if (is_left_where_crowded(structure(found))) continue;
+            if (structure(found).only_free) continue;
             DirectStructure& group = new_group();
             group.bodies.assign(structure(found).bodies.begin(), structure(found).bodies.end());
             group.joints.assign(structure(found).joints.begin(), structure(found).joints.end());
@@ -270,7 +265,7 @@ void choose_direct_groups(Stores& stores, JointSolver solver, float h_s, DirectG
     const bool any = !groups.structures.empty() || stores.contacts.uneven.size() > 0;
     if (!any || solver == JointSolver::Sweeping) return;
     for (const DirectStructure& structure : groups.structures) {
-        if (!is_left_where_crowded(structure)) continue;
+        if (!structure.only_free) continue;
         for (const int joint : structure.joints) stores.joints.slots[joint].direct = false;
     }
     Growth growth(stores, groups);

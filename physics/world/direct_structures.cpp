@@ -80,7 +80,6 @@ void StructureSearch::recycle(DirectStructure& structure) {
     structure.joints.clear();
     structure.bodies.clear();
     structure.only_free = false;
-    structure.only_whole = false;
     spare_.push_back(std::move(structure));
 }
 
@@ -239,7 +238,6 @@ void StructureSearch::list(const Stores& stores, JointSolver solver, std::vector
         }
         if (kept != i) structures[kept] = std::move(structures[i]);
         structures[kept].only_free = is_pendulum(summary);
-        structures[kept].only_whole = too_stiff;
         ++kept;
     }
     structures.resize(kept);
@@ -258,13 +256,16 @@ bool StructureSearch::is_hard_to_sweep(const DirectStructure& s, const Summary& 
 }
 
 // Whether what is held forms no loop: there what springs bend by hairs would have to be true of all joints at
-// once, and they would bear what they are built to bear a thousandfold. Springs themselves may.
+// once, and they would bear what they are built to bear a thousandfold. So would limits into which a stiff
+// spring draws. Springs themselves may form loops.
 bool StructureSearch::is_open(const DirectStructure& s, const Stores& stores) {
     const int ground = static_cast<int>(s.bodies.size());
     held_.reset(ground + 1);
     bool open = true;
     for (const int joint : s.joints) {
-        if (!acts_of(stores.joints.slots[joint].def).holds) continue;
+        const JointActs acts = acts_of(stores.joints.slots[joint].def);
+        open = open && !acts.limits;
+        if (!acts.holds) continue;
         int first = kNone;
         for_each_body(stores, joint, [&](int body) {
             const int root = held_.find(moves(body) ? local_[at(body)] : ground);

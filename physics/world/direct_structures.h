@@ -20,8 +20,7 @@ struct Stores;
 struct DirectStructure {
     std::vector<int> joints;
     std::vector<int> bodies;
-    bool only_free = false;   // solved directly only in steps in which nothing can touch it
-    bool only_whole = false;  // or only with all that touches it
+    bool only_free = false;  // solved directly only in steps in which nothing can touch it
 };
 
 class StructureSearch {

@@ -13,7 +13,8 @@ struct Tell {
     JointActs operator()(const PrismaticJointDef& def) const { return with_axis(def); }
     JointActs operator()(const WheelJointDef& def) const { return with_axis(def); }
     JointActs operator()(const DistanceJointDef& def) const {
-        return {def.enable_spring ? def.frequency_hz : 0, !def.enable_spring};
+        const bool limits = def.min_length_m > 0 || def.max_length_m < kUnlimited;
+        return {def.enable_spring ? def.frequency_hz : 0, !def.enable_spring, def.enable_spring && limits};
     }
     JointActs operator()(const WeldJointDef& def) const { return at_point_and_angle(def); }
     JointActs operator()(const MotorJointDef& def) const { return at_point_and_angle(def); }
@@ -25,7 +26,7 @@ struct Tell {
 
     template <class Def>
     static JointActs with_axis(const Def& def) {
-        return {def.enable_spring ? def.frequency_hz : 0, true};
+        return {def.enable_spring ? def.frequency_hz : 0, true, def.enable_limit};
     }
     // What is no spring there is rigid, or driven.
     template <class Def>
@@ -35,11 +36,12 @@ struct Tell {
     }
 };
 
-// At a point. Rails hold across their springs, which feel little of that.
+// At a point, or along a line. Rails hold across their springs, which feel little of that.
 bool pins(const JointConstraint& c) {
     const bool holds = std::any_of(c.laws.begin(), c.laws.begin() + c.law_count,
                                    [](const JointLaw& law) { return law.kind == LawKind::Hold; });
-    return holds && (c.kind == JointKind::Revolute || c.kind == JointKind::Weld);
+    return holds &&
+           (c.kind == JointKind::Revolute || c.kind == JointKind::Weld || c.kind == JointKind::Distance);
 }
 
 bool has_rail(const JointConstraint& c) {

@@ -20,6 +20,7 @@ struct Stores;
 struct JointActs {
     float spring_hz = 0;  // of its stiffest spring; 0: it has none
     bool holds = false;   // or drives, or couples: all but to draw
+    bool limits = false;  // how far it may go
 };
 JointActs acts_of(const JointDef& def);
 

@@ -237,6 +237,75 @@ TEST_CASE("a hinge with a spring gives way as far as it should to what hangs fro
     }
 }
 
+TEST_CASE("a stiff spring that draws a hinge past its stop stays at the stop, and breaks nothing") {
+    for (const float frequency : {60.0f, 300.0f, 3000.0f, 100000.0f}) {
+        INFO(frequency << " Hz");
+        World world;
+        const BodyId wall = world.create_body({.type = BodyType::Static}).value();
+        const BodyId plank = add(world, {.position_m = {0.5, 0}}, Box{0.5f, 0.1f});
+        const JointId hinge = world
+                                  .create_joint(RevoluteJointDef{.body_a = wall,
+                                                                 .body_b = plank,
+                                                                 .local_anchor_b_m = {-0.5f, 0},
+                                                                 .enable_limit = true,
+                                                                 .lower_rad = -0.2f,
+                                                                 .upper_rad = 0.2f,
+                                                                 .enable_spring = true,
+                                                                 .frequency_hz = frequency,
+                                                                 .damping_ratio = 1,
+                                                                 .target_rad = 0.21f})
+                                  .value();
+        double most_force = 0;
+        for (int i = 0; i < 300; ++i) {
+            world.step(kStep_s).value();
+            most_force = std::max(most_force, d(length(world.joint(hinge)->reaction_force())));
+        }
+        CHECK(world.body(plank)->angle() == Approx(0.2).margin(0.01));
+        CHECK(most_force < 1000);
+    }
+}
+
+// More than a direct solution takes up, and fewer again.
+TEST_CASE("boxes that are laid on a stiff bracket, and taken away, are not thrown") {
+    for (const float frequency : {120.0f, 1000.0f, 100000.0f}) {
+        INFO(frequency << " Hz");
+        World world;
+        BodyId last = world.create_body({.type = BodyType::Static}).value();
+        for (int i = 0; i < 2; ++i) {
+            const BodyId part = add(world, {.position_m = {i + 0.5, 0}}, Box{0.5f, 0.1f});
+            world
+                .create_joint(WeldJointDef{.body_a = last,
+                                           .body_b = part,
+                                           .local_anchor_a_m = {i == 0 ? 0.0f : 0.5f, 0},
+                                           .local_anchor_b_m = {-0.5f, 0},
+                                           .angular_frequency_hz = frequency,
+                                           .angular_damping_ratio = 1})
+                .value();
+            last = part;
+        }
+        std::vector<BodyId> boxes;
+        const auto most_speed = [&](double seconds) {
+            float most = 0;
+            for (int i = 0; i < static_cast<int>(seconds * 60); ++i) {
+                world.step(kStep_s).value();
+                for (const BodyId box : boxes)
+                    most = std::max(most, length(world.body(box)->linear_velocity()));
+            }
+            return most;
+        };
+        for (int i = 0; i < 20; ++i) {
+            boxes.push_back(
+                add(world, {.position_m = {0.2 + 0.2 * (i % 9), 0.19 + 0.17 * (i / 9)}}, Box{0.08f, 0.08f}));
+            CHECK(most_speed(0.5) < 1.5f);
+        }
+        while (boxes.size() > 8) {
+            world.destroy_body(boxes.back()).value();
+            boxes.pop_back();
+            CHECK(most_speed(0.5) < 1.5f);
+        }
+    }
+}
+
 TEST_CASE("planks on stiff springs go the same way at every SIMD level and on every number of threads") {
     const std::vector<SimdLevel> levels = available_simd_levels();
     for (const JointSolver solver : {JointSolver::Sweeping, JointSolver::Automatic}) {
