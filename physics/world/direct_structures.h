@@ -1,7 +1,8 @@
-// Finding structures of joints that sweeping would not hold: what hangs together over joints, is deep or of
-// uneven masses, and takes few enough products to factor. Found again whenever joints come, go, wake or fall
-// asleep, so most structures are refused by what is summed up of them, and only of the rest lists are made.
-// Invariant: the order of structures, and what is in them, follow from the list of active joints alone.
+// Finding structures of joints that sweeping would not hold: what hangs together over joints, is deep, of
+// uneven masses or on stiff springs, and takes few enough products to factor. Found again whenever joints
+// come, go, wake or fall asleep, so most structures are refused by what is summed up of them, and only of the
+// rest lists are made. Invariant: the order of structures, and what is in them, follow from the list of
+// active joints alone.
 #pragma once
 
 #include <vector>

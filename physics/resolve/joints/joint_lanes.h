@@ -114,7 +114,7 @@ class JointLanes {
     /// Makes pins that have loads soft about them. Costs nothing before the first load is set.
     void take_off_loads(const Motions& motions, const PinLoads& loads, TaskPool& tasks);
     /// Hides torn joints from the passes, and appends how they were. Those that are not `is_rigid(joint)` are
-    /// let alone; plain pins are.
+    /// let alone; all plain pins are rigid.
     void hide_tears(const std::function<bool(int)>& is_rigid, std::vector<TornJoint>& torn);
     /// Whether springs came, went or changed since `settle_springs` was last told of none that are swept, or
     /// act together otherwise than they did then.
