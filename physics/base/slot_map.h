@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -38,8 +39,8 @@ class SlotMap {
 
     [[nodiscard]] std::uint16_t world_tag() const { return world_tag_; }
     /// How many more objects it can hold.
-    [[nodiscard]] std::size_t room() const { return kMaxSlots - slots_.size() + free_; }
-    [[nodiscard]] bool full() const { return free_head_ == kNone && slots_.size() >= kMaxSlots; }
+    [[nodiscard]] std::size_t room() const { return kMaxSlots - slots_.size() + free_.size(); }
+    [[nodiscard]] bool full() const { return free_.empty() && slots_.size() >= kMaxSlots; }
 
     /// The index of the new object's slot.
     int insert(T value) {
@@ -53,18 +54,20 @@ class SlotMap {
     int insert() {
         CAIRN_ASSERT(!full(), "a world holds too many objects of one kind");
         ++size_;
-        if (free_head_ == kNone) {
-            push_amply(slots_, Slot{{SlotUse::kAlive}, kNone, T{}});
+        if (free_.empty()) {
+            push_amply(slots_, Slot{{SlotUse::kAlive}, T{}});
+            free_.reserve(slots_.capacity());  // so that nothing that goes asks for memory
             return static_cast<int>(slots_.size()) - 1;
         }
-        const int index = free_head_;
+        const int index = free_.back();
+        free_.pop_back();
+        // Where many are made at once, each would wait for a slot that was freed long ago.
+        if (free_.size() >= kSlotsAhead) ask_for(free_[free_.size() - kSlotsAhead]);
         Slot& slot = slots_[index];
-        free_head_ = slot.next_free;
-        // Where many are made at once, each would wait for the slot that was freed longest ago.
-        if (free_head_ != kNone) ask_for(free_head_);
-        --free_;
-        slot.value = T{};
         slot.use.word |= SlotUse::kAlive;
+        // Made where it stands: made elsewhere and copied it would wait for its own parts.
+        std::destroy_at(&slot.value);
+        std::construct_at(&slot.value);
         return index;
     }
 
@@ -82,10 +85,7 @@ class SlotMap {
         const bool retires = generation == kMaxGeneration;
         slot.use.word = retires ? generation : generation + 1;
         --size_;
-        if (retires) return;
-        slot.next_free = free_head_;
-        free_head_ = index;
-        ++free_;
+        if (!retires) free_.push_back(index);
     }
 
     [[nodiscard]] Id id(int index) const {
@@ -118,13 +118,14 @@ class SlotMap {
 
     struct Slot {
         SlotUse use;  // ahead of the value: both are looked at together
-        int next_free;
         T value;
     };
 
+    // Free ones ahead of which memory is asked for.
+    static constexpr std::size_t kSlotsAhead = 4;
+
     std::vector<Slot> slots_;
-    int free_head_ = kNone;
-    std::size_t free_ = 0;
+    std::vector<int> free_;  // the last one is used first
     int size_ = 0;
     std::uint16_t world_tag_;
 };

@@ -5,6 +5,7 @@
 
 #include "base/ample.h"
 #include "base/assert.h"
+#include "base/prefetch.h"
 
 namespace cairn::physics {
 namespace {
@@ -126,10 +127,21 @@ ContactLanes::Moved ContactLanes::move(int bucket, int lane, int to_bucket) {
     return {to, remove(bucket, lane)};
 }
 
+void ContactLanes::ask_for(int bucket, int lane) const {
+    if (!is_colored(bucket)) return prefetch(&near_[index(geometry_of(bucket))][lane], sizeof(NearPair));
+    for (const int block : {lane / kLanes, chains_[bucket].last}) {
+        prefetch(&pairs_[block], sizeof(PairBlock));
+        prefetch(&blocks_[block], sizeof(ContactBlock));
+    }
+}
+
 int ContactLanes::open_near(PairGeometry geometry) {
     std::vector<NearPair>& pairs = near_[index(geometry)];
     const int lane = near_count_[index(geometry)]++;
     if (lane == static_cast<int>(pairs.size())) cover_amply(pairs, pairs.size() + kLanes);
+    constexpr std::size_t kPairsAhead = 4;
+    const std::size_t ahead = static_cast<std::size_t>(lane) + kPairsAhead;
+    if (ahead < pairs.size()) prefetch(&pairs[ahead], sizeof(NearPair));
     return lane;
 }
 

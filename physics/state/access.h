@@ -8,11 +8,11 @@
 namespace cairn::physics {
 
 struct StateAccess {
-    /// use(slots, first free slot, free slots, objects). The tag stays the world's own.
+    /// use(slots, free slots, objects). The tag stays the world's own.
     template <class Map, class Use>
     static auto slots(Map& map, Use&& use) {
-        auto& [slots, free_head, free, size, world_tag] = map;
-        return use(slots, free_head, free, size);
+        auto& [slots, free, size, world_tag] = map;
+        return use(slots, free, size);
     }
 
     template <class List, class Use>
@@ -95,7 +95,7 @@ struct StateAccess {
 /// Calls visit(index, value) for each object, in the order of the slots.
 template <class Map, class Visit>
 void for_each_alive(Map& map, Visit&& visit) {
-    StateAccess::slots(map, [&](auto& slots, auto&, auto&, auto&) {
+    StateAccess::slots(map, [&](auto& slots, auto&, auto&) {
         int index = 0;
         for (auto& slot : slots) {
             if (slot.use.alive()) visit(index, slot.value);

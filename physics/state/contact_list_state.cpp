@@ -189,7 +189,7 @@ class Placing {
         if (!in_.require(fits, "a pair without points is among others of another form")) return false;
         ContactLanes& lanes = stores_.contacts.lanes;
         NearPair& pair = lanes.near_pairs(geometry)[lanes.open_near(geometry)];
-        fill_near_pair(stores_, contact, geometry, pair);
+        fill_near_pair(stores_, *record, contact, geometry, pair);
         pair.flags = remembers;
         return true;
     }

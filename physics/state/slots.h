@@ -17,8 +17,8 @@ inline bool is_within_reach(Vec2 point) {
 
 template <class Map>
 void save_slots(const Map& map, Writer& out) {
-    StateAccess::slots(map, [&](const auto& slots, int free_head, std::size_t free, int) {
-        std::byte* at = out.room(sizeof(std::uint32_t) * (2 + 2 * slots.size() + free));
+    StateAccess::slots(map, [&](const auto& slots, const std::vector<int>& free, int) {
+        std::byte* at = out.room(sizeof(std::uint32_t) * (2 + 2 * slots.size() + free.size()));
         at = put(at, static_cast<std::uint32_t>(slots.size()));
         const auto word = [&](std::size_t i) { return slots[i].use.word; };
         for (std::size_t first = 0; first < slots.size();) {
@@ -27,8 +27,8 @@ void save_slots(const Map& map, Writer& out) {
             at = put(put(at, static_cast<std::uint32_t>(end - first)), word(first));
             first = end;
         }
-        at = put(at, static_cast<std::uint32_t>(free));
-        for (int i = free_head; i != kNone; i = slots[static_cast<std::size_t>(i)].next_free) at = put(at, i);
+        at = put(at, static_cast<std::uint32_t>(free.size()));
+        for (auto slot = free.rbegin(); slot != free.rend(); ++slot) at = put(at, *slot);
         out.end(at);
     });
 }
@@ -36,7 +36,7 @@ void save_slots(const Map& map, Writer& out) {
 /// Slots that are alive keep whatever they held: the caller writes all of it anew.
 template <class Map>
 void load_slots(Reader& in, Map& map) {
-    StateAccess::slots(map, [&](auto& slots, int& free_head, std::size_t& free, int& size) {
+    StateAccess::slots(map, [&](auto& slots, std::vector<int>& free, int& size) {
         // Of each slot more follows: what it holds, or its place among the free ones. So few bytes cannot ask
         // for much memory.
         const std::size_t count = in.count(1);
@@ -44,7 +44,6 @@ void load_slots(Reader& in, Map& map) {
             return;
         slots.resize(count);
         size = 0;
-        constexpr int kUnlisted = -2;
         const decltype(slots.front().value) gone{};
         for (auto slot = slots.begin(); slot != slots.end();) {
             std::uint32_t length = 0;
@@ -59,25 +58,23 @@ void load_slots(Reader& in, Map& map) {
             const auto end = slot + length;
             for (; slot != end; ++slot) {
                 slot->use = use;
-                slot->next_free = kUnlisted;
                 if (!alive) slot->value = gone;
             }
             size += alive ? static_cast<int>(length) : 0;
         }
-        free = in.count(sizeof(int));
-        free_head = kNone;
-        int* link = &free_head;
-        for (std::size_t i = 0; i < free; ++i) {
-            int next = kNone;
-            in.value(next);
-            const bool is_free = next >= 0 && next < static_cast<int>(count) &&
-                                 !slots[static_cast<std::size_t>(next)].use.alive() &&
-                                 slots[static_cast<std::size_t>(next)].next_free == kUnlisted;
-            if (!in.require(is_free, "the list of free slots names one that is not free")) return;
-            *link = next;
-            link = &slots[static_cast<std::size_t>(next)].next_free;
-            *link = kNone;
+        free.resize(in.count(sizeof(int)));
+        free.reserve(slots.capacity());
+        // Each is taken for alive until all are read, so that none is listed twice.
+        auto next = free.rbegin();
+        for (; next != free.rend(); ++next) {
+            in.value(*next);
+            const auto at = static_cast<std::size_t>(*next);  // negative ones are beyond all
+            if (at >= count || slots[at].use.alive()) break;
+            slots[at].use.word |= SlotUse::kAlive;
         }
+        const bool all_free = next == free.rend();
+        while (next != free.rbegin()) slots[static_cast<std::size_t>(*--next)].use.word &= ~SlotUse::kAlive;
+        in.require(all_free, "the list of free slots names one that is not free");
     });
 }
 
@@ -86,7 +83,7 @@ template <class Map>
 class Lookup {
   public:
     explicit Lookup(Map& map) {
-        StateAccess::slots(map, [&](auto& slots, auto&, auto&, auto&) {
+        StateAccess::slots(map, [&](auto& slots, auto&, auto&) {
             slots_ = slots.data();
             count_ = slots.size();
         });

@@ -72,6 +72,21 @@ void add_loose(ContactStore& contacts, int contact) {
     contacts.tiny += special::has(contacts.slots[contact], special::kTiny) ? 1 : 0;
 }
 
+// geometry() tells the list of near ones that it may go to, and fill(geometry, pair) what it is to be there.
+template <class GeometryOf, class Fill>
+void list(Stores& stores, int contact, const GeometryOf& geometry_of, const Fill& fill) {
+    ContactRecord& c = stores.contacts.slots[contact];
+    if (c.bucket != kNone) return;
+    if (!stores.bodies.is_awake(c.body_a) && !stores.bodies.is_awake(c.body_b)) return;
+    note_if_uneven(stores, contact);
+    if (is_loose(c)) return add_loose(stores.contacts, contact);
+    const PairGeometry geometry = geometry_of();
+    c.bucket = near_bucket(geometry);
+    ContactLanes& lanes = stores.contacts.lanes;
+    c.lane = lanes.open_near(geometry);
+    fill(geometry, lanes.near_pairs(geometry)[c.lane]);
+}
+
 void take_out(Stores& stores, int contact) {
     ContactStore& contacts = stores.contacts;
     ContactRecord& c = contacts.slots[contact];
@@ -122,8 +137,8 @@ PairLane make_lane(const Stores& stores, int contact) {
     return lane;
 }
 
-void fill_near_pair(const Stores& stores, int contact, PairGeometry geometry, NearPair& pair) {
-    const ContactRecord& c = stores.contacts.slots[contact];
+void fill_near_pair(const Stores& stores, const ContactRecord& c, int contact, PairGeometry geometry,
+                    NearPair& pair) {
     const ShapePrototype& a = *stores.shapes[c.shape_a].prototype;
     const ShapePrototype& b = *stores.shapes[c.shape_b].prototype;
     const Vec2 center_a = stores.bodies.slots[c.body_a].mass.center_m;
@@ -139,6 +154,21 @@ void fill_near_pair(const Stores& stores, int contact, PairGeometry geometry, Ne
     pair.offset_b = offset_of(b.convex, center_b, geometry);
 }
 
+void ask_for_place(const ContactStore& contacts, int contact) {
+    const ContactRecord& c = contacts.slots[contact];
+    if (c.bucket != kNone && c.bucket != kLooseBucket) contacts.lanes.ask_for(c.bucket, c.lane);
+}
+
+void ask_for_bodies(const Stores& stores, int contact) {
+    const ContactRecord& c = stores.contacts.slots[contact];
+    for (const int shape : {c.shape_a, c.shape_b}) stores.shapes.ask_for(shape);
+    for (const int body : {c.body_a, c.body_b}) {
+        stores.bodies.slots.ask_for(body);
+        // As the record: beyond the end, where none is of a colour, it asks for nothing.
+        prefetch(stores.contacts.colors.data() + body, sizeof(std::uint32_t));
+    }
+}
+
 ContactMemory memory_of(const ContactStore& contacts, int contact) {
     const ContactRecord& c = contacts.slots[contact];
     if (!is_colored(c.bucket)) return c.memory;
@@ -146,16 +176,19 @@ ContactMemory memory_of(const ContactStore& contacts, int contact) {
 }
 
 void list_contact(Stores& stores, int contact) {
-    ContactRecord& c = stores.contacts.slots[contact];
-    if (c.bucket != kNone) return;
-    if (!stores.bodies.is_awake(c.body_a) && !stores.bodies.is_awake(c.body_b)) return;
-    note_if_uneven(stores, contact);
-    if (is_loose(c)) return add_loose(stores.contacts, contact);
-    const PairGeometry geometry = geometry_of(stores, c);
-    c.bucket = near_bucket(geometry);
-    ContactLanes& lanes = stores.contacts.lanes;
-    c.lane = lanes.open_near(geometry);
-    fill_near_pair(stores, contact, geometry, lanes.near_pairs(geometry)[c.lane]);
+    const ContactRecord& c = stores.contacts.slots[contact];
+    list(
+        stores, contact, [&] { return geometry_of(stores, c); },
+        [&](PairGeometry geometry, NearPair& pair) { fill_near_pair(stores, c, contact, geometry, pair); });
+}
+
+void list_contact(Stores& stores, int contact, const NewContact& draft) {
+    list(
+        stores, contact, [&] { return draft.geometry; },
+        [&](PairGeometry, NearPair& pair) {
+            pair = draft.pair;
+            pair.contact = contact;
+        });
 }
 
 void unlist_contact(Stores& stores, int contact) {

@@ -12,10 +12,14 @@ PairGeometry geometry_of(const Stores& stores, const ContactRecord& contact);
 PairLane make_lane(const Stores& stores, int contact);
 
 /// Writes what it is to be among the pairs without points into an empty one.
-void fill_near_pair(const Stores& stores, int contact, PairGeometry geometry, NearPair& pair);
+void fill_near_pair(const Stores& stores, const ContactRecord& record, int contact, PairGeometry geometry,
+                    NearPair& pair);
 
 /// Puts a contact that is in no list among the near ones, if one of its bodies is awake.
 void list_contact(Stores& stores, int contact);
+
+/// The same for one that was made of this draft just now.
+void list_contact(Stores& stores, int contact, const NewContact& draft);
 
 /// Takes the contact out of its list. It remembers its impulses.
 void unlist_contact(Stores& stores, int contact);
@@ -33,6 +37,12 @@ void color_contact(Stores& stores, int contact);
 /// After something changed that lanes keep a copy of, such as the mass of a body or the friction: the contact
 /// starts again from the near ones.
 void relist_contact(Stores& stores, int contact);
+
+/// Asks for what taking the contact out of its list will read and write.
+void ask_for_place(const ContactStore& contacts, int contact);
+
+/// Asks for what a list that takes the contact in reads of its bodies.
+void ask_for_bodies(const Stores& stores, int contact);
 
 ContactMemory memory_of(const ContactStore& contacts, int contact);
 

@@ -85,4 +85,12 @@ void visit_contacts(const ContactStore& contacts, std::span<const int> some, con
         some, kRecordsAhead, [&](int contact) { contacts.slots.ask_for(contact); }, visit);
 }
 
+/// The same, and asks, half as far ahead, by ask_next(contact) for what the record tells of.
+template <class AskNext, class Visit>
+void visit_contacts(const ContactStore& contacts, std::span<const int> some, const AskNext& ask_next,
+                    const Visit& visit) {
+    visit_asking_ahead(
+        some, kRecordsAhead, [&](int contact) { contacts.slots.ask_for(contact); }, ask_next, visit);
+}
+
 }  // namespace cairn::physics

@@ -36,7 +36,7 @@ constexpr int kBodiesPerChunk = 512;
 constexpr std::size_t kPairsAhead = 2;
 
 // Blocks of near pairs ahead of which contacts are asked for, and the blocks themselves twice as far ahead.
-constexpr std::size_t kFindingsAhead = 4;
+constexpr std::size_t kFindingsAhead = 8;
 
 // A kinematic body that stands still disturbs nobody.
 bool disturbs(const BodyStore& bodies, int body) {
@@ -91,11 +91,14 @@ class Update {
             near_before[g] = stores_.contacts.lanes.near_count(static_cast<PairGeometry>(g));
         const int awake_before = stores_.bodies.rows(RowSet::Awake).size();
         update_uncolored();
-        visit_contacts(stores_.contacts, scratch_.met,
+        const auto ask_for_its_place = [&](int contact) { ask_for_place(stores_.contacts, contact); };
+        const auto ask_for_its_bodies = [&](int contact) { ask_for_bodies(stores_, contact); };
+        visit_contacts(stores_.contacts, scratch_.met, ask_for_its_place,
                        [&](int contact) { unlist_contact(stores_, contact); });
         loose_done_ = stores_.contacts.loose.size();
         stores_.contacts.lanes.make_room(scratch_.met.size());
-        visit_contacts(stores_.contacts, scratch_.met, [&](int contact) { color_contact(stores_, contact); });
+        visit_contacts(stores_.contacts, scratch_.met, ask_for_its_bodies,
+                       [&](int contact) { color_contact(stores_, contact); });
         scratch_.met.clear();
         update_uncolored();  // those that found no colour
         // What woke may hang together with what moves already, and nothing else holds its joints.
@@ -105,7 +108,11 @@ class Update {
         }
         stores_.contacts.lanes.arrange();
         update_blocks();
-        visit_contacts(stores_.contacts, scratch_.parted,
+        const auto ask_for_both = [&](int contact) {
+            ask_for_its_place(contact);
+            ask_for_its_bodies(contact);
+        };
+        visit_contacts(stores_.contacts, scratch_.parted, ask_for_both,
                        [&](int contact) { forget_points(stores_, contact); });
         scratch_.parted.clear();
         plain_.end();
@@ -154,27 +161,30 @@ class Update {
         ahead_ = scratch_.near_ahead;
         const int first_block = first / kLanes;
         const std::vector<NearFindings>& findings = scratch_.near_findings;
+        std::vector<int>& found = scratch_.near_found;
+        found.clear();
+        reserve_amply(found, findings.size());
         for (std::size_t i = 0; i < findings.size(); ++i) {
-            ask_for_near(geometry, first_block, i);
-            if (findings[i].any() == 0) continue;
-            const int block = first_block + static_cast<int>(i);
-            settle_near(geometry, block, near_lanes(first, count, block), findings[i]);
+            if (findings[i].any() != 0) found.push_back(static_cast<int>(i));
         }
-        return count;
-    }
-
-    // For what settling the findings after the i-th will read: pairs first, and then their contacts.
-    void ask_for_near(PairGeometry geometry, int first_block, std::size_t i) const {
-        const std::vector<NearFindings>& findings = scratch_.near_findings;
-        const NearPair* pairs = &stores_.contacts.lanes.near_pairs(geometry)[first_block * kLanes];
-        const auto for_found = [&](std::size_t block, const auto& ask) {
-            if (block >= findings.size()) return;
-            for (unsigned rest = findings[block].any(); rest != 0; rest &= rest - 1)
-                ask(pairs[block * kLanes + static_cast<std::size_t>(std::countr_zero(rest))]);
+        const auto for_each_found = [&](int i, const auto& ask) {
+            const std::size_t first_pair = static_cast<std::size_t>(first_block + i) * kLanes;
+            const NearPair* pairs = &stores_.contacts.lanes.near_pairs(geometry)[first_pair];
+            for (unsigned rest = findings[i].any(); rest != 0; rest &= rest - 1)
+                ask(pairs[std::countr_zero(rest)]);
         };
-        for_found(i + 2 * kFindingsAhead, [](const NearPair& pair) { prefetch(&pair, sizeof pair); });
-        for_found(i + kFindingsAhead,
-                  [&](const NearPair& pair) { stores_.contacts.slots.ask_for(pair.contact); });
+        visit_asking_ahead(
+            found, 2 * kFindingsAhead,
+            [&](int i) { for_each_found(i, [](const NearPair& pair) { prefetch(&pair, sizeof pair); }); },
+            [&](int i) {
+                for_each_found(i,
+                               [&](const NearPair& pair) { stores_.contacts.slots.ask_for(pair.contact); });
+            },
+            [&](int i) {
+                const int block = first_block + i;
+                settle_near(geometry, block, near_lanes(first, count, block), findings[i]);
+            });
+        return count;
     }
 
     void settle_near(PairGeometry geometry, int block, unsigned lanes, const NearFindings& found) {

@@ -8,9 +8,6 @@ namespace cairn::physics {
 /// Stage: contacts for the pairs that the broad phase reports.
 void find_new_pairs(Stores& stores, StepScratch& scratch, TaskPool& tasks);
 
-/// Whether the two shapes have a contact. Costs as much as the shorter of their bodies' lists is long.
-[[nodiscard]] bool has_contact(const Stores& stores, int shape_a, int shape_b);
-
 /// Those that scratch lists as gone end: the list is empty afterwards.
 void remove_gone(Stores& stores, Events& events, StepScratch& scratch);
 

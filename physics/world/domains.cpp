@@ -5,6 +5,7 @@
 #include <span>
 
 #include "base/ample.h"
+#include "world/contact_lists.h"
 #include "world/contact_order.h"
 #include "world/joint_lists.h"
 
@@ -138,7 +139,8 @@ void move_contacts(Stores& stores, std::vector<int>& moving) {
     for_each_contact(contacts.lanes, [&](int contact, int bucket) {
         if (home_of(stores, contacts.slots[contact], bucket) != domain_of(bucket)) moving.push_back(contact);
     });
-    visit_contacts(contacts, moving, [&](int contact) {
+    const auto ask = [&](int contact) { ask_for_place(contacts, contact); };
+    visit_contacts(contacts, moving, ask, [&](int contact) {
         ContactRecord& c = contacts.slots[contact];
         const int bucket = colored_bucket(color_of(c.bucket), kind_of(c.bucket), geometry_of(c.bucket),
                                           home_of(stores, c, c.bucket));

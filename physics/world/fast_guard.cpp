@@ -27,6 +27,7 @@ constexpr int kBodiesPerChunk = 64;
 constexpr int kRowsPerChunk = 512;
 constexpr int kBlocksPerChunk = 32;
 constexpr int kContactsPerChunk = 64;
+constexpr int kPressedPerChunk = 16;
 
 // Rows ahead of which bodies are asked for.
 constexpr int kRowsAhead = 12;
@@ -399,14 +400,23 @@ float free_share_of_pressed(const Stores& stores, int body) {
 
 }  // namespace
 
-void hold_pressed_bodies(Stores& stores, StepScratch& scratch) {
+void hold_pressed_bodies(Stores& stores, StepScratch& scratch, TaskPool& tasks) {
     std::vector<int>& pressed = scratch.pressed->bodies;
+    if (pressed.empty()) return;
     std::sort(pressed.begin(), pressed.end());
     pressed.erase(std::unique(pressed.begin(), pressed.end()), pressed.end());
-    for (const int body : pressed) {
-        if (!stores.bodies.is_awake(body)) continue;
-        const float share = free_share_of_pressed(stores, body);
-        if (share < 1) put_back(stores, body, share);
+    std::erase_if(pressed, [&](int body) { return !stores.bodies.is_awake(body); });
+    // They are held by what is not dynamic, never by each other, so their order does not matter.
+    std::vector<float>& free_shares = scratch.pressed->free_shares;
+    resize_amply(free_shares, pressed.size());
+    tasks.parallel_for(static_cast<int>(pressed.size()), kPressedPerChunk, [&](const Chunk& chunk) {
+        for (int i = chunk.begin; i < chunk.end; ++i) {
+            const auto at = static_cast<std::size_t>(i);
+            free_shares[at] = free_share_of_pressed(stores, pressed[at]);
+        }
+    });
+    for (std::size_t i = 0; i < pressed.size(); ++i) {
+        if (free_shares[i] < 1) put_back(stores, pressed[i], free_shares[i]);
     }
 }
 

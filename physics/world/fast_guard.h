@@ -20,6 +20,6 @@ void put_back(Stores& stores, int body, float share, bool turns);
 void hold_fast_bodies(Stores& stores, StepScratch& scratch, TaskPool& tasks);
 
 /// Stage: the same for what is pressed, however slow, and what it is pressed into.
-void hold_pressed_bodies(Stores& stores, StepScratch& scratch);
+void hold_pressed_bodies(Stores& stores, StepScratch& scratch, TaskPool& tasks);
 
 }  // namespace cairn::physics

@@ -122,7 +122,7 @@ void step_world(WorldState& world, float dt_s) {
     hold_bent_ways(stores, scratch, time.dt_s, tasks);
     hold_fast_bodies(stores, scratch, tasks);
     hold_sweeping_bodies(stores, scratch);
-    hold_pressed_bodies(stores, scratch);
+    hold_pressed_bodies(stores, scratch, tasks);
     forget_halted(stores, world.events.quarantined);
     break_joints(stores, scratch, world.events);
     clock.enter(Stage::Sensors);

@@ -7,10 +7,10 @@
 #include <array>
 #include <cmath>
 
-#include "world/contacts.h"
 #include "world/edge_list.h"
 #include "world/fast_guard.h"
 #include "world/finalize.h"
+#include "world/new_contacts.h"
 #include "world/special_contacts.h"
 
 namespace cairn::physics {

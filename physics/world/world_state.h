@@ -219,7 +219,8 @@ struct WayScratch {
 /// Bodies that others press deep into what cannot give way (world/pressed_bodies.h).
 struct PressedScratch {
     std::vector<int> bodies;
-    ChunkedList<int> found;  // by contacts in lanes
+    std::vector<float> free_shares;  // of their ways
+    ChunkedList<int> found;          // by contacts in lanes
 };
 
 /// A contact in a lane that wants more than its block can do for it.
@@ -291,6 +292,14 @@ struct NearFindings {
     [[nodiscard]] unsigned any() const {
         return static_cast<unsigned>(gone | meets | will_meet | rouses | remembers);
     }
+};
+
+/// A contact that is yet to be made (world/new_contacts.h).
+struct NewContact {
+    bool makes = false;  // if not, nothing else is told
+    PairGeometry geometry{};
+    ContactRecord record;
+    NearPair pair;  // what it will be among the near ones
 };
 
 /// A near pair that will meet within the step.
@@ -409,10 +418,12 @@ struct StepScratch {
     std::vector<BouncingBlock> bouncing_blocks;  // in the order of the passes
     std::vector<BouncingRun> bouncing_runs;
     std::vector<NearFindings> near_findings;
+    std::vector<int> near_found;  // where they are not empty
     ChunkedList<NearAhead> ahead_found;
     std::vector<NearAhead> near_ahead;  // in the order of their lanes
     ChunkedList<ItemPair> found_pairs;
     std::vector<ItemPair> pairs;
+    std::vector<NewContact> new_contacts;
     ChunkedList<PairsBeside> beside;  // shapes that keep apart unless one goes another way than is expected
 };
 

@@ -13,8 +13,8 @@
 
 #include "world/breakables.h"
 #include "world/contact_lists.h"
-#include "world/contacts.h"
 #include "world/filtering.h"
+#include "world/new_contacts.h"
 #include "world/special_contacts.h"
 #include "world/world_state.h"
 
@@ -190,7 +190,7 @@ inline void check_near_pairs(const Stores& stores) {
             if (changes(pair.body_a) || changes(pair.body_b)) continue;
             REQUIRE(geometry_of(stores, stores.contacts.slots[pair.contact]) == geometry);
             NearPair made;
-            fill_near_pair(stores, pair.contact, geometry, made);
+            fill_near_pair(stores, stores.contacts.slots[pair.contact], pair.contact, geometry, made);
             const auto reach_of = [&](int body, int shape) {
                 return farthest_distance(stores.shapes[shape].convex(),
                                          stores.bodies.slots[body].mass.center_m);
