@@ -117,7 +117,7 @@ class ContactLanes {
     int open_near(PairGeometry geometry);
     /// The contact that took the freed lane, or kNone.
     int remove(int bucket, int lane);
-    /// Asks for what `remove` and `move` will read and write.
+    /// Asks for what taking the lane out will read and write.
     void ask_for(int bucket, int lane) const;
     /// What a lane holds goes to another bucket in a colour.
     struct Moved {

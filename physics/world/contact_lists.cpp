@@ -162,10 +162,11 @@ void ask_for_place(const ContactStore& contacts, int contact) {
 void ask_for_bodies(const Stores& stores, int contact) {
     const ContactRecord& c = stores.contacts.slots[contact];
     for (const int shape : {c.shape_a, c.shape_b}) stores.shapes.ask_for(shape);
+    const std::vector<std::uint32_t>& colors = stores.contacts.colors;
     for (const int body : {c.body_a, c.body_b}) {
         stores.bodies.slots.ask_for(body);
-        // As the record: beyond the end, where none is of a colour, it asks for nothing.
-        prefetch(stores.contacts.colors.data() + body, sizeof(std::uint32_t));
+        const auto at = static_cast<std::size_t>(body);
+        if (at < colors.size()) prefetch(&colors[at], sizeof colors[at]);
     }
 }
 

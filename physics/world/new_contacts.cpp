@@ -50,14 +50,14 @@ void draft_all(const Stores& stores, std::span<const ItemPair> pairs, std::vecto
     const auto ask = [&](const ItemPair& pair) {
         for (const int shape : {pair.a, pair.b}) stores.shapes.ask_for(shape);
     };
-    const auto ask_for_bodies = [&](const ItemPair& pair) {
+    const auto ask_next = [&](const ItemPair& pair) {
         for (const int shape : {pair.a, pair.b}) stores.bodies.slots.ask_for(stores.shapes[shape].body);
     };
     const auto draft_some = [&](const Chunk& chunk) {
         auto made = drafts.begin() + chunk.begin;
         const auto first = static_cast<std::size_t>(chunk.begin);
         const auto count = static_cast<std::size_t>(chunk.end - chunk.begin);
-        visit_asking_ahead(pairs.subspan(first, count), kRecordsAhead, ask, ask_for_bodies,
+        visit_asking_ahead(pairs.subspan(first, count), kRecordsAhead, ask, ask_next,
                            [&](const ItemPair& pair) { draft(stores, pair, *made++); });
     };
     const int count = static_cast<int>(pairs.size());
@@ -69,6 +69,7 @@ void draft_all(const Stores& stores, std::span<const ItemPair> pairs, std::vecto
 void take_in(Stores& stores, const NewContact& made) {
     if (!made.makes) return;
     ContactStore& contacts = stores.contacts;
+    // Handed over by value, the record would be copied twice, and wait for its own parts.
     const int contact = contacts.slots.insert();
     contacts.slots[contact] = made.record;
     link_edge(contacts.slots, stores.bodies.slots[made.record.body_a].first_contact, contact, 0);

@@ -65,6 +65,7 @@ constexpr double kLeastStiffInStructure = 1.4;
 ExactSpring implicit(ExactSpring spring, double square, double damping) {
     spring.d1 = static_cast<float>(square + damping);
     spring.d0 = 0;
+    spring.damped = true;
     return spring;
 }
 
@@ -76,13 +77,15 @@ ExactSpring make_exact_spring(double frequency_hz, double damping_ratio, double 
     double d1 = square + 2 * damping_ratio * angle;  // implicit Euler: stable for all that cannot be resolved
     double d0 = 0;
     const bool oscillates = damping_ratio < 1;
+    bool damped = true;
     if (!oscillates || angle * std::sqrt(1 - damping_ratio * damping_ratio) <= kMostTurn_rad) {
         const double s = square / pole_distance(angle, damping_ratio);
         d1 = s - 1;
         d0 = 1 - (1 - one_minus_exp(2 * damping_ratio * angle)) * s;
+        damped = damping_ratio > 0;
     }
     const ExactSpring spring{static_cast<float>(d1), static_cast<float>(d0), static_cast<float>(square / h_s),
-                             damping_ratio > 0};
+                             damped};
     return calmed(spring, square, stiffening);
 }
 

@@ -93,7 +93,7 @@ class Drive {
 
     HWY_INLINE void spring(M wanted_lanes) {
         push_where_it_acts(
-            solve_spring(block_, lane_, wanted_lanes, mass_, speed(), load(block_.angle, lane_)));
+            solve_spring(block_, lane_, wanted_lanes, mass_, speed(), load(block_.angle, lane_), set(1)));
     }
 
     // It stops at limits: one that pushed on would hold them open, by as much as they are soft.

@@ -38,16 +38,19 @@ HWY_INLINE void forget_crowded_spring(Block& block, int lane) {
     store(hn::IfThenZeroElse(crowded_lanes(block, lane), impulse), block.spring_impulse, lane);
 }
 
-// Of the springs in the wanted lanes. The result is by how much their impulses changed.
+// Of the springs in the wanted lanes; `share` is that of K which answers. The result is by how much their
+// impulses changed.
 template <class Block>
-HWY_INLINE V solve_spring(Block& block, int lane, M wanted_lanes, V mass, V speed, V q) {
+HWY_INLINE V solve_spring(Block& block, int lane, M wanted_lanes, V mass, V speed, V q, V share) {
     const V d1 = load(block.spring_d1, lane);
+    const V answering = hn::Mul(share, d1);
     const V old = load(block.spring_impulse, lane);
     const V error = hn::Sub(q, load(block.spring_target, lane));
     const V force = hn::Add(
         hn::Add(hn::Mul(d1, speed), hn::Mul(load(block.spring_d0, lane), load(block.speed_before, lane))),
         hn::Mul(load(block.spring_stiffness, lane), error));
-    const V solved = hn::Div(hn::Sub(hn::Mul(d1, old), hn::Mul(mass, force)), hn::Add(set(1), d1));
+    const V solved =
+        hn::Div(hn::Sub(hn::Mul(answering, old), hn::Mul(mass, force)), hn::Add(set(1), answering));
     const V wanted = hn::IfThenElse(wanted_lanes, solved, old);
     store(wanted, block.spring_impulse, lane);
     return hn::Sub(wanted, old);

@@ -7,6 +7,14 @@
 //                        Jv+ = J v + K (p+ - p))
 // Springs are left alone while relaxing: that would take their force out again, a damping that nobody asked
 // for. Crowded springs are swept apart, with the same law.
+//
+// On rails (wheel and prismatic joints) a spring at a lever and what is held across it call for each other,
+// and swept one after the other they fed each other (docs/adr/012-direct-solver.md). With h for what is held
+// and w = K_hh^-1 K_hs, an impulse p of the spring comes with -w p of what is held, which leaves the held
+// speeds alone, and J v stands for J v - w J_h v, which no impulse of what is held changes: K - K_sh w
+// answers. The law is that of K all the same, as when solved directly, so that both draw alike. Where the
+// spring loses energy, C stands for C - w C_h, so that it does not draw against the rail while that is pushed
+// straight.
 #include "resolve/joints/joint_solver.h"
 
 #include <algorithm>
@@ -230,24 +238,70 @@ void solve_motor(const Task<kCount>& task, Along<kMany>& along, float h_s, Pass 
 }
 
 template <int kCount>
-Values spring_impulse(const Task<kCount>& task, const Values& speed) {
+Values spring_impulse(const Task<kCount>& task, const Values& speed, const Values& error) {
     const ExactSpring& spring = task.law.spring;
     Values rhs{};
     for (int i = 0; i < kCount; ++i) {
         rhs[i] = -(spring.d1 * speed[i] + spring.d0 * task.law.speed_before[i] +
-                   spring.stiffness_per_s * task.error(i));
+                   spring.stiffness_per_s * error[i]);
     }
     return solve(task, rhs);
 }
 
+template <int kCount>
+Values errors(const Task<kCount>& task) {
+    Values error{};
+    for (int i = 0; i < kCount; ++i) error[i] = task.error(i);
+    return error;
+}
+
+// What is held across the spring of a rail: directions from 0 on.
+struct Rail {
+    int held = 0;
+    Values answer{};  // w
+    float share = 1;  // of K, what answers
+};
+
+template <int kCount>
+Rail rail_of(const Task<kCount>& task) {
+    Rail rail;
+    if (task.c.kind == JointKind::Wheel) rail.held = 1;
+    if (task.c.kind == JointKind::Prismatic) rail.held = 2;
+    if (rail.held == 0) return rail;
+    const auto& k = task.place.inverse_mass;
+    const int spring = task.law.direction;
+    rail.answer = solve_small(k, 0, rail.held, k[spring], task.place.least_mobility);
+    float answering = k[spring][spring];
+    for (int i = 0; i < rail.held; ++i) answering -= rail.answer[i] * k[i][spring];
+    if (k[spring][spring] > 0) rail.share = std::max(answering / k[spring][spring], 0.0f);
+    return rail;
+}
+
+// What the rail gives with a change of the spring's impulse.
+template <int kCount>
+void take_of_rail(const Task<kCount>& task, const Rail& rail, float change) {
+    for (int i = 0; i < rail.held; ++i)
+        task.c.impulse[static_cast<std::size_t>(impulse_index(i, Role::HoldOrSpring))] -=
+            rail.answer[i] * change;
+}
+
 template <int kCount, int kMany>
 void solve_spring(const Task<kCount>& task, Along<kMany>& along) {
+    const Rail rail = rail_of(task);
     Values speed{};
+    Values error = errors(task);
     for (int i = 0; i < kCount; ++i) speed[i] = along.speed(task.law.direction + i);
-    Values wanted = spring_impulse(task, speed);
-    const float d1 = task.law.spring.d1;
+    for (int i = 0; i < rail.held; ++i) {
+        speed[0] -= rail.answer[i] * along.speed(i);
+        if (task.law.spring.damped) error[0] -= rail.answer[i] * task.place.directions[i].q;
+    }
+    Values wanted = spring_impulse(task, speed, error);
+    const float d1 = rail.share * task.law.spring.d1;
     for (int i = 0; i < kCount; ++i) wanted[i] = (wanted[i] + d1 * task.impulse(i)) / (1 + d1);
     clamp(task.law, wanted);
+    const float change = wanted[0] - task.impulse(0);
+    for (int i = 0; i < rail.held; ++i) along.push(i, -rail.answer[i] * change);
+    take_of_rail(task, rail, change);
     apply(task, along, wanted);
 }
 
@@ -269,13 +323,16 @@ void start_spring(const Task<kCount>& task, Along<kMany>& along, float h_s) {
 template <int kCount, int kMany>
 void warm_start_law(const Task<kCount>& task, Along<kMany>& along) {
     if (task.law.kind == LawKind::Spring && task.law.spring.crowded) {
+        take_of_rail(task, rail_of(task), -task.impulse(0));
         for (int i = 0; i < kCount; ++i) task.impulse(i) = 0;
         return;
     }
     if (task.law.kind == LawKind::Spring && !task.law.spring.damped) {
         // The impulse of the last substep is a quarter of a period late for what swings freely.
-        Values guess = spring_impulse(task, {task.law.speed_before[0], task.law.speed_before[1]});
+        Values guess =
+            spring_impulse(task, {task.law.speed_before[0], task.law.speed_before[1]}, errors(task));
         clamp(task.law, guess);
+        take_of_rail(task, rail_of(task), guess[0] - task.impulse(0));
         for (int i = 0; i < kCount; ++i) task.impulse(i) = guess[i];
     }
     for (int i = 0; i < kCount; ++i) {

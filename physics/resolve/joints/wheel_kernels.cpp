@@ -115,6 +115,12 @@ class Along {
     [[nodiscard]] HWY_INLINE V mass_n() const { return inverse_or_zero(nn_); }
     [[nodiscard]] HWY_INLINE V mass_u() const { return inverse_or_zero(uu_); }
     [[nodiscard]] HWY_INLINE V mass_t() const { return inverse_or_zero(tt_); }
+    // What an impulse of 1 along u takes along n, so that the speed along n stays.
+    [[nodiscard]] HWY_INLINE V answer_n() const { return hn::Mul(nu_, mass_n()); }
+    // Of K along u, what is left then.
+    [[nodiscard]] HWY_INLINE V share_u() const {
+        return hn::Max(hn::Sub(set(1), hn::Mul(hn::Mul(nu_, answer_n()), mass_u())), hn::Zero(D()));
+    }
 
     HWY_INLINE void push_n(V p) {
         pushed_n_ = hn::Add(pushed_n_, p);
@@ -180,6 +186,27 @@ class Along {
     V pushed_t_ = hn::Zero(D());
 };
 
+// With what is held along n as joint_solver.cpp has it for rails; springs in lanes are damped.
+template <JointBlockKind kKind>
+HWY_INLINE void solve_on_rail(WheelBlock& block, int lane, M wanted, Along<kKind>& along) {
+    const V answer = along.answer_n();
+    const V speed = hn::Sub(along.speed_u(), hn::Mul(answer, along.speed_n()));
+    const V way = hn::Sub(load(block.way, lane), hn::Mul(answer, load(block.error, lane)));
+    const V change = solve_spring(block, lane, wanted, along.mass_u(), speed, way, along.share_u());
+    const V held = hn::Neg(hn::Mul(answer, change));
+    along.push_u(change);
+    along.push_n(held);
+    store(hn::Add(load(block.impulse, lane), held), block.impulse, lane);
+}
+
+// Crowded springs start from nothing: what they took of what is held goes as well.
+template <JointBlockKind kKind>
+HWY_INLINE void forget_crowded_on_rail(WheelBlock& block, int lane, const Along<kKind>& along) {
+    const V gone = hn::IfThenElseZero(crowded_lanes(block, lane), load(block.spring_impulse, lane));
+    store(hn::Add(load(block.impulse, lane), hn::Mul(along.answer_n(), gone)), block.impulse, lane);
+    forget_crowded_spring(block, lane);
+}
+
 template <JointBlockKind kKind>
 HWY_INLINE void solve_motor(WheelBlock& block, int lane, Along<kKind>& along) {
     const V limit = load(block.motor_limit, lane);
@@ -226,8 +253,8 @@ HWY_INLINE V impulse_u(const WheelBlock& block, int lane) {
 struct WarmStartWheels {
     template <JointBlockKind kKind>
     HWY_INLINE void operator()(WheelBlock& block, int lane, Pair<kKind>& pair) const {
-        forget_crowded_spring(block, lane);
         Along<kKind> along(block, lane, pair);
+        forget_crowded_on_rail(block, lane, along);
         along.push_n(load(block.impulse, lane));
         along.push_u(impulse_u(block, lane));
         along.push_t(load(block.motor_impulse, lane));
@@ -242,8 +269,7 @@ struct SweepCrowdedWheels {
         if (hn::AllFalse(D(), crowded)) return;
         const Pair<kKind> before = pair;
         Along<kKind> along(block, lane, pair);
-        along.push_u(
-            solve_spring(block, lane, crowded, along.mass_u(), along.speed_u(), load(block.way, lane)));
+        solve_on_rail(block, lane, crowded, along);
         along.write();
         const auto keep = [&](Columns& now, const Columns& old) {
             now.x = hn::IfThenElse(crowded, now.x, old.x);
@@ -262,8 +288,7 @@ struct SolveWheels {
     HWY_INLINE void operator()(WheelBlock& block, int lane, Pair<kKind>& pair) const {
         const SoftLanes soft = softness_of(block, lane);
         Along<kKind> along(block, lane, pair);
-        along.push_u(solve_spring(block, lane, hn::Not(crowded_lanes(block, lane)), along.mass_u(),
-                                  along.speed_u(), load(block.way, lane)));
+        solve_on_rail(block, lane, hn::Not(crowded_lanes(block, lane)), along);
         solve_motor(block, lane, along);
         solve_limits(block, lane, soft, inverse_h, along);
         solve_hold(block, lane, soft, along);
