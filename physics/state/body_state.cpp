@@ -131,7 +131,8 @@ bool is_sound(const BodyRecord& body) {
         sound &= (x >= 0) & (x <= kMost);
     sound &= std::fabs(body.gravity_scale) <= kMost;
     sound &= (body.extent_m >= 0) & (body.extent_m <= kMostExtent_m);
-    sound &= (body.turn_arm_m <= kMostExtent_m) & (body.center_arm_m <= kMostExtent_m);
+    for (const float arm_m : {body.turn_arm_m, body.center_arm_m})
+        sound &= (arm_m >= 0) & (arm_m <= kMostExtent_m);
     sound &=
         (body.inner_radius_m >= 0) & !std::signbit(body.inner_radius_m);  // which would divide to -infinity
     sound &= (body.type == BodyType::Dynamic) | ((body.inverse_mass == 0) & (body.inverse_inertia == 0));
@@ -268,8 +269,14 @@ void load_bodies(Reader& in, RestoreSpace& to) {
     in.list(stores.masses.reshaped);
     if (!in.ok()) return;
     const auto is_slot = [&](int body) { return body >= 0 && body < bodies.slots.end_index(); };
-    in.require(std::all_of(stores.boxes_moved.begin(), stores.boxes_moved.end(), is_slot),
-               "a box was moved of no body");
+    to.marks.assign(static_cast<std::size_t>(bodies.slots.end_index()), 0);
+    for (const int body : stores.boxes_moved) {
+        if (!in.require(is_slot(body) && to.marks[static_cast<std::size_t>(body)] == 0,
+                        "a box was moved of no body, or a body is listed twice"))
+            return;
+        to.marks[static_cast<std::size_t>(body)] = 1;
+        bodies.places[static_cast<std::size_t>(body)].flags |= place_flag::kBoxesMoved;
+    }
     for (const int body : stores.masses.reshaped) {
         if (!in.require(is_slot(body) && !stores.masses.entries[static_cast<std::size_t>(body)].is_listed,
                         "a body is listed as reshaped that there is not, or twice"))

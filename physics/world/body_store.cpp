@@ -18,7 +18,10 @@ void BodyStore::add_row(int body, RowSet set) {
     std::apply([](auto&... column) { (push_amply(column, {}), ...); }, to.columns());
     to.body.back() = body;
     cover_amply(places, static_cast<std::size_t>(body) + 1);
+    // What stood in the slot before may be listed as moved still (Stores::boxes_moved), and is so once.
+    const std::uint32_t listed = places[body].flags & place_flag::kBoxesMoved;
     places[body] = {};
+    places[body].flags = listed;
     set_row(body, set, to.size() - 1);
 }
 

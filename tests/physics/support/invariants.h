@@ -265,6 +265,16 @@ inline void check_sleepers(const Stores& stores) {
     }
 }
 
+/// A body is listed once as one of which a box was moved, and flagged for as long as it is.
+inline void check_moved_boxes(const Stores& stores) {
+    std::set<int> listed;
+    for (const int body : stores.boxes_moved) REQUIRE(listed.insert(body).second);
+    for (int body = 0; body < stores.bodies.slots.end_index(); ++body) {
+        const std::uint32_t flags = stores.bodies.places[static_cast<std::size_t>(body)].flags;
+        REQUIRE(((flags & place_flag::kBoxesMoved) != 0) == (listed.count(body) == 1));
+    }
+}
+
 /// Whether two shapes are a pair: their fat boxes overlap, and they do not keep apart on their ways.
 inline bool are_near(const Stores& stores, int a, int b) {
     const Aabb& box_a = stores.fat_boxes[a];
@@ -367,6 +377,7 @@ inline void check_world(const WorldState& world) {
     check_near_pairs(stores);
     check_contacts(world.stores);
     check_sleepers(world.stores);
+    check_moved_boxes(world.stores);
     check_breakables(world.stores);
 }
 

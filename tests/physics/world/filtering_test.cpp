@@ -1,8 +1,11 @@
 // Which pairs collide: categories, masks, groups, joints, body types.
+#include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>
+#include <cstdint>
 #include <set>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -286,6 +289,36 @@ TEST_CASE("without a filter of the host every pair may collide again") {
     run_for(world, 1);
     CHECK(host.asked.empty());
     CHECK(world.body(ball)->position().y == Approx(0.5).margin(0.005));
+}
+
+TEST_CASE("the host is asked of hundreds of new pairs in one order, and on the thread that steps") {
+    struct Asked {
+        std::vector<std::pair<std::uint64_t, std::uint64_t>> pairs{};
+        std::set<std::thread::id> threads{};
+
+        static bool answer(void* context, ShapeId a, ShapeId b) {
+            Asked& self = *static_cast<Asked*>(context);
+            self.pairs.emplace_back(std::min<std::uint64_t>(a.index1, b.index1),
+                                    std::max<std::uint64_t>(a.index1, b.index1));
+            self.threads.insert(std::this_thread::get_id());
+            return true;
+        }
+    };
+    constexpr int kBalls = 40;
+    const auto asked_with = [](int threads) {
+        Asked asked;
+        World world({.threads = threads});
+        world.set_pair_filter({&Asked::answer, &asked});
+        for (int i = 0; i < kBalls; ++i) add(world, {.position_m = {0.01 * i, 0}}, Circle{{}, 0.5f});
+        world.step(kStep_s).value();
+        CHECK(asked.threads == std::set{std::this_thread::get_id()});
+        CHECK(std::set(asked.pairs.begin(), asked.pairs.end()).size() == asked.pairs.size());
+        CHECK(world.counts().contacts == kBalls * (kBalls - 1) / 2);
+        return asked.pairs;
+    };
+    const auto pairs = asked_with(1);
+    CHECK(pairs.size() == kBalls * (kBalls - 1) / 2);
+    CHECK(asked_with(3) == pairs);
 }
 
 TEST_CASE("the world refuses to be changed by the host's filter, and goes on") {
