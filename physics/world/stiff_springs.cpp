@@ -36,7 +36,7 @@ struct Tell {
     }
 };
 
-// At a point, or along a line. Rails hold across their springs, which feel little of that.
+// At a point, or along a line. What rails hold is pushed together with their own springs (joint_solver.cpp).
 bool pins(const JointConstraint& c) {
     const bool holds = std::any_of(c.laws.begin(), c.laws.begin() + c.law_count,
                                    [](const JointLaw& law) { return law.kind == LawKind::Hold; });

@@ -1,7 +1,8 @@
 // Springs that are too stiff to be swept beside what is held. The impulses of such springs and of pins call
 // for each other, and swept one after the other they feed each other: a plank on a hinge with a spring of 80
 // Hz flew off, at four substeps of 60 steps a second. So structures that have some are solved directly where
-// something holds them (direct_structures.h), and else their springs are as stiff as a sweep can follow.
+// something holds them, without loops of what is held and without limits (direct_structures.h), and else
+// their springs are as stiff as a sweep can follow.
 #pragma once
 
 #include <algorithm>

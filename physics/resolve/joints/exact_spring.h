@@ -11,7 +11,7 @@ struct ExactSpring {
     float d1 = 0;
     float d0 = 0;
     float stiffness_per_s = 0;  // W^2 / h, with W = w h
-    bool damped = false;
+    bool damped = false;        // loses energy, if only as implicit Euler does
     bool crowded = false;
 };
 
