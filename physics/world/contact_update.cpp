@@ -91,16 +91,11 @@ class Update {
             near_before[g] = stores_.contacts.lanes.near_count(static_cast<PairGeometry>(g));
         const int awake_before = stores_.bodies.rows(RowSet::Awake).size();
         update_uncolored();
-        const auto ask_for_its_place = [&](int contact) { ask_for_place(stores_.contacts, contact); };
-        const auto ask_for_its_bodies = [&](int contact) { ask_for_bodies(stores_, contact); };
-        visit_contacts(stores_.contacts, scratch_.met, ask_for_its_place,
-                       [&](int contact) { unlist_contact(stores_, contact); });
-        loose_done_ = stores_.contacts.loose.size();
-        stores_.contacts.lanes.make_room(scratch_.met.size());
-        visit_contacts(stores_.contacts, scratch_.met, ask_for_its_bodies,
-                       [&](int contact) { color_contact(stores_, contact); });
-        scratch_.met.clear();
-        update_uncolored();  // those that found no colour
+        // What finds no colour is looked at once more, and there a side is decided, with which it may.
+        while (!scratch_.met.empty()) {
+            color_met();
+            update_uncolored();
+        }
         // What woke may hang together with what moves already, and nothing else holds its joints.
         if (stores_.bodies.rows(RowSet::Awake).size() > awake_before) {
             choose_direct_groups(stores_, world_.def.joint_solver, time_.h_s, world_.direct);
@@ -109,8 +104,8 @@ class Update {
         stores_.contacts.lanes.arrange();
         update_blocks();
         const auto ask_for_both = [&](int contact) {
-            ask_for_its_place(contact);
-            ask_for_its_bodies(contact);
+            ask_for_place(stores_.contacts, contact);
+            ask_for_bodies(stores_, contact);
         };
         visit_contacts(stores_.contacts, scratch_.parted, ask_for_both,
                        [&](int contact) { forget_points(stores_, contact); });
@@ -120,6 +115,18 @@ class Update {
         stores_.contacts.lanes.arrange();
         for (int g = 0; g < kPairGeometries; ++g)
             stores_.contacts.lanes.shrink_near(static_cast<PairGeometry>(g), near_before[g]);
+    }
+
+    void color_met() {
+        visit_contacts(
+            stores_.contacts, scratch_.met, [&](int contact) { ask_for_place(stores_.contacts, contact); },
+            [&](int contact) { unlist_contact(stores_, contact); });
+        loose_done_ = stores_.contacts.loose.size();
+        stores_.contacts.lanes.make_room(scratch_.met.size());
+        visit_contacts(
+            stores_.contacts, scratch_.met, [&](int contact) { ask_for_bodies(stores_, contact); },
+            [&](int contact) { color_contact(stores_, contact); });
+        scratch_.met.clear();
     }
 
     // Where there are no contacts at all: what a look at them would find.

@@ -171,6 +171,37 @@ TEST_CASE("a box that slides over a row of platforms, and a ball that rolls, do 
     }
 }
 
+// With another material the contact is listed anew and remembers that it touched; as it is apart then, it is
+// undecided until the two meet again.
+TEST_CASE("what is lifted off it lands on it again as on a solid one") {
+    for (const Geometry& geometry : visitors()) {
+        for (int lift_mm = 20; lift_mm < 60; ++lift_mm) {
+            World world;
+            World solid;
+            add_platform(world);
+            add_platform(solid, {});
+            const auto lift = [&](World& in) {
+                const BodyId body = add(in, {.position_m = {0, height_of(geometry)}}, geometry);
+                for (int i = 0; i < 3; ++i) in.step(kStep_s).value();
+                in.shape(in.body(body)->shapes()[0])->set_material({.friction = 0.5f}).value();
+                in.body(body)->set_transform({0, height_of(geometry) + 0.001 * lift_mm}, 0).value();
+                in.step(kStep_s).value();
+                in.body(body)->set_linear_velocity({0, -1}).value();
+                return body;
+            };
+            const BodyId body = lift(world);
+            const BodyId other = lift(solid);
+            INFO("lifted by " << lift_mm << " mm, kind " << geometry.index());
+            for (int i = 0; i < 10; ++i) {
+                world.step(kStep_s).value();
+                solid.step(kStep_s).value();
+                REQUIRE(world.body(body)->position().y ==
+                        Approx(solid.body(other)->position().y).epsilon(0).margin(1e-4));
+            }
+        }
+    }
+}
+
 TEST_CASE("the normal turns with its body") {
     for (const double angle : {0.5, 2.0, -1.2}) {
         World world({.gravity_m_s2 = {}});
