@@ -30,9 +30,16 @@ bool has_spring_for_lane(const JointRecord& record) {
     return def != nullptr && (!def->enable_spring || (def->damping_ratio != 0 && record.stepped));
 }
 
-bool fits_lane(const Stores& stores, int joint) {
+// Whether they are too stiff beside what else holds their bodies is asked of constraints (stiff_springs.h).
+// Pins with springs are softened wherever they are.
+bool is_stiff_wheel(const JointRecord& record, float h_s) {
+    const auto* def = std::get_if<WheelJointDef>(&record.def);
+    return def != nullptr && def->enable_spring && def->frequency_hz > most_swept_frequency(h_s);
+}
+
+bool fits_lane(const Stores& stores, int joint, float h_s) {
     const JointRecord& record = stores.joints.slots[joint];
-    if (record.direct) return false;
+    if (record.direct || is_stiff_wheel(record, h_s)) return false;
     if (!has_spring_for_lane<RevoluteJointDef>(record) && !has_spring_for_lane<WheelJointDef>(record))
         return false;
     const BodyRecord& a = stores.bodies.slots[record.body_a];
@@ -67,15 +74,17 @@ AnchorLane make_anchor(const Stores& stores, int joint) {
 
 // All but where the spring draws to and the limits are.
 template <class Def>
-DriveLane make_laws(const Def& def, float frequency_hz, float h_s) {
+DriveLane make_laws(const Def& def, float h_s) {
     DriveLane drive;
     drive.softness = softness_of(def.stiffness, h_s);
     if (def.enable_spring) {
-        drive.spring_frequency_rad_s = 2 * kPi * frequency_hz;
+        const SpringTone tone = softened({def.frequency_hz, def.damping_ratio}, h_s);
+        drive.spring_frequency_rad_s = 2 * kPi * tone.frequency_hz;
         drive.square = (drive.spring_frequency_rad_s * h_s) * (drive.spring_frequency_rad_s * h_s);
-        drive.damping = 2 * def.damping_ratio * (drive.spring_frequency_rad_s * h_s);
-        drive.spring = make_exact_spring(static_cast<double>(frequency_hz),
-                                         static_cast<double>(def.damping_ratio), static_cast<double>(h_s), 1);
+        drive.damping = 2 * tone.damping_ratio * (drive.spring_frequency_rad_s * h_s);
+        drive.spring =
+            make_exact_spring(static_cast<double>(tone.frequency_hz), static_cast<double>(tone.damping_ratio),
+                              static_cast<double>(h_s), 1);
     }
     if (def.enable_motor) {
         drive.motor_speed = def.motor_speed_rad_s;
@@ -86,7 +95,7 @@ DriveLane make_laws(const Def& def, float frequency_hz, float h_s) {
 
 DriveLane make_drive(const RevoluteJointDef& def, float h_s) {
     const float frames = def.local_angle_b_rad - def.local_angle_a_rad;
-    DriveLane drive = make_laws(def, std::min(def.frequency_hz, most_swept_frequency(h_s)), h_s);
+    DriveLane drive = make_laws(def, h_s);
     if (def.enable_spring) drive.spring_target = def.target_rad - frames;
     if (def.enable_limit) {
         drive.lower = std::max(def.lower_rad - frames, -kNoLimit);
@@ -96,7 +105,7 @@ DriveLane make_drive(const RevoluteJointDef& def, float h_s) {
 }
 
 DriveLane make_drive(const WheelJointDef& def, float h_s) {
-    DriveLane drive = make_laws(def, def.frequency_hz, h_s);
+    DriveLane drive = make_laws(def, h_s);
     if (def.enable_spring) drive.spring_target = def.target_m;
     if (def.enable_limit) {
         drive.lower = std::max(def.lower_m, -kNoLimit);
@@ -122,7 +131,7 @@ JointSeat add_to_lane(JointLanes& lanes, int bucket, const AnchorLane& anchor, c
 }
 
 bool try_to_seat(Stores& stores, int joint, float h_s) {
-    if (!fits_lane(stores, joint)) return false;
+    if (!fits_lane(stores, joint, h_s)) return false;
     JointStore& joints = stores.joints;
     JointRecord& record = joints.slots[joint];
     const bool both = can_be_moved(stores.bodies.slots[record.body_a]);
@@ -161,6 +170,12 @@ void forget_lane(Stores& stores, int joint) {
     const int moved = joints.lanes.remove(record.seat);
     if (moved != kNone) joints.slots[moved].seat.lane = record.seat.lane;
     record.seat = {};
+}
+
+void unseat_stiff_wheels(Stores& stores, float h_s) {
+    for (const int joint : stores.joints.active) {
+        if (is_stiff_wheel(stores.joints.slots[joint], h_s)) leave_lane(stores, joint);
+    }
 }
 
 }  // namespace
@@ -212,8 +227,10 @@ void forget_memory(Stores& stores, int joint) {
 void seat_joints(Stores& stores, const StepTime& time, StepScratch& scratch) {
     JointStore& joints = stores.joints;
     if (joints.active.size() == 0 && joints.lanes.empty()) return;
+    const bool other_time = joints.lanes.h_s != time.h_s;
+    if (other_time) unseat_stiff_wheels(stores, time.h_s);
     joints.lanes.arrange();
-    if (joints.lanes.h_s != time.h_s) {
+    if (other_time) {
         joints.lanes.h_s = time.h_s;
         joints.lanes.set_drives([&](int joint) { return make_drive(joints.slots[joint], time.h_s); });
     }

@@ -36,40 +36,63 @@ struct Tell {
     }
 };
 
-// At a point, or along a line. What rails hold is pushed together with their own springs (joint_solver.cpp).
-bool pins(const JointConstraint& c) {
-    const bool holds = std::any_of(c.laws.begin(), c.laws.begin() + c.law_count,
-                                   [](const JointLaw& law) { return law.kind == LawKind::Hold; });
-    return holds &&
-           (c.kind == JointKind::Revolute || c.kind == JointKind::Weld || c.kind == JointKind::Distance);
+// Or drives, or stops.
+bool holds(const JointConstraint& c) {
+    return std::any_of(c.laws.begin(), c.laws.begin() + c.law_count,
+                       [](const JointLaw& law) { return law.kind != LawKind::Spring; });
 }
 
-bool has_rail(const JointConstraint& c) {
-    return c.kind == JointKind::Wheel || c.kind == JointKind::Prismatic;
+// Whether what the joint does elsewhere calls for the spring. On rails both are pushed together
+// (joint_solver.cpp); limits lie along their spring.
+bool disturbs_itself(const JointConstraint& c, const JointLaw& spring) {
+    if (c.kind == JointKind::Wheel || c.kind == JointKind::Prismatic) return false;
+    return std::any_of(c.laws.begin(), c.laws.begin() + c.law_count,
+                       [&](const JointLaw& law) { return law.direction != spring.direction; });
 }
 
-// Calls visit(law) for the stiff springs of a joint that is swept.
-template <class Joint, class Visit>
-void for_each_stiff(Joint& c, float most_hz, const Visit& visit) {
-    if (!c.has_spring || c.direct || has_rail(c)) return;
-    for (int l = 0; l < c.law_count; ++l) {
-        auto& law = c.laws[static_cast<std::size_t>(l)];
-        if (law.kind == LawKind::Spring && law.spring_frequency_hz > most_hz) visit(law);
-    }
+bool is_stiff(const JointLaw& law, float most_hz) {
+    return law.kind == LawKind::Spring && law.spring_frequency_hz > most_hz;
 }
 
-// By row.
-void note_pinned(const Stores& stores, StepScratch& scratch) {
-    scratch.pinned_rows.assign(static_cast<std::size_t>(scratch.motions.size()), 0);
-    const auto note = [&](int row) { scratch.pinned_rows[static_cast<std::size_t>(row)] = 1; };
+bool has_stiff_spring(const JointConstraint& c, float most_hz) {
+    return c.has_spring && !c.direct &&
+           std::any_of(c.laws.begin(), c.laws.begin() + c.law_count,
+                       [&](const JointLaw& law) { return is_stiff(law, most_hz); });
+}
+
+void soften(JointLaw& law, float h_s) {
+    const SpringTone tone = softened({law.spring_frequency_hz, law.spring_damping_ratio}, h_s);
+    law.spring_frequency_hz = tone.frequency_hz;
+    law.spring_damping_ratio = tone.damping_ratio;
+}
+
+// How many joints hold each row, of which more than two are two.
+void count_holds(const Stores& stores, StepScratch& scratch) {
+    scratch.holds_of_row.assign(static_cast<std::size_t>(scratch.motions.size()), 0);
+    const auto note = [&](int row) {
+        char& holds = scratch.holds_of_row[static_cast<std::size_t>(row)];
+        holds = static_cast<char>(std::min(holds + 1, 2));
+    };
     for (const JointConstraint& c : scratch.joints) {
-        if (pins(c)) std::for_each(c.rows.begin(), c.rows.begin() + c.bodies, note);
+        if (holds(c)) std::for_each(c.rows.begin(), c.rows.begin() + c.bodies, note);
     }
     stores.joints.lanes.for_each_joint([&](int, const AnchorBlock& anchors, std::size_t lane) {
-        if (kind_of(stores.joints.slots[anchors.joint[lane]]) != JointKind::Revolute) return;
         for (const int body : {anchors.body_a[lane], anchors.body_b[lane]})
             note(stores.bodies.places[body].row);
     });
+}
+
+// Whether something else holds a body that the spring moves: another joint, or what the body may touch.
+bool disturbs_others(const Stores& stores, const JointConstraint& c, const StepScratch& scratch) {
+    const JointRecord& record = stores.joints.slots[c.joint];
+    const int own = holds(c) ? 1 : 0;
+    const auto is_held = [&](int body) {
+        const BodyRecord& held = stores.bodies.slots[body];
+        if (held.inverse_mass == 0 && held.inverse_inertia == 0) return false;
+        const int row = stores.bodies.places[body].row;
+        return held.first_contact != kNone || scratch.holds_of_row[static_cast<std::size_t>(row)] > own;
+    };
+    return is_held(record.body_a) || is_held(record.body_b);
 }
 
 }  // namespace
@@ -80,21 +103,18 @@ JointActs acts_of(const JointDef& def) {
 
 void soften_stiff_springs(const Stores& stores, float h_s, StepScratch& scratch) {
     const float most_hz = most_swept_frequency(h_s);
-    bool any = false;
-    for (const JointConstraint& c : scratch.joints)
-        for_each_stiff(c, most_hz, [&](const JointLaw&) { any = true; });
-    if (!any) return;
-    note_pinned(stores, scratch);
-    const Motions& motions = scratch.motions;
-    const auto is_pinned = [&](int row) {
-        return scratch.pinned_rows[static_cast<std::size_t>(row)] != 0 &&
-               (motions.velocity[row].inverse_mass > 0 || motions.inverse_inertia[row] > 0);
-    };
-    for (JointConstraint& c : scratch.joints) {
-        for_each_stiff(c, most_hz, [&](JointLaw& law) {
-            if (std::any_of(c.rows.begin(), c.rows.begin() + c.bodies, is_pinned))
-                law.spring_frequency_hz = most_hz;
-        });
+    std::vector<JointConstraint>& joints = scratch.joints;
+    if (std::none_of(joints.begin(), joints.end(),
+                     [&](const JointConstraint& c) { return has_stiff_spring(c, most_hz); }))
+        return;
+    count_holds(stores, scratch);
+    for (JointConstraint& c : joints) {
+        if (!has_stiff_spring(c, most_hz)) continue;
+        for (int l = 0; l < c.law_count; ++l) {
+            JointLaw& law = c.laws[static_cast<std::size_t>(l)];
+            if (is_stiff(law, most_hz) && (disturbs_itself(c, law) || disturbs_others(stores, c, scratch)))
+                soften(law, h_s);
+        }
     }
 }
 

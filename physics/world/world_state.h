@@ -392,11 +392,11 @@ struct StepScratch {
     std::vector<int> unseated;         // joints that may get a lane, or break
     bool has_crowded_springs = false;  // outside of lanes
     std::vector<SpringLoad> spring_loads;
-    std::vector<char> pinned_rows;  // where some springs are stiff
-    std::vector<int> met;           // contacts that were near and have points now
-    std::vector<int> parted;        // contacts that have none any more
-    std::vector<int> gone;          // contacts whose boxes no longer overlap
-    std::vector<int> resting;       // bodies of an island that goes to sleep
+    std::vector<char> holds_of_row;  // where some springs are stiff
+    std::vector<int> met;            // contacts that were near and have points now
+    std::vector<int> parted;         // contacts that have none any more
+    std::vector<int> gone;           // contacts whose boxes no longer overlap
+    std::vector<int> resting;        // bodies of an island that goes to sleep
     Islands islands;
     std::unique_ptr<StaticsScratch> statics;  // none before the first estimate
     std::vector<Advance> advances;            // by row of the motions

@@ -2,6 +2,12 @@
 //
 // Every joint has a frame on each of its two bodies: an origin (the anchor) and an angle, in the coordinates
 // of the body. What a joint holds, drives and limits is how frame b stands to frame a.
+//
+// Springs have the frequency and the damping ratio that were asked for. Those that swing by more than .9 rad
+// in a substep (34 Hz at four substeps of 60 steps a second) are that stiff and no stiffer, with a damping
+// ratio of .5 or more, where they are swept and something else acts on their bodies: what the joint holds
+// itself (but on rails), another joint, or a contact. What is solved directly is as stiff as it is asked to
+// be.
 #pragma once
 
 #include <cstdint>
