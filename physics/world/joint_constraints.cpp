@@ -146,6 +146,7 @@ void make_constraint(const Stores& stores, int joint, const StepTime& time, Fram
         c.start_angle_rad = start.angle(static_cast<float>(angle));
     }
     std::visit(Describe{stores, record, c, start}, record.def);
+    c.softened_hz = c.has_spring ? record.softened_hz : 0;
 }
 
 // What is switched off starts from nothing when it is switched on again.
@@ -238,7 +239,7 @@ void prepare_joints(Stores& stores, const StepTime& time, StepScratch& scratch, 
     }
     list_jointed_rows(stores, scratch);
     if (!springs && !lanes.springs_changed()) return;
-    soften_stiff_springs(stores, time.h_s, scratch);
+    soften_stiff_springs(stores, time, scratch);
     scratch.spring_loads.assign(static_cast<std::size_t>(scratch.motions.size()), {});
     add_spring_loads(joints, scratch.joint_places, scratch.motions, scratch.spring_loads);
     lanes.add_spring_loads(scratch.motions, scratch.spring_loads, tasks);
@@ -251,6 +252,7 @@ void store_joint_impulses(JointStore& joints, const StepTime& time, const StepSc
     for (const JointConstraint& c : scratch.joints) {
         JointRecord& record = joints.slots[c.joint];
         record.stepped = true;
+        record.softened_hz = c.softened_hz;
         record.impulse = c.impulse;
         record.angle_rad += static_cast<double>(scratch.motions.angle(c.anchors.b)) -
                             static_cast<double>(scratch.motions.angle(c.anchors.a));

@@ -11,6 +11,7 @@
 #include "world/joint_rules.h"
 #include "world/joints.h"
 #include "world/prepare.h"
+#include "world/stiff_springs.h"
 
 namespace cairn::physics {
 namespace {
@@ -30,16 +31,14 @@ bool has_spring_for_lane(const JointRecord& record) {
     return def != nullptr && (!def->enable_spring || (def->damping_ratio != 0 && record.stepped));
 }
 
-// Whether they are too stiff beside what else holds their bodies is asked of constraints (stiff_springs.h).
-// Pins with springs are softened wherever they are.
-bool is_stiff_wheel(const JointRecord& record, float h_s) {
-    const auto* def = std::get_if<WheelJointDef>(&record.def);
-    return def != nullptr && def->enable_spring && def->frequency_hz > most_swept_frequency(h_s);
+// Stiff springs are for the scalar solver too, which softens them where it must (stiff_springs.h).
+bool is_stiff(const JointRecord& record, float h_s) {
+    return acts_of(record.def).spring_hz > most_swept_frequency(h_s);
 }
 
 bool fits_lane(const Stores& stores, int joint, float h_s) {
     const JointRecord& record = stores.joints.slots[joint];
-    if (record.direct || is_stiff_wheel(record, h_s)) return false;
+    if (record.direct || record.softened_hz > 0 || is_stiff(record, h_s)) return false;
     if (!has_spring_for_lane<RevoluteJointDef>(record) && !has_spring_for_lane<WheelJointDef>(record))
         return false;
     const BodyRecord& a = stores.bodies.slots[record.body_a];
@@ -78,13 +77,11 @@ DriveLane make_laws(const Def& def, float h_s) {
     DriveLane drive;
     drive.softness = softness_of(def.stiffness, h_s);
     if (def.enable_spring) {
-        const SpringTone tone = softened({def.frequency_hz, def.damping_ratio}, h_s);
-        drive.spring_frequency_rad_s = 2 * kPi * tone.frequency_hz;
+        drive.spring_frequency_rad_s = 2 * kPi * def.frequency_hz;
         drive.square = (drive.spring_frequency_rad_s * h_s) * (drive.spring_frequency_rad_s * h_s);
-        drive.damping = 2 * tone.damping_ratio * (drive.spring_frequency_rad_s * h_s);
-        drive.spring =
-            make_exact_spring(static_cast<double>(tone.frequency_hz), static_cast<double>(tone.damping_ratio),
-                              static_cast<double>(h_s), 1);
+        drive.damping = 2 * def.damping_ratio * (drive.spring_frequency_rad_s * h_s);
+        drive.spring = make_exact_spring(static_cast<double>(def.frequency_hz),
+                                         static_cast<double>(def.damping_ratio), static_cast<double>(h_s), 1);
     }
     if (def.enable_motor) {
         drive.motor_speed = def.motor_speed_rad_s;
@@ -172,9 +169,10 @@ void forget_lane(Stores& stores, int joint) {
     record.seat = {};
 }
 
-void unseat_stiff_wheels(Stores& stores, float h_s) {
+void unseat_stiff(Stores& stores, float h_s) {
     for (const int joint : stores.joints.active) {
-        if (is_stiff_wheel(stores.joints.slots[joint], h_s)) leave_lane(stores, joint);
+        const JointRecord& record = stores.joints.slots[joint];
+        if (record.seat.lane != kNone && is_stiff(record, h_s)) leave_lane(stores, joint);
     }
 }
 
@@ -228,7 +226,7 @@ void seat_joints(Stores& stores, const StepTime& time, StepScratch& scratch) {
     JointStore& joints = stores.joints;
     if (joints.active.size() == 0 && joints.lanes.empty()) return;
     const bool other_time = joints.lanes.h_s != time.h_s;
-    if (other_time) unseat_stiff_wheels(stores, time.h_s);
+    if (other_time) unseat_stiff(stores, time.h_s);
     joints.lanes.arrange();
     if (other_time) {
         joints.lanes.h_s = time.h_s;

@@ -3,10 +3,16 @@
 #include <span>
 #include <variant>
 
+#include "world/prepare.h"
+#include "world/special_contacts.h"
 #include "world/world_state.h"
 
 namespace cairn::physics {
 namespace {
+
+// Springs that were softened stiffen e-fold in a second, and lift what weighs on them at first by twice its
+// sag a second.
+constexpr double kStiffening_1_s = 1;
 
 struct Tell {
     JointActs operator()(const RevoluteJointDef& def) const { return with_axis(def); }
@@ -50,18 +56,25 @@ bool disturbs_itself(const JointConstraint& c, const JointLaw& spring) {
                        [&](const JointLaw& law) { return law.direction != spring.direction; });
 }
 
-bool is_stiff(const JointLaw& law, float most_hz) {
-    return law.kind == LawKind::Spring && law.spring_frequency_hz > most_hz;
+// Calls visit(law) for the springs of a joint that are stiffer than this.
+template <class Joint, class Visit>
+void for_each_stiffer(Joint& c, float hz, const Visit& visit) {
+    for (int l = 0; l < c.law_count; ++l) {
+        auto& law = c.laws[static_cast<std::size_t>(l)];
+        if (law.kind == LawKind::Spring && law.spring_frequency_hz > hz) visit(law);
+    }
 }
 
-bool has_stiff_spring(const JointConstraint& c, float most_hz) {
-    return c.has_spring && !c.direct &&
-           std::any_of(c.laws.begin(), c.laws.begin() + c.law_count,
-                       [&](const JointLaw& law) { return is_stiff(law, most_hz); });
+float stiffest_hz(const JointConstraint& c) {
+    float most = 0;
+    if (c.has_spring) {
+        for_each_stiffer(c, 0, [&](const JointLaw& law) { most = std::max(most, law.spring_frequency_hz); });
+    }
+    return most;
 }
 
-void soften(JointLaw& law, float h_s) {
-    const SpringTone tone = softened({law.spring_frequency_hz, law.spring_damping_ratio}, h_s);
+void soften(JointLaw& law, float most_hz) {
+    const SpringTone tone = softened({law.spring_frequency_hz, law.spring_damping_ratio}, most_hz);
     law.spring_frequency_hz = tone.frequency_hz;
     law.spring_damping_ratio = tone.damping_ratio;
 }
@@ -82,6 +95,10 @@ void count_holds(const Stores& stores, StepScratch& scratch) {
     });
 }
 
+bool acts(const ContactRecord& contact) {
+    return !special::has(contact, special::kRefused | special::kPassing);
+}
+
 // Whether something else holds a body that the spring moves: another joint, or what the body may touch.
 bool disturbs_others(const Stores& stores, const JointConstraint& c, const StepScratch& scratch) {
     const JointRecord& record = stores.joints.slots[c.joint];
@@ -90,9 +107,23 @@ bool disturbs_others(const Stores& stores, const JointConstraint& c, const StepS
         const BodyRecord& held = stores.bodies.slots[body];
         if (held.inverse_mass == 0 && held.inverse_inertia == 0) return false;
         const int row = stores.bodies.places[body].row;
-        return held.first_contact != kNone || scratch.holds_of_row[static_cast<std::size_t>(row)] > own;
+        bool is = scratch.holds_of_row[static_cast<std::size_t>(row)] > own;
+        for_each_edge(stores.contacts.slots, held.first_contact,
+                      [&](int contact, int) { is = is || acts(stores.contacts.slots[contact]); });
+        return is;
     };
     return is_held(record.body_a) || is_held(record.body_b);
+}
+
+bool must_be_soft(const Stores& stores, const JointConstraint& c, float most_hz, const StepScratch& scratch) {
+    if (c.direct) return false;
+    bool any_is_stiff = false;
+    bool must = false;
+    for_each_stiffer(c, most_hz, [&](const JointLaw& law) {
+        any_is_stiff = true;
+        must = must || disturbs_itself(c, law);
+    });
+    return must || (any_is_stiff && disturbs_others(stores, c, scratch));
 }
 
 }  // namespace
@@ -101,20 +132,26 @@ JointActs acts_of(const JointDef& def) {
     return std::visit(Tell{}, def);
 }
 
-void soften_stiff_springs(const Stores& stores, float h_s, StepScratch& scratch) {
-    const float most_hz = most_swept_frequency(h_s);
+void soften_stiff_springs(const Stores& stores, const StepTime& time, StepScratch& scratch) {
+    const float most_hz = most_swept_frequency(time.h_s);
+    const auto may_be_soft = [&](const JointConstraint& c) {
+        return c.softened_hz > 0 || (!c.direct && stiffest_hz(c) > most_hz);
+    };
     std::vector<JointConstraint>& joints = scratch.joints;
-    if (std::none_of(joints.begin(), joints.end(),
-                     [&](const JointConstraint& c) { return has_stiff_spring(c, most_hz); }))
-        return;
+    if (std::none_of(joints.begin(), joints.end(), may_be_soft)) return;
     count_holds(stores, scratch);
+    const auto growth =
+        static_cast<float>(deterministic::exp(kStiffening_1_s * static_cast<double>(time.dt_s)));
     for (JointConstraint& c : joints) {
-        if (!has_stiff_spring(c, most_hz)) continue;
-        for (int l = 0; l < c.law_count; ++l) {
-            JointLaw& law = c.laws[static_cast<std::size_t>(l)];
-            if (is_stiff(law, most_hz) && (disturbs_itself(c, law) || disturbs_others(stores, c, scratch)))
-                soften(law, h_s);
+        if (!may_be_soft(c)) continue;
+        const float stiffened_hz = c.softened_hz * growth;
+        if (must_be_soft(stores, c, most_hz, scratch)) {
+            c.softened_hz = stiffened_hz > 0 ? std::min(stiffened_hz, most_hz) : most_hz;
+        } else {
+            c.softened_hz = stiffened_hz < stiffest_hz(c) ? stiffened_hz : 0;
         }
+        if (c.softened_hz > 0)
+            for_each_stiffer(c, c.softened_hz, [&](JointLaw& law) { soften(law, c.softened_hz); });
     }
 }
 

@@ -16,6 +16,7 @@
 namespace cairn::physics {
 
 struct StepScratch;
+struct StepTime;
 struct Stores;
 
 /// What a joint does by its definition.
@@ -52,7 +53,9 @@ class StiffSprings {
 };
 
 /// Of the constraints of a step: makes the stiff springs of those that are swept as soft as sweeps need them,
-/// where anything else holds, drives or may touch one of their bodies that can be moved.
-void soften_stiff_springs(const Stores& stores, float h_s, StepScratch& scratch);
+/// where anything else holds, drives or may touch one of their bodies that can be moved. What was softened
+/// stiffens again by and by, when that is over, when the joint is solved directly, or in shorter substeps: at
+/// once it would take up within a substep what it sagged by, and throw what lies on it.
+void soften_stiff_springs(const Stores& stores, const StepTime& time, StepScratch& scratch);
 
 }  // namespace cairn::physics

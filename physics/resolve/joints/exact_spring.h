@@ -33,11 +33,10 @@ struct SpringTone {
     float damping_ratio = 0;
 };
 
-/// Of one that is swept beside what is held: the same, or if it is stiff as stiff as it may be and damped by
-/// this ratio at least. With .3 one of 600 rows of hinges grew, whose springs should have had none.
+/// The same, or if it is stiffer than it may be as stiff as that and damped by this ratio at least. With .3
+/// one of 600 rows of hinges grew, whose springs should have had none.
 inline constexpr float kLeastSoftenedDamping = 0.5f;
-inline SpringTone softened(const SpringTone& spring, float h_s) {
-    const float most_hz = most_swept_frequency(h_s);
+inline SpringTone softened(const SpringTone& spring, float most_hz) {
     if (spring.frequency_hz <= most_hz) return spring;
     return {most_hz, std::max(spring.damping_ratio, kLeastSoftenedDamping)};
 }

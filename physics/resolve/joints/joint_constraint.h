@@ -101,10 +101,11 @@ struct JointConstraint {
     std::array<JointLaw, 6> laws;
     int law_count = 0;
     bool has_spring = false;
-    bool is_new = false;              // in its first step
-    bool direct = false;              // solved with its whole structure at once, and not by sweeping
-    JointImpulses impulse{};          // of one substep
-    Vec2 total_impulse;               // on body b over the step, N s
+    float softened_hz = 0;    // of its springs where they are softer than asked for (world/stiff_springs.h)
+    bool is_new = false;      // in its first step
+    bool direct = false;      // solved with its whole structure at once, and not by sweeping
+    JointImpulses impulse{};  // of one substep
+    Vec2 total_impulse;       // on body b over the step, N s
     float total_angular_impulse = 0;  // about its anchor, N m s
 };
 

@@ -147,6 +147,51 @@ constexpr Pattern kPatterns[] = {{"single", build_single},     {"cantilever", bu
                                  {"floating", build_floating}, {"pier", build_pier, 1.1},
                                  {"truss", build_truss}};
 
+// The fastest of the boxes that lie on four planks, welded in a row with springs, in the half second after a
+// rod that bears the second one has broken, because one more box has fallen on the last. Up to then the rod
+// closes a loop, and the planks are swept.
+double fastest_after_brace(float frequency_hz) {
+    World world({.enable_sleep = false});
+    const BodyId wall = world.create_body({.type = BodyType::Static}).value();
+    std::vector<BodyId> planks;
+    for (int i = 0; i < 4; ++i) {
+        planks.push_back(add(world, {.position_m = {i + 0.5, 0}}, Box{0.5f, 0.1f}));
+        world
+            .create_joint(WeldJointDef{.body_a = i == 0 ? wall : planks[static_cast<std::size_t>(i) - 1],
+                                       .body_b = planks.back(),
+                                       .local_anchor_a_m = {i == 0 ? 0.0f : 0.5f, 0},
+                                       .local_anchor_b_m = {-0.5f, 0},
+                                       .angular_frequency_hz = frequency_hz,
+                                       .angular_damping_ratio = 1})
+            .value();
+    }
+    const JointId rod = world
+                            .create_joint(DistanceJointDef{.body_a = wall,
+                                                           .body_b = planks[1],
+                                                           .local_anchor_a_m = {0, 1.2f},
+                                                           .length_m = std::hypot(1.5f, 1.2f),
+                                                           .strength = {.break_force_n = 400}})
+                            .value();
+    std::vector<BodyId> boxes;
+    for (int i = 0; i < 8; ++i)
+        boxes.push_back(
+            add(world, {.position_m = {2.1 + 0.22 * i, 0.2}}, Box{0.1f, 0.1f}, {.density_kg_m2 = 8}));
+    run_for(world, 5);
+    boxes.push_back(add(world, {.position_m = {3.5, 1.2}, .linear_velocity_m_s = {0, -6}}, Box{0.15f, 0.15f},
+                        {.density_kg_m2 = 60}));
+    double fastest = 0;
+    int steps_after = 0;
+    for (int i = 0; i < 600 && steps_after < 30; ++i) {
+        world.step(kStep_s).value();
+        if (world.joint(rod)) continue;
+        ++steps_after;
+        for (const BodyId box : boxes)
+            fastest = std::max(fastest, d(length(world.body(box)->linear_velocity())));
+    }
+    REQUIRE(steps_after == 30);
+    return fastest;
+}
+
 }  // namespace
 
 TEST_CASE("springs beside pins give back no more than was put in, however stiff they are") {
@@ -304,6 +349,43 @@ TEST_CASE("boxes that are laid on a stiff bracket, and taken away, are not throw
             CHECK(most_speed(0.5) < 1.5f);
         }
     }
+}
+
+TEST_CASE("planks that are solved directly when a brace breaks throw boxes no faster the stiffer they are") {
+    const double by_soft_springs = fastest_after_brace(34);
+    for (const float frequency : {120.0f, 1000.0f, 100000.0f}) {
+        INFO(frequency << " Hz");
+        CHECK(fastest_after_brace(frequency) <= 1.1 * by_soft_springs);
+    }
+}
+
+// Its stiffness is w^2 m, and gravity stretches it by g/w^2.
+TEST_CASE("what never acts on a weight leaves the stiff spring that bears it as it is") {
+    constexpr float kFrequency_hz = 300;
+    const int beside = GENERATE(0, 1, 2, 3);
+    World world({.enable_sleep = false});
+    const BodyId ceiling = world.create_body({.type = BodyType::Static, .position_m = {0, 5}}).value();
+    const BodyId weight = add(world, {.position_m = {0, 4}}, Circle{{}, 0.2f}, {.density_kg_m2 = 8});
+    const JointId spring = world
+                               .create_joint(DistanceJointDef{.body_a = ceiling,
+                                                              .body_b = weight,
+                                                              .length_m = 1,
+                                                              .enable_spring = true,
+                                                              .frequency_hz = kFrequency_hz,
+                                                              .damping_ratio = 1})
+                               .value();
+    const BodyDef post{.type = BodyType::Static, .position_m = {0.1, 4}};
+    if (beside == 1) add(world, post, Circle{{}, 0.2f}, {.sensor = true});
+    if (beside == 2) add(world, post, Circle{{}, 0.2f}, {.one_way_normal = {0, 1}});
+    if (beside == 3) {
+        world.set_pair_filter({[](void*, ShapeId, ShapeId) { return false; }, nullptr});
+        add(world, post, Circle{{}, 0.2f});
+    }
+    run_for(world, 5);
+    const double w = 2 * kPiD * d(kFrequency_hz);
+    const double sag = d(world.joint(spring)->current_length()) - 1;
+    INFO("beside it " << beside);
+    CHECK(sag == Approx(10 / (w * w)).epsilon(0.05).margin(1e-7));
 }
 
 TEST_CASE("planks on stiff springs go the same way at every SIMD level and on every number of threads") {
