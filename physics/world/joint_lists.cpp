@@ -38,9 +38,10 @@ bool is_stiff(const JointRecord& record, float h_s) {
 
 bool fits_lane(const Stores& stores, int joint, float h_s) {
     const JointRecord& record = stores.joints.slots[joint];
-    if (record.direct || record.softened_hz > 0 || is_stiff(record, h_s)) return false;
+    if (record.direct) return false;
     if (!has_spring_for_lane<RevoluteJointDef>(record) && !has_spring_for_lane<WheelJointDef>(record))
         return false;
+    if (record.softened_hz > 0 || is_stiff(record, h_s)) return false;
     const BodyRecord& a = stores.bodies.slots[record.body_a];
     const BodyRecord& b = stores.bodies.slots[record.body_b];
     if (!can_be_moved(b) || locked_axes(a) != 0 || locked_axes(b) != 0) return false;
