@@ -31,9 +31,12 @@ bool has_spring_for_lane(const JointRecord& record) {
     return def != nullptr && (!def->enable_spring || (def->damping_ratio != 0 && record.stepped));
 }
 
-// Stiff springs are for the scalar solver too, which softens them where it must (stiff_springs.h).
-bool is_stiff(const JointRecord& record, float h_s) {
-    return acts_of(record.def).spring_hz > most_swept_frequency(h_s);
+// Stiff wheels may be as stiff as asked for, or on their way there, which constraints can tell
+// (stiff_springs.h). Pins with springs are always softened where they are swept.
+bool is_stiff_wheel(const JointRecord& record, float h_s) {
+    const auto* wheel = std::get_if<WheelJointDef>(&record.def);
+    return wheel != nullptr && wheel->enable_spring &&
+           (record.softened_hz > 0 || wheel->frequency_hz > most_swept_frequency(h_s));
 }
 
 bool fits_lane(const Stores& stores, int joint, float h_s) {
@@ -41,7 +44,7 @@ bool fits_lane(const Stores& stores, int joint, float h_s) {
     if (record.direct) return false;
     if (!has_spring_for_lane<RevoluteJointDef>(record) && !has_spring_for_lane<WheelJointDef>(record))
         return false;
-    if (record.softened_hz > 0 || is_stiff(record, h_s)) return false;
+    if (is_stiff_wheel(record, h_s)) return false;
     const BodyRecord& a = stores.bodies.slots[record.body_a];
     const BodyRecord& b = stores.bodies.slots[record.body_b];
     if (!can_be_moved(b) || locked_axes(a) != 0 || locked_axes(b) != 0) return false;
@@ -78,11 +81,13 @@ DriveLane make_laws(const Def& def, float h_s) {
     DriveLane drive;
     drive.softness = softness_of(def.stiffness, h_s);
     if (def.enable_spring) {
-        drive.spring_frequency_rad_s = 2 * kPi * def.frequency_hz;
+        const SpringTone tone = softened({def.frequency_hz, def.damping_ratio}, most_swept_frequency(h_s));
+        drive.spring_frequency_rad_s = 2 * kPi * tone.frequency_hz;
         drive.square = (drive.spring_frequency_rad_s * h_s) * (drive.spring_frequency_rad_s * h_s);
-        drive.damping = 2 * def.damping_ratio * (drive.spring_frequency_rad_s * h_s);
-        drive.spring = make_exact_spring(static_cast<double>(def.frequency_hz),
-                                         static_cast<double>(def.damping_ratio), static_cast<double>(h_s), 1);
+        drive.damping = 2 * tone.damping_ratio * (drive.spring_frequency_rad_s * h_s);
+        drive.spring =
+            make_exact_spring(static_cast<double>(tone.frequency_hz), static_cast<double>(tone.damping_ratio),
+                              static_cast<double>(h_s), 1);
     }
     if (def.enable_motor) {
         drive.motor_speed = def.motor_speed_rad_s;
@@ -146,6 +151,7 @@ bool try_to_seat(Stores& stores, int joint, float h_s) {
 
     record.seat = add_to_lane(joints.lanes, bucket, make_anchor(stores, joint), record, h_s);
     joints.lanes.set_impulses(record.seat, record.impulse);
+    record.softened_hz = 0;
     if (record.load_n != Vec2{}) joints.lanes.set_load(record.seat, record.load_n);
     return true;
 }
@@ -157,6 +163,7 @@ void forget_lane(Stores& stores, int joint) {
     const JointMemory memory = memory_of(joints, joint);
     record.impulse = memory.impulse;
     record.load_n = joints.lanes.load(record.seat);
+    record.softened_hz = softened_frequency(record.def, joints.lanes.h_s);
     record.angle_rad = memory.angle_rad;
     record.reaction_force = memory.reaction_force;
     record.reaction_torque = memory.reaction_torque;
@@ -170,10 +177,10 @@ void forget_lane(Stores& stores, int joint) {
     record.seat = {};
 }
 
-void unseat_stiff(Stores& stores, float h_s) {
+void unseat_stiff_wheels(Stores& stores, float h_s) {
     for (const int joint : stores.joints.active) {
         const JointRecord& record = stores.joints.slots[joint];
-        if (record.seat.lane != kNone && is_stiff(record, h_s)) leave_lane(stores, joint);
+        if (record.seat.lane != kNone && is_stiff_wheel(record, h_s)) leave_lane(stores, joint);
     }
 }
 
@@ -227,7 +234,7 @@ void seat_joints(Stores& stores, const StepTime& time, StepScratch& scratch) {
     JointStore& joints = stores.joints;
     if (joints.active.size() == 0 && joints.lanes.empty()) return;
     const bool other_time = joints.lanes.h_s != time.h_s;
-    if (other_time) unseat_stiff(stores, time.h_s);
+    if (other_time) unseat_stiff_wheels(stores, time.h_s);
     joints.lanes.arrange();
     if (other_time) {
         joints.lanes.h_s = time.h_s;

@@ -109,7 +109,10 @@ void redefine_joint(WorldState& world, int joint, JointDef def) {
     const bool sprung = acts_of(record.def).spring_hz > 0;
     record.def = std::move(def);
     // A spring that is switched on starts as a new one.
-    if (!sprung && acts_of(record.def).spring_hz > 0) record.stepped = false;
+    if (!sprung && acts_of(record.def).spring_hz > 0) {
+        record.stepped = false;
+        record.softened_hz = 0;
+    }
     turn_frames(stores.bodies, record, before);
     settle_pulley(stores, record);
     settle_gear(stores, record);

@@ -10,9 +10,11 @@
 namespace cairn::physics {
 namespace {
 
-// Springs that were softened stiffen e-fold in a second, and lift what weighs on them at first by twice its
-// sag a second.
-constexpr double kStiffening_1_s = 1;
+// Springs that were softened stiffen e-fold in a second at least, and by that lift what weighs on them at
+// first by twice its sag in a second; and faster where that would be slower than .5 m/s.
+constexpr float kStiffening_1_s = 1;
+constexpr float kLift_m_s = 0.5f;
+constexpr double kMostExponent = 3;  // in a step
 
 struct Tell {
     JointActs operator()(const RevoluteJointDef& def) const { return with_axis(def); }
@@ -115,6 +117,22 @@ bool disturbs_others(const Stores& stores, const JointConstraint& c, const StepS
     return is_held(record.body_a) || is_held(record.body_b);
 }
 
+// By the stretch, of angles at an arm of a metre.
+float stiffening_rate(const JointConstraint& c, const JointPlace& place) {
+    float stretch = 0;
+    for_each_stiffer(c, c.softened_hz, [&](const JointLaw& law) {
+        for (int i = 0; i < law.count; ++i)
+            stretch = std::max(stretch, std::fabs(place.directions[law.direction + i].q - law.target));
+    });
+    return std::max(kStiffening_1_s, kLift_m_s / (2 * std::max(stretch, 1e-6f)));
+}
+
+float grown(float frequency_hz, float rate_1_s, float dt_s) {
+    const double exponent =
+        std::min(static_cast<double>(rate_1_s) * static_cast<double>(dt_s), kMostExponent);
+    return frequency_hz * static_cast<float>(deterministic::exp(exponent));
+}
+
 bool must_be_soft(const Stores& stores, const JointConstraint& c, float most_hz, const StepScratch& scratch) {
     if (c.direct) return false;
     bool any_is_stiff = false;
@@ -132,6 +150,11 @@ JointActs acts_of(const JointDef& def) {
     return std::visit(Tell{}, def);
 }
 
+float softened_frequency(const JointDef& def, float h_s) {
+    const float most_hz = most_swept_frequency(h_s);
+    return acts_of(def).spring_hz > most_hz ? most_hz : 0;
+}
+
 void soften_stiff_springs(const Stores& stores, const StepTime& time, StepScratch& scratch) {
     const float most_hz = most_swept_frequency(time.h_s);
     const auto may_be_soft = [&](const JointConstraint& c) {
@@ -140,14 +163,15 @@ void soften_stiff_springs(const Stores& stores, const StepTime& time, StepScratc
     std::vector<JointConstraint>& joints = scratch.joints;
     if (std::none_of(joints.begin(), joints.end(), may_be_soft)) return;
     count_holds(stores, scratch);
-    const auto growth =
-        static_cast<float>(deterministic::exp(kStiffening_1_s * static_cast<double>(time.dt_s)));
-    for (JointConstraint& c : joints) {
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+        JointConstraint& c = joints[i];
         if (!may_be_soft(c)) continue;
-        const float stiffened_hz = c.softened_hz * growth;
         if (must_be_soft(stores, c, most_hz, scratch)) {
+            const float stiffened_hz = grown(c.softened_hz, kStiffening_1_s, time.dt_s);
             c.softened_hz = stiffened_hz > 0 ? std::min(stiffened_hz, most_hz) : most_hz;
-        } else {
+        } else if (c.softened_hz > 0) {
+            const float rate = c.direct ? stiffening_rate(c, scratch.joint_places[i]) : kStiffening_1_s;
+            const float stiffened_hz = grown(c.softened_hz, rate, time.dt_s);
             c.softened_hz = stiffened_hz < stiffest_hz(c) ? stiffened_hz : 0;
         }
         if (c.softened_hz > 0)

@@ -52,6 +52,9 @@ class StiffSprings {
     float softest_stiff_hz_ = std::numeric_limits<float>::infinity();
 };
 
+/// Of a joint whose springs are softened whatever acts beside them; 0: they are not stiff.
+float softened_frequency(const JointDef& def, float h_s);
+
 /// Of the constraints of a step: makes the stiff springs of those that are swept as soft as sweeps need them,
 /// where anything else holds, drives or may touch one of their bodies that can be moved. What was softened
 /// stiffens again by and by, when that is over, when the joint is solved directly, or in shorter substeps: at

@@ -121,8 +121,8 @@ ExactSpring crowded(ExactSpring spring, double square, double damping) {
     return square > kLeastStiff ? implicit(spring, square, damping) : spring;
 }
 
-ExactSpring in_structure(ExactSpring spring, double square, double damping) {
-    return square > kLeastStiffInStructure ? implicit(spring, square, damping) : spring;
+ExactSpring in_structure(ExactSpring spring, double square, double damping, bool is_softened) {
+    return is_softened || square > kLeastStiffInStructure ? implicit(spring, square, damping) : spring;
 }
 
 }  // namespace cairn::physics

@@ -69,8 +69,8 @@ bool is_crowd(const SpringLoad& load, double h_s);
 /// is 2 z w h.
 ExactSpring crowded(ExactSpring spring, double square, double damping);
 
-/// A spring that is solved directly: the same unless it is stiff. What bears on it is not as it would be
-/// alone, and undamped ones in a ring would make energy.
-ExactSpring in_structure(ExactSpring spring, double square, double damping);
+/// A spring that is solved directly: the same unless it is stiff, or on its way there. What bears on it is
+/// not as it would be alone, and undamped ones in a ring would make energy.
+ExactSpring in_structure(ExactSpring spring, double square, double damping, bool is_softened);
 
 }  // namespace cairn::physics

@@ -445,7 +445,7 @@ bool make_springs(std::span<JointConstraint> joints, float h_s, const std::vecto
         law.spring = calmed(alone, angle * angle, std::max(sum / (w * w), 1.0));
         const double damping = 2 * static_cast<double>(law.spring_damping_ratio) * angle;
         if (c.direct) {
-            law.spring = in_structure(law.spring, angle * angle, damping);
+            law.spring = in_structure(law.spring, angle * angle, damping, c.softened_hz > 0);
         } else if (is_crowded) {
             law.spring = crowded(law.spring, angle * angle, damping);
             some_crowded = true;

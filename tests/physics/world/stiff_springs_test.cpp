@@ -359,6 +359,36 @@ TEST_CASE("planks that are solved directly when a brace breaks throw boxes no fa
     }
 }
 
+TEST_CASE("planks that are swept for one step fall little, and are as stiff as before within a second") {
+    for (const float frequency : {120.0f, 1000.0f, 100000.0f}) {
+        INFO(frequency << " Hz");
+        Planks planks(JointSolver::Automatic, 10);
+        build_row(planks, 4, 1, {frequency, 1});
+        run_for(planks.world, 10);
+        const BodyId last = planks.planks.back();
+        const auto tip_m = [&] { return planks.world.body(last)->position().y; };
+        const double before_m = tip_m();
+        const Position at = planks.world.body(last)->position();
+        // It closes a loop.
+        const JointId rod =
+            planks.world
+                .create_joint(DistanceJointDef{.body_a = planks.wall,
+                                               .body_b = last,
+                                               .local_anchor_a_m = {0, 1.2f},
+                                               .length_m = static_cast<float>(std::hypot(at.x, 1.2 - at.y))})
+                .value();
+        planks.world.step(kStep_s).value();
+        planks.world.destroy_joint(rod).value();
+        double lowest_m = before_m;
+        for (int i = 0; i < 60; ++i) {
+            planks.world.step(kStep_s).value();
+            lowest_m = std::min(lowest_m, tip_m());
+        }
+        CHECK(lowest_m > before_m - 0.05);
+        CHECK(tip_m() == Approx(before_m).margin(0.002));
+    }
+}
+
 // Its stiffness is w^2 m, and gravity stretches it by g/w^2.
 TEST_CASE("what never acts on a weight leaves the stiff spring that bears it as it is") {
     constexpr float kFrequency_hz = 300;
