@@ -71,8 +71,10 @@ struct StateAccess {
     /// use(pins, drives, wheels, h, springs changed, has crowded springs, has loads, dt).
     template <class Lanes, class Use>
     static auto joints(Lanes& lanes, Use&& use) {
-        auto& [h_s, pins, drives, wheels, springs_changed, has_crowded_springs, has_loads, dt_s] = lanes;
-        return use(pins, drives, wheels, h_s, springs_changed, has_crowded_springs, has_loads, dt_s);
+        auto& [h_s, most_swept_hz, pins, drives, wheels, springs_changed, has_crowded_springs, has_loads,
+               dt_s] = lanes;
+        return use(pins, drives, wheels, h_s, most_swept_hz, springs_changed, has_crowded_springs, has_loads,
+                   dt_s);
     }
 
     /// use(blocks, anchors, links, free blocks, chains).

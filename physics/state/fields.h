@@ -249,6 +249,12 @@ template <Is<FilterJointDef> R, class Visit>
     visit(body_a, body_b, user_data);
 }
 
+template <Is<LastSteps> R, class Visit>
+[[gnu::always_inline]] constexpr void fields(R& r, Visit&& visit) {
+    auto& [h_s, longest_h_s, since_s] = r;
+    visit(h_s, longest_h_s, since_s);
+}
+
 /// Bodies follow from the links, the rest from the lists and lanes.
 template <Is<JointRecord> R, class Visit>
 [[gnu::always_inline]] constexpr void fields(R& r, Visit&& visit) {

@@ -241,18 +241,19 @@ void load_joints(Reader& in, JointStore& joints) {
 void save_joint_lists(const JointStore& joints, Writer& out) {
     StateAccess::list(joints.active, [&](const std::vector<int>& list) { out.list(list); });
     StateAccess::list(joints.swept, [&](const std::vector<int>& list) { out.list(list); });
-    StateAccess::joints(joints.lanes,
-                        [&](const auto& pins, const auto& drives, const auto& wheels, float h_s,
-                            bool springs_changed, bool has_crowded_springs, bool has_loads, float dt_s) {
-                            save_pool(pins, out);
-                            save_pool(drives, out);
-                            save_pool(wheels, out);
-                            out.value(h_s);
-                            out.value(springs_changed);
-                            out.value(has_crowded_springs);
-                            out.value(has_loads);
-                            out.value(dt_s);
-                        });
+    StateAccess::joints(joints.lanes, [&](const auto& pins, const auto& drives, const auto& wheels, float h_s,
+                                          float most_swept_hz, bool springs_changed, bool has_crowded_springs,
+                                          bool has_loads, float dt_s) {
+        save_pool(pins, out);
+        save_pool(drives, out);
+        save_pool(wheels, out);
+        out.value(h_s);
+        out.value(most_swept_hz);
+        out.value(springs_changed);
+        out.value(has_crowded_springs);
+        out.value(has_loads);
+        out.value(dt_s);
+    });
 }
 
 void load_joint_lists(Reader& in, Stores& stores) {
@@ -271,13 +272,14 @@ void load_joint_lists(Reader& in, Stores& stores) {
               [](const JointRecord& record) { return record.active_index != kNone; });
     if (!in.ok()) return;
     StateAccess::joints(joints.lanes,
-                        [&](auto& pins, auto& drives, auto& wheels, float& h_s, bool& springs_changed,
-                            bool& has_crowded_springs, bool& has_loads, float& dt_s) {
+                        [&](auto& pins, auto& drives, auto& wheels, float& h_s, float& most_swept_hz,
+                            bool& springs_changed, bool& has_crowded_springs, bool& has_loads, float& dt_s) {
                             Seating seating(in, stores);
                             seating.load_pool(pins, JointLaneKind::Pin);
                             if (in.ok()) seating.load_pool(drives, JointLaneKind::Drive);
                             if (in.ok()) seating.load_pool(wheels, JointLaneKind::Wheel);
                             in.value(h_s);
+                            in.value(most_swept_hz);
                             in.value(springs_changed);
                             in.value(has_crowded_springs);
                             in.value(has_loads);

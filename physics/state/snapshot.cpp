@@ -18,11 +18,11 @@ constexpr FrameKind kSnapshot{"CairnSta", "snapshot", 7};
 // Everything of a world. What is not part of the state: threads, what is measured, and what the host is
 // asked.
 void save(const WorldState& world, Writer& out) {
-    const auto& [def, stores, events, scratch, direct, step_count, stepping, profile, profiling, previous_h_s,
-                 tasks, restore_space] = world;
+    const auto& [def, stores, events, scratch, direct, step_count, stepping, profile, profiling, last, tasks,
+                 restore_space] = world;
     out.value(def);
     out.value(step_count);
-    out.value(previous_h_s);
+    out.value(last);
     const auto& [bodies, prototypes, shapes, fat_boxes, chains, contacts, joints, domains, broad, boxes_moved,
                  masses, rules, sensors, breakables, filter_calls] = stores;
     save_bodies(stores, out);
@@ -40,7 +40,8 @@ void load(Reader& in, RestoreSpace& to) {
     in.begin("settings");
     in.value(to.def);
     in.value(to.step_count);
-    in.value(to.previous_h_s);
+    in.value(to.last);
+    in.require(std::isfinite(to.last.longest_h_s), "the longest substep has no length");
     if (!in.settle()) return;
     if (const check::Fault fault = validate(to.def)) return in.fail(fault->message);
     Stores& stores = to.stores;
@@ -76,7 +77,7 @@ void take_over(WorldState& world, RestoreSpace& from) {
     world.def.tasks = tasks;
     world.def.threads = threads;
     world.step_count = from.step_count;
-    world.previous_h_s = from.previous_h_s;
+    world.last = from.last;
     forget_groups(world.direct);
     if (world.scratch.batches) world.scratch.batches->forget();
     if (world.scratch.standing) world.scratch.standing->unmoved.forget();

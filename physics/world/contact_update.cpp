@@ -98,7 +98,7 @@ class Update {
         }
         // What woke may hang together with what moves already, and nothing else holds its joints.
         if (stores_.bodies.rows(RowSet::Awake).size() > awake_before) {
-            choose_direct_groups(stores_, world_.def.joint_solver, time_.h_s, world_.direct);
+            choose_direct_groups(stores_, world_.def.joint_solver, time_.most_swept_hz, world_.direct);
             plain_.leave_to_groups();
         }
         stores_.contacts.lanes.arrange();

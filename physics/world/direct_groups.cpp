@@ -32,13 +32,13 @@ bool moves(const Stores& stores, int body) {
     return stores.bodies.is_awake(body) && (record.inverse_mass > 0 || record.inverse_inertia > 0);
 }
 
-void find_structures(Stores& stores, JointSolver solver, float h_s, DirectGroups& groups) {
+void find_structures(Stores& stores, JointSolver solver, float most_swept_hz, DirectGroups& groups) {
     for (const DirectStructure& s : groups.structures) {
         for (const int body : s.bodies) groups.structure_of[static_cast<std::size_t>(body)] = kNone;
     }
     groups.structure_of.resize(static_cast<std::size_t>(stores.bodies.slots.end_index()), kNone);
     for (const int joint : stores.joints.active) stores.joints.slots[joint].direct = false;
-    groups.search.find(stores, solver, h_s, groups.structures, groups.without_loads);
+    groups.search.find(stores, solver, most_swept_hz, groups.structures, groups.without_loads);
     for (std::size_t s = 0; s < groups.structures.size(); ++s) {
         for (const int body : groups.structures[s].bodies)
             groups.structure_of[static_cast<std::size_t>(body)] = static_cast<int>(s);
@@ -258,10 +258,10 @@ void forget_groups(Stores& stores, DirectGroups& groups) {
 
 }  // namespace
 
-void choose_direct_groups(Stores& stores, JointSolver solver, float h_s, DirectGroups& groups) {
+void choose_direct_groups(Stores& stores, JointSolver solver, float most_swept_hz, DirectGroups& groups) {
     forget_groups(stores, groups);
-    if (groups.version != stores.joints.version || !groups.search.holds_for(h_s))
-        find_structures(stores, solver, h_s, groups);
+    if (groups.version != stores.joints.version || !groups.search.holds_for(most_swept_hz))
+        find_structures(stores, solver, most_swept_hz, groups);
     const bool any = !groups.structures.empty() || stores.contacts.uneven.size() > 0;
     if (!any || solver == JointSolver::Sweeping) return;
     for (const DirectStructure& structure : groups.structures) {

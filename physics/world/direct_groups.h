@@ -13,6 +13,6 @@ inline constexpr float kUnevenMasses = 50;
 /// Stage: finds structures anew when joints or what they join changed, or substeps so much that springs are
 /// stiff that were not, and takes their joints out of the lanes; then what touches structures and uneven
 /// contacts. Marks the bodies of all groups in their places.
-void choose_direct_groups(Stores& stores, JointSolver solver, float h_s, DirectGroups& groups);
+void choose_direct_groups(Stores& stores, JointSolver solver, float most_swept_hz, DirectGroups& groups);
 
 }  // namespace cairn::physics

@@ -54,7 +54,7 @@ bool StructureSearch::Masses::are_uneven(float ratio) const {
     return least_inverse > 0 && most_inverse / least_inverse > ratio;
 }
 
-void StructureSearch::find(const Stores& stores, JointSolver solver, float h_s,
+void StructureSearch::find(const Stores& stores, JointSolver solver, float most_swept_hz,
                            std::vector<DirectStructure>& structures,
                            std::vector<DirectStructure>& without_loads) {
     springs_.forget();
@@ -66,7 +66,7 @@ void StructureSearch::find(const Stores& stores, JointSolver solver, float h_s,
     static_assert(kMassRatio <= kUnevenMasses);
     if (solver != JointSolver::Direct && !masses.are_uneven(kMassRatio) && !is_any_held(stores)) return;
     join(stores);
-    sum_up(stores, h_s);
+    sum_up(stores, most_swept_hz);
     list(stores, solver, structures, without_loads);
 }
 
@@ -133,7 +133,7 @@ void StructureSearch::join(const Stores& stores) {
 }
 
 // In the order of their first joints.
-void StructureSearch::sum_up(const Stores& stores, float h_s) {
+void StructureSearch::sum_up(const Stores& stores, float most_swept_hz) {
     summaries_.clear();
     of_root_.assign(moves_.size(), kNone);
     seen_.assign(moves_.size(), 0);
@@ -152,7 +152,7 @@ void StructureSearch::sum_up(const Stores& stores, float h_s) {
         const auto* pin = std::get_if<RevoluteJointDef>(&record.def);
         s.plain_pins = s.plain_pins && pin != nullptr && is_plain_pin(*pin);
         s.lacks_load = s.lacks_load || !record.load_known;
-        note_springs(record.def, h_s, s);
+        note_springs(record.def, most_swept_hz, s);
         for_each_body(stores, joint, [&](int body) {
             if (!moves(body)) s.is_held = true;
             if (!moves(body) || seen_[at(body)]) return;
@@ -163,10 +163,10 @@ void StructureSearch::sum_up(const Stores& stores, float h_s) {
     });
 }
 
-void StructureSearch::note_springs(const JointDef& def, float h_s, Summary& s) {
+void StructureSearch::note_springs(const JointDef& def, float most_swept_hz, Summary& s) {
     const JointActs acts = acts_of(def);
     s.holds = s.holds || acts.holds;
-    if (acts.spring_hz > 0 && springs_.note(acts.spring_hz, h_s)) ++s.stiff_springs;
+    if (acts.spring_hz > 0 && springs_.note(acts.spring_hz, most_swept_hz)) ++s.stiff_springs;
 }
 
 // Stiff springs that bear each other, or what is held: sweeps hand down too little from one to the other.

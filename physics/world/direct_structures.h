@@ -26,13 +26,13 @@ struct DirectStructure {
 
 class StructureSearch {
   public:
-    /// Structures that are to be solved directly in substeps of h_s, as the choice of the world says. Those
-    /// of plain pins that would be but for their loops, and have pins whose loads are not known, are
-    /// `without_loads`.
-    void find(const Stores& stores, JointSolver solver, float h_s, std::vector<DirectStructure>& structures,
-              std::vector<DirectStructure>& without_loads);
-    /// Whether substeps of h_s change nothing of what was found.
-    [[nodiscard]] bool holds_for(float h_s) const { return springs_.hold_for(h_s); }
+    /// Structures that are to be solved directly where springs of more than most_swept_hz are stiff, as the
+    /// choice of the world says. Those of plain pins that would be but for their loops, and have pins whose
+    /// loads are not known, are `without_loads`.
+    void find(const Stores& stores, JointSolver solver, float most_swept_hz,
+              std::vector<DirectStructure>& structures, std::vector<DirectStructure>& without_loads);
+    /// Whether another most_swept_hz changes nothing of what was found.
+    [[nodiscard]] bool holds_for(float most_swept_hz) const { return springs_.hold_for(most_swept_hz); }
     /// Empties the list, and keeps the memory of its structures for those that are found next.
     void recycle(std::vector<DirectStructure>& structures);
 
@@ -61,12 +61,12 @@ class StructureSearch {
     [[nodiscard]] bool moves(int body) const { return moves_[static_cast<std::size_t>(body)] != 0; }
     [[nodiscard]] bool is_any_held(const Stores& stores) const;
     void join(const Stores& stores);
-    void sum_up(const Stores& stores, float h_s);
+    void sum_up(const Stores& stores, float most_swept_hz);
     [[nodiscard]] static bool is_pendulum(const Summary& s);
     [[nodiscard]] static bool bears_with_few(const Summary& s);
     [[nodiscard]] static bool may_be_hard(const Summary& s);
     [[nodiscard]] static bool is_stiff(const Summary& s);
-    void note_springs(const JointDef& def, float h_s, Summary& s);
+    void note_springs(const JointDef& def, float most_swept_hz, Summary& s);
     [[nodiscard]] static bool may_need_loads(const Summary& s);
     void list(const Stores& stores, JointSolver solver, std::vector<DirectStructure>& structures,
               std::vector<DirectStructure>& without_loads);

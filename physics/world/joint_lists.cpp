@@ -33,18 +33,18 @@ bool has_spring_for_lane(const JointRecord& record) {
 
 // Stiff wheels may be as stiff as asked for, or on their way there, which constraints can tell
 // (stiff_springs.h). Pins with springs are always softened where they are swept.
-bool is_stiff_wheel(const JointRecord& record, float h_s) {
+bool is_stiff_wheel(const JointRecord& record, float most_swept_hz) {
     const auto* wheel = std::get_if<WheelJointDef>(&record.def);
     return wheel != nullptr && wheel->enable_spring &&
-           (record.softened_hz > 0 || wheel->frequency_hz > most_swept_frequency(h_s));
+           (record.softened_hz > 0 || wheel->frequency_hz > most_swept_hz);
 }
 
-bool fits_lane(const Stores& stores, int joint, float h_s) {
+bool fits_lane(const Stores& stores, int joint, float most_swept_hz) {
     const JointRecord& record = stores.joints.slots[joint];
     if (record.direct) return false;
     if (!has_spring_for_lane<RevoluteJointDef>(record) && !has_spring_for_lane<WheelJointDef>(record))
         return false;
-    if (is_stiff_wheel(record, h_s)) return false;
+    if (is_stiff_wheel(record, most_swept_hz)) return false;
     const BodyRecord& a = stores.bodies.slots[record.body_a];
     const BodyRecord& b = stores.bodies.slots[record.body_b];
     if (!can_be_moved(b) || locked_axes(a) != 0 || locked_axes(b) != 0) return false;
@@ -77,11 +77,12 @@ AnchorLane make_anchor(const Stores& stores, int joint) {
 
 // All but where the spring draws to and the limits are.
 template <class Def>
-DriveLane make_laws(const Def& def, float h_s) {
+DriveLane make_laws(const Def& def, const StepTime& time) {
+    const float h_s = time.h_s;
     DriveLane drive;
     drive.softness = softness_of(def.stiffness, h_s);
     if (def.enable_spring) {
-        const SpringTone tone = softened({def.frequency_hz, def.damping_ratio}, most_swept_frequency(h_s));
+        const SpringTone tone = softened({def.frequency_hz, def.damping_ratio}, time.most_swept_hz);
         drive.spring_frequency_rad_s = 2 * kPi * tone.frequency_hz;
         drive.square = (drive.spring_frequency_rad_s * h_s) * (drive.spring_frequency_rad_s * h_s);
         drive.damping = 2 * tone.damping_ratio * (drive.spring_frequency_rad_s * h_s);
@@ -96,9 +97,9 @@ DriveLane make_laws(const Def& def, float h_s) {
     return drive;
 }
 
-DriveLane make_drive(const RevoluteJointDef& def, float h_s) {
+DriveLane make_drive(const RevoluteJointDef& def, const StepTime& time) {
     const float frames = def.local_angle_b_rad - def.local_angle_a_rad;
-    DriveLane drive = make_laws(def, h_s);
+    DriveLane drive = make_laws(def, time);
     if (def.enable_spring) drive.spring_target = def.target_rad - frames;
     if (def.enable_limit) {
         drive.lower = std::max(def.lower_rad - frames, -kNoLimit);
@@ -107,8 +108,8 @@ DriveLane make_drive(const RevoluteJointDef& def, float h_s) {
     return drive;
 }
 
-DriveLane make_drive(const WheelJointDef& def, float h_s) {
-    DriveLane drive = make_laws(def, h_s);
+DriveLane make_drive(const WheelJointDef& def, const StepTime& time) {
+    DriveLane drive = make_laws(def, time);
     if (def.enable_spring) drive.spring_target = def.target_m;
     if (def.enable_limit) {
         drive.lower = std::max(def.lower_m, -kNoLimit);
@@ -117,24 +118,24 @@ DriveLane make_drive(const WheelJointDef& def, float h_s) {
     return drive;
 }
 
-DriveLane make_drive(const JointRecord& record, float h_s) {
-    if (const auto* wheel = std::get_if<WheelJointDef>(&record.def)) return make_drive(*wheel, h_s);
-    return make_drive(std::get<RevoluteJointDef>(record.def), h_s);
+DriveLane make_drive(const JointRecord& record, const StepTime& time) {
+    if (const auto* wheel = std::get_if<WheelJointDef>(&record.def)) return make_drive(*wheel, time);
+    return make_drive(std::get<RevoluteJointDef>(record.def), time);
 }
 
 JointSeat add_to_lane(JointLanes& lanes, int bucket, const AnchorLane& anchor, const JointRecord& record,
-                      float h_s) {
+                      const StepTime& time) {
     if (const auto* wheel = std::get_if<WheelJointDef>(&record.def)) {
         const Rotation frame = Rotation::from_angle(static_cast<double>(wheel->local_angle_a_rad));
-        return lanes.add_wheel(bucket, anchor, {frame.c, frame.s}, make_drive(*wheel, h_s));
+        return lanes.add_wheel(bucket, anchor, {frame.c, frame.s}, make_drive(*wheel, time));
     }
     const auto& revolute = std::get<RevoluteJointDef>(record.def);
     if (is_plain_pin(revolute)) return lanes.add_pin(bucket, anchor);
-    return lanes.add_drive(bucket, anchor, make_drive(revolute, h_s));
+    return lanes.add_drive(bucket, anchor, make_drive(revolute, time));
 }
 
-bool try_to_seat(Stores& stores, int joint, float h_s) {
-    if (!fits_lane(stores, joint, h_s)) return false;
+bool try_to_seat(Stores& stores, int joint, const StepTime& time) {
+    if (!fits_lane(stores, joint, time.most_swept_hz)) return false;
     JointStore& joints = stores.joints;
     JointRecord& record = joints.slots[joint];
     const bool both = can_be_moved(stores.bodies.slots[record.body_a]);
@@ -149,7 +150,7 @@ bool try_to_seat(Stores& stores, int joint, float h_s) {
     joints.colors[static_cast<std::size_t>(record.body_b)] |= 1u << color;
     if (both) joints.colors[static_cast<std::size_t>(record.body_a)] |= 1u << color;
 
-    record.seat = add_to_lane(joints.lanes, bucket, make_anchor(stores, joint), record, h_s);
+    record.seat = add_to_lane(joints.lanes, bucket, make_anchor(stores, joint), record, time);
     joints.lanes.set_impulses(record.seat, record.impulse);
     record.softened_hz = 0;
     if (record.load_n != Vec2{}) joints.lanes.set_load(record.seat, record.load_n);
@@ -163,7 +164,7 @@ void forget_lane(Stores& stores, int joint) {
     const JointMemory memory = memory_of(joints, joint);
     record.impulse = memory.impulse;
     record.load_n = joints.lanes.load(record.seat);
-    record.softened_hz = softened_frequency(record.def, joints.lanes.h_s);
+    record.softened_hz = softened_frequency(record.def, joints.lanes.most_swept_hz);
     record.angle_rad = memory.angle_rad;
     record.reaction_force = memory.reaction_force;
     record.reaction_torque = memory.reaction_torque;
@@ -177,10 +178,10 @@ void forget_lane(Stores& stores, int joint) {
     record.seat = {};
 }
 
-void unseat_stiff_wheels(Stores& stores, float h_s) {
+void unseat_stiff_wheels(Stores& stores, float most_swept_hz) {
     for (const int joint : stores.joints.active) {
         const JointRecord& record = stores.joints.slots[joint];
-        if (record.seat.lane != kNone && is_stiff_wheel(record, h_s)) leave_lane(stores, joint);
+        if (record.seat.lane != kNone && is_stiff_wheel(record, most_swept_hz)) leave_lane(stores, joint);
     }
 }
 
@@ -233,19 +234,20 @@ void forget_memory(Stores& stores, int joint) {
 void seat_joints(Stores& stores, const StepTime& time, StepScratch& scratch) {
     JointStore& joints = stores.joints;
     if (joints.active.size() == 0 && joints.lanes.empty()) return;
-    const bool other_time = joints.lanes.h_s != time.h_s;
-    if (other_time) unseat_stiff_wheels(stores, time.h_s);
+    const bool other_time = joints.lanes.h_s != time.h_s || joints.lanes.most_swept_hz != time.most_swept_hz;
+    if (other_time) unseat_stiff_wheels(stores, time.most_swept_hz);
     joints.lanes.arrange();
     if (other_time) {
         joints.lanes.h_s = time.h_s;
-        joints.lanes.set_drives([&](int joint) { return make_drive(joints.slots[joint], time.h_s); });
+        joints.lanes.most_swept_hz = time.most_swept_hz;
+        joints.lanes.set_drives([&](int joint) { return make_drive(joints.slots[joint], time); });
     }
     if (joints.swept.size() == 0) return;
     const auto bodies = static_cast<std::size_t>(stores.bodies.slots.end_index());
     if (joints.colors.size() < bodies) joints.colors.resize(bodies, 0);
     scratch.unseated.assign(joints.swept.begin(), joints.swept.end());
     for (const int joint : scratch.unseated) {
-        if (try_to_seat(stores, joint, time.h_s)) joints.swept.remove(joints.slots, joint);
+        if (try_to_seat(stores, joint, time)) joints.swept.remove(joints.slots, joint);
     }
     joints.lanes.arrange();
 }

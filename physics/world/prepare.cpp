@@ -97,10 +97,29 @@ int substeps_under(float gravity_m_s2, float dt_s, int least, float unit) {
     return std::max(least, substeps);
 }
 
-StepTime make_step_time(float dt_s, int substeps, float previous_h_s) {
+namespace {
+
+// How long a substep counts that no longer one has followed.
+constexpr float kLongestCounts_s = 1;
+
+float longest_substep(float h_s, const LastSteps& last) {
+    return h_s >= last.longest_h_s || last.since_s >= kLongestCounts_s ? h_s : last.longest_h_s;
+}
+
+}  // namespace
+
+StepTime make_step_time(float dt_s, int substeps, const LastSteps& last) {
     const float h_s = dt_s / static_cast<float>(substeps);
-    const float ratio = previous_h_s > 0 ? h_s / previous_h_s : 1;
-    return {dt_s, h_s, substeps, ratio, std::min(ratio, 1.0f)};
+    const float ratio = last.h_s > 0 ? h_s / last.h_s : 1;
+    return {
+        dt_s, h_s, substeps, ratio, std::min(ratio, 1.0f), most_swept_frequency(longest_substep(h_s, last))};
+}
+
+void note_step(const StepTime& time, LastSteps& last) {
+    const float longest_h_s = longest_substep(time.h_s, last);
+    last.since_s = longest_h_s == time.h_s ? 0 : last.since_s + time.dt_s;
+    last.longest_h_s = longest_h_s;
+    last.h_s = time.h_s;
 }
 
 void prepare_motions(BodyStore& bodies, Vec2 gravity_m_s2, float dt_s, StepScratch& scratch,

@@ -12,6 +12,7 @@ struct StepTime {
     float step_ratio = 1;  // of this step's substep to the last one's
     // The same, at most 1: impulses of which no estimate is known do not grow with the step.
     float impulse_ratio = 1;
+    float most_swept_hz = 0;  // of springs that are not stiff
 };
 
 /// As many substeps as were asked for, or more where gravity would take a body from rest further than half
@@ -20,7 +21,10 @@ struct StepTime {
 /// 1 (world/tiny_contacts.h), half the slop counts: with the whole a stack of 6 mm falls.
 int substeps_under(float gravity_m_s2, float dt_s, int least, float unit = 1);
 
-StepTime make_step_time(float dt_s, int substeps, float previous_h_s);
+StepTime make_step_time(float dt_s, int substeps, const LastSteps& last);
+
+/// Once the step is over.
+void note_step(const StepTime& time, LastSteps& last);
 
 /// Stage: the motion of each awake body, and what acts on it in this step.
 void prepare_motions(BodyStore& bodies, Vec2 gravity_m_s2, float dt_s, StepScratch& scratch, TaskPool& tasks);

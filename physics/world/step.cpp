@@ -54,8 +54,8 @@ void step_world(WorldState& world, float dt_s) {
     cover_fast_ways(stores, def.gravity_m_s2, dt_s, scratch, tasks);
     find_new_pairs(stores, scratch, tasks);
     const int substeps = substeps_under(length(def.gravity_m_s2), dt_s, def.substeps, least_unit(stores));
-    const StepTime time = make_step_time(dt_s, substeps, world.previous_h_s);
-    choose_direct_groups(stores, def.joint_solver, time.h_s, world.direct);
+    const StepTime time = make_step_time(dt_s, substeps, world.last);
+    choose_direct_groups(stores, def.joint_solver, time.most_swept_hz, world.direct);
     prepare_motions(stores.bodies, def.gravity_m_s2, dt_s, scratch, tasks);
     clock.enter(Stage::Contacts);
     const ContactRules rules =
@@ -130,7 +130,7 @@ void step_world(WorldState& world, float dt_s) {
     clock.enter(Stage::Sleep);
     sleep_islands(stores, world.step_count, scratch);
     break_overloaded(world);
-    world.previous_h_s = time.h_s;
+    note_step(time, world.last);
     ++world.step_count;
 }
 

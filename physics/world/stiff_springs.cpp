@@ -150,13 +150,12 @@ JointActs acts_of(const JointDef& def) {
     return std::visit(Tell{}, def);
 }
 
-float softened_frequency(const JointDef& def, float h_s) {
-    const float most_hz = most_swept_frequency(h_s);
-    return acts_of(def).spring_hz > most_hz ? most_hz : 0;
+float softened_frequency(const JointDef& def, float most_swept_hz) {
+    return acts_of(def).spring_hz > most_swept_hz ? most_swept_hz : 0;
 }
 
 void soften_stiff_springs(const Stores& stores, const StepTime& time, StepScratch& scratch) {
-    const float most_hz = most_swept_frequency(time.h_s);
+    const float most_hz = time.most_swept_hz;
     const auto may_be_soft = [&](const JointConstraint& c) {
         return c.softened_hz > 0 || (!c.direct && stiffest_hz(c) > most_hz);
     };

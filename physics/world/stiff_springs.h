@@ -27,13 +27,13 @@ struct JointActs {
 };
 JointActs acts_of(const JointDef& def);
 
-/// Which springs are stiff in substeps of some length, and for how long that stays so.
+/// Which springs are stiff, and for how long that stays so.
 class StiffSprings {
   public:
     void forget() { *this = {}; }
     /// Whether a spring is stiff; it is kept in mind.
-    bool note(float frequency_hz, float h_s) {
-        const bool stiff = frequency_hz > most_swept_frequency(h_s);
+    bool note(float frequency_hz, float most_swept_hz) {
+        const bool stiff = frequency_hz > most_swept_hz;
         if (stiff) {
             softest_stiff_hz_ = std::min(softest_stiff_hz_, frequency_hz);
         } else {
@@ -41,10 +41,9 @@ class StiffSprings {
         }
         return stiff;
     }
-    /// Whether the springs that were noted are all what they were in substeps of h_s, too.
-    [[nodiscard]] bool hold_for(float h_s) const {
-        const float most = most_swept_frequency(h_s);
-        return stiffest_soft_hz_ <= most && softest_stiff_hz_ > most;
+    /// Whether the springs that were noted are all what they were with this bound, too.
+    [[nodiscard]] bool hold_for(float most_swept_hz) const {
+        return stiffest_soft_hz_ <= most_swept_hz && softest_stiff_hz_ > most_swept_hz;
     }
 
   private:
@@ -53,7 +52,7 @@ class StiffSprings {
 };
 
 /// Of a joint whose springs are softened whatever acts beside them; 0: they are not stiff.
-float softened_frequency(const JointDef& def, float h_s);
+float softened_frequency(const JointDef& def, float most_swept_hz);
 
 /// Of the constraints of a step: makes the stiff springs of those that are swept as soft as sweeps need them,
 /// where anything else holds, drives or may touch one of their bodies that can be moved. What was softened

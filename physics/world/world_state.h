@@ -458,6 +458,14 @@ struct DirectGroups {
     std::vector<int> body_of_row;  // working list of DirectComponent::assemble
 };
 
+/// What is known of the last steps.
+struct LastSteps {
+    float h_s = 0;  // of a substep of the last one
+    float longest_h_s =
+        0;              // of a second or more, so that short steps among them make nothing else of springs
+    float since_s = 0;  // that one
+};
+
 /// What a snapshot is read into before it takes the place of the world's own (state/snapshot.cpp); kept for
 /// its memory.
 struct RestoreSpace {
@@ -467,7 +475,7 @@ struct RestoreSpace {
     Stores stores;
     Events events;
     std::uint64_t step_count = 0;
-    float previous_h_s = 0;
+    LastSteps last;
     std::vector<std::uint8_t> marks;  // by body, while checking
 };
 
@@ -486,8 +494,8 @@ struct WorldState {
     bool stepping = false;  // the host may be asked within a step
     Profile profile;        // of the last step
     bool profiling = false;
-    float previous_h_s = 0;  // of a substep of the last step
-    TaskPool tasks;          // with one thread, the default, it is empty and runs loops where they stand
+    LastSteps last;
+    TaskPool tasks;  // with one thread, the default, it is empty and runs loops where they stand
     std::unique_ptr<RestoreSpace> restore_space;  // made by the first restore
 };
 

@@ -103,6 +103,8 @@ class JointLanes {
 
     /// Of the substeps for which the drives were made, s.
     float h_s = 0;
+    /// For which they were made, Hz: stiffer springs are softened to it.
+    float most_swept_hz = 0;
 
     // The stages of a step, in their order.
 

@@ -4,11 +4,11 @@
 // of the body. What a joint holds, drives and limits is how frame b stands to frame a.
 //
 // Springs have the frequency and the damping ratio that were asked for. Those that swing by more than .9 rad
-// in a substep (34 Hz at four substeps of 60 steps a second) are that stiff and no stiffer, with a damping
-// ratio of .5 or more, where they are swept and something else acts on their bodies: what the joint does in
-// other directions (but on rails), another joint, be it a slack rope, or a contact that is near enough to
-// act. When that ends, or substeps get shorter, they stiffen e-fold in a second. What is solved directly is
-// as stiff as it is asked to be.
+// in the longest substep of the last second (34 Hz at four substeps of 60 steps a second) are that stiff and
+// no stiffer, with a damping ratio of .5 or more, where they are swept and something else acts on their
+// bodies: what the joint does in other directions (but on rails), another joint, be it a slack rope, or a
+// contact that is near enough to act. When that ends they stiffen e-fold in a second, or faster. What is
+// solved directly is as stiff as it is asked to be.
 #pragma once
 
 #include <cstdint>
