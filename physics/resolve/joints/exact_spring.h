@@ -34,7 +34,7 @@ struct SpringTone {
 };
 
 /// The same, or if it is stiffer than it may be as stiff as that and damped by this ratio at least. With .3
-/// one of 600 rows of hinges grew, whose springs should have had none.
+/// one of 600 structures of hinges grew, whose springs should have had none.
 inline constexpr float kLeastSoftenedDamping = 0.5f;
 inline SpringTone softened(const SpringTone& spring, float most_hz) {
     if (spring.frequency_hz <= most_hz) return spring;
