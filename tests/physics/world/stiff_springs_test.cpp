@@ -11,16 +11,14 @@
 
 #include "physics/support/making.h"
 #include "physics/support/precise.h"
+#include "resolve/joints/exact_spring.h"
 
 namespace cairn::physics {
 namespace {
 
 using namespace test;
 
-struct Spring {
-    float frequency_hz;
-    float damping_ratio;
-};
+using Spring = SpringTone;
 
 // Planks of a metre that pass through each other, pinned end to end.
 struct Planks {

@@ -6,16 +6,14 @@
 #include <random>
 
 #include "physics/support/making.h"
+#include "resolve/joints/exact_spring.h"
 
 namespace cairn::physics {
 namespace {
 
 using namespace test;
 
-struct Spring {
-    float frequency_hz;
-    float damping_ratio;
-};
+using Spring = SpringTone;
 
 // Two boxes of a metre that float and pass through each other, on one rail with a spring at rest.
 struct Pair {
