@@ -249,10 +249,12 @@ void prepare_joints(Stores& stores, const StepTime& time, StepScratch& scratch, 
 }
 
 void store_joint_impulses(JointStore& joints, const StepTime& time, const StepScratch& scratch) {
-    for (const JointConstraint& c : scratch.joints) {
+    for (std::size_t i = 0; i < scratch.joints.size(); ++i) {
+        const JointConstraint& c = scratch.joints[i];
         JointRecord& record = joints.slots[c.joint];
         record.stepped = true;
-        record.softened_hz = c.softened_hz;
+        record.softened_hz =
+            c.has_spring ? softened_frequency(c, scratch.joint_places[i], time.h_s) : c.softened_hz;
         record.impulse = c.impulse;
         record.angle_rad += static_cast<double>(scratch.motions.angle(c.anchors.b)) -
                             static_cast<double>(scratch.motions.angle(c.anchors.a));

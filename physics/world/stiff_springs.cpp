@@ -16,6 +16,10 @@ constexpr float kStiffening_1_s = 1;
 constexpr float kLift_m_s = 0.5f;
 constexpr double kMostExponent = 3;  // in a step
 
+// Of springs that bear.
+constexpr float kLeastStretch_m = 1e-6f;
+constexpr float kSoftest_hz = 1;
+
 struct Tell {
     JointActs operator()(const RevoluteJointDef& def) const { return with_axis(def); }
     JointActs operator()(const PrismaticJointDef& def) const { return with_axis(def); }
@@ -50,10 +54,14 @@ bool holds(const JointConstraint& c) {
                        [](const JointLaw& law) { return law.kind != LawKind::Spring; });
 }
 
+bool is_rail(const JointConstraint& c) {
+    return c.kind == JointKind::Wheel || c.kind == JointKind::Prismatic;
+}
+
 // Whether what the joint does elsewhere calls for the spring. On rails both are pushed together
 // (joint_solver.cpp); limits lie along their spring.
 bool disturbs_itself(const JointConstraint& c, const JointLaw& spring) {
-    if (c.kind == JointKind::Wheel || c.kind == JointKind::Prismatic) return false;
+    if (is_rail(c)) return false;
     return std::any_of(c.laws.begin(), c.laws.begin() + c.law_count,
                        [&](const JointLaw& law) { return law.direction != spring.direction; });
 }
@@ -75,10 +83,22 @@ float stiffest_hz(const JointConstraint& c) {
     return most;
 }
 
-void soften(JointLaw& law, float most_hz) {
-    const SpringTone tone = softened({law.spring_frequency_hz, law.spring_damping_ratio}, most_hz);
+SpringTone tone_of(const JointLaw& law) {
+    return {law.spring_frequency_hz, law.spring_damping_ratio};
+}
+
+void tune(JointLaw& law, const SpringTone& tone) {
     law.spring_frequency_hz = tone.frequency_hz;
     law.spring_damping_ratio = tone.damping_ratio;
+}
+
+void soften(JointLaw& law, float most_hz) {
+    tune(law, softened(tone_of(law), most_hz));
+}
+
+void let_bear(JointLaw& law, float most_hz) {
+    tune(law, bearing_tone(tone_of(law), most_hz));
+    law.bears = true;
 }
 
 // How many joints hold each row, of which more than two are two.
@@ -101,20 +121,30 @@ bool acts(const ContactRecord& contact) {
     return !special::has(contact, special::kRefused | special::kPassing);
 }
 
-// Whether something else holds a body that the spring moves: another joint, or what the body may touch.
-bool disturbs_others(const Stores& stores, const JointConstraint& c, const StepScratch& scratch) {
+// What else acts on the bodies that a spring moves.
+struct Disturbed {
+    bool by_joints = false;    // that hold one of them
+    bool by_contacts = false;  // of what one of them may touch
+    bool stands = false;       // one of them is moved by contacts, and held by no other joint
+};
+
+Disturbed what_is_disturbed(const Stores& stores, const JointConstraint& c, const StepScratch& scratch) {
     const JointRecord& record = stores.joints.slots[c.joint];
     const int own = holds(c) ? 1 : 0;
-    const auto is_held = [&](int body) {
-        const BodyRecord& held = stores.bodies.slots[body];
-        if (held.inverse_mass == 0 && held.inverse_inertia == 0) return false;
+    Disturbed disturbed;
+    for (const int body : {record.body_a, record.body_b}) {
+        const BodyRecord& moved = stores.bodies.slots[body];
+        if (moved.inverse_mass == 0 && moved.inverse_inertia == 0) continue;
         const int row = stores.bodies.places[body].row;
-        bool is = scratch.holds_of_row[static_cast<std::size_t>(row)] > own;
-        for_each_edge(stores.contacts.slots, held.first_contact,
-                      [&](int contact, int) { is = is || acts(stores.contacts.slots[contact]); });
-        return is;
-    };
-    return is_held(record.body_a) || is_held(record.body_b);
+        const bool is_held = scratch.holds_of_row[static_cast<std::size_t>(row)] > own;
+        bool touches = false;
+        for_each_edge(stores.contacts.slots, moved.first_contact,
+                      [&](int contact, int) { touches = touches || acts(stores.contacts.slots[contact]); });
+        disturbed.by_joints = disturbed.by_joints || is_held;
+        disturbed.by_contacts = disturbed.by_contacts || touches;
+        disturbed.stands = disturbed.stands || (touches && !is_held);
+    }
+    return disturbed;
 }
 
 // By the stretch, of angles at an arm of a metre.
@@ -133,15 +163,26 @@ float grown(float frequency_hz, float rate_1_s, float dt_s) {
     return frequency_hz * static_cast<float>(deterministic::exp(exponent));
 }
 
-bool must_be_soft(const Stores& stores, const JointConstraint& c, float most_hz, const StepScratch& scratch) {
-    if (c.direct) return false;
+// How the stiff springs of a joint are solved.
+enum class Way {
+    AsAsked,  // by their poles, or directly
+    Bearing,  // as stiff as asked for, and damped more
+    Soft,     // as stiff as a sweep can follow
+};
+
+Way way_of(const Stores& stores, const JointConstraint& c, float most_hz, const StepScratch& scratch) {
+    if (c.direct) return Way::AsAsked;
     bool any_is_stiff = false;
-    bool must = false;
+    bool must_be_soft = false;
     for_each_stiffer(c, most_hz, [&](const JointLaw& law) {
         any_is_stiff = true;
-        must = must || disturbs_itself(c, law);
+        must_be_soft = must_be_soft || disturbs_itself(c, law);
     });
-    return must || (any_is_stiff && disturbs_others(stores, c, scratch));
+    if (must_be_soft) return Way::Soft;
+    if (!any_is_stiff) return Way::AsAsked;
+    const Disturbed disturbed = what_is_disturbed(stores, c, scratch);
+    if (is_rail(c) && disturbed.stands) return Way::Bearing;
+    return disturbed.by_joints || disturbed.by_contacts ? Way::Soft : Way::AsAsked;
 }
 
 }  // namespace
@@ -165,9 +206,13 @@ void soften_stiff_springs(const Stores& stores, const StepTime& time, StepScratc
     for (std::size_t i = 0; i < joints.size(); ++i) {
         JointConstraint& c = joints[i];
         if (!may_be_soft(c)) continue;
-        if (must_be_soft(stores, c, most_hz, scratch)) {
+        const Way way = way_of(stores, c, most_hz, scratch);
+        if (way == Way::Soft) {
             const float stiffened_hz = grown(c.softened_hz, kStiffening_1_s, time.dt_s);
             c.softened_hz = stiffened_hz > 0 ? std::min(stiffened_hz, most_hz) : most_hz;
+        } else if (way == Way::Bearing) {
+            for_each_stiffer(c, most_hz, [&](JointLaw& law) { let_bear(law, most_hz); });
+            continue;
         } else if (c.softened_hz > 0) {
             const float rate = c.direct ? stiffening_rate(c, scratch.joint_places[i]) : kStiffening_1_s;
             const float stiffened_hz = grown(c.softened_hz, rate, time.dt_s);
@@ -176,6 +221,23 @@ void soften_stiff_springs(const Stores& stores, const StepTime& time, StepScratc
         if (c.softened_hz > 0)
             for_each_stiffer(c, c.softened_hz, [&](JointLaw& law) { soften(law, c.softened_hz); });
     }
+}
+
+// F = k x with k = w^2/K.
+float softened_frequency(const JointConstraint& c, const JointPlace& place, float h_s) {
+    float softened_hz = c.softened_hz;
+    for_each_stiffer(c, 0, [&](const JointLaw& law) {
+        if (!law.bears) return;
+        const auto at = static_cast<std::size_t>(law.direction);
+        const float stretch = place.directions[at].q - law.target;
+        const float impulse =
+            c.impulse[static_cast<std::size_t>(impulse_index(law.direction, role_of(law.kind)))];
+        const float square = -impulse * place.inverse_mass[at][at] / (h_s * stretch);
+        const float hz = std::sqrt(std::max(square, 0.0f)) / (2 * kPi);
+        const bool is_balanced = std::fabs(stretch) < kLeastStretch_m || hz > law.spring_frequency_hz;
+        softened_hz = is_balanced ? 0 : std::max(hz, kSoftest_hz);
+    });
+    return softened_hz;
 }
 
 }  // namespace cairn::physics

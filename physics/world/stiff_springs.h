@@ -2,8 +2,9 @@
 // contacts, call for each other, and swept one after the other they feed each other: a plank on a hinge with
 // a spring of 80 Hz flew off, and a vehicle on suspensions of 100 Hz turned over where it stood, at four
 // substeps of 60 steps a second. So structures that have some are solved directly where something holds them,
-// without loops of what is held and without limits (direct_structures.h), and else their springs are as stiff
-// as a sweep can follow.
+// without loops of what is held and without limits (direct_structures.h). What stands on the ground on rails,
+// vehicles and tables, has springs as stiff as asked for as well, but damped more. Else they are as stiff as
+// a sweep can follow.
 #pragma once
 
 #include <algorithm>
@@ -15,6 +16,8 @@
 
 namespace cairn::physics {
 
+struct JointConstraint;
+struct JointPlace;
 struct StepScratch;
 struct StepTime;
 struct Stores;
@@ -55,9 +58,14 @@ class StiffSprings {
 float softened_frequency(const JointDef& def, float most_swept_hz);
 
 /// Of the constraints of a step: makes the stiff springs of those that are swept as soft as sweeps need them,
-/// where anything else holds, drives or may touch one of their bodies that can be moved. What was softened
+/// where anything else holds, drives or may touch one of their bodies that can be moved; or tells those that
+/// bear: on rails of which one body has contacts and is held by no other joint. What was softened
 /// stiffens again by and by, when that is over, when the joint is solved directly, or in shorter substeps: at
 /// once it would take up within a substep what it sagged by, and throw what lies on it.
 void soften_stiff_springs(const Stores& stores, const StepTime& time, StepScratch& scratch);
+
+/// At the end of a step. Of what bears that is as stiff as would be in balance: the damping may hold it far
+/// from where it should be, and as stiff as asked for it would throw what it bears, once it bears no more.
+float softened_frequency(const JointConstraint& c, const JointPlace& place, float h_s);
 
 }  // namespace cairn::physics

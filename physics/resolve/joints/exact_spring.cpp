@@ -121,6 +121,12 @@ ExactSpring crowded(ExactSpring spring, double square, double damping) {
     return square > kLeastStiff ? implicit(spring, square, damping) : spring;
 }
 
+ExactSpring bearing(ExactSpring spring, double square, double damping) {
+    ExactSpring borne = implicit(spring, square, damping);
+    borne.relaxes = true;
+    return borne;
+}
+
 ExactSpring in_structure(ExactSpring spring, double square, double damping, bool is_softened) {
     return is_softened || square > kLeastStiffInStructure ? implicit(spring, square, damping) : spring;
 }

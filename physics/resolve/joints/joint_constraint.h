@@ -45,6 +45,7 @@ struct JointLaw {
     std::uint8_t direction = 0;  // the first
     std::uint8_t count = 1;
     bool rigid = false;  // of what is held: no softer than the default
+    bool bears = false;  // of a spring: stands on contacts (world/stiff_springs.h)
     bool round = false;  // high limits the length of an impulse of two directions
     float target = 0;
     std::array<float, 2> speed{};  // m/s or rad/s
@@ -55,6 +56,7 @@ struct JointLaw {
     float spring_damping_ratio = 0;
     ExactSpring spring;
     std::array<float, 2> speed_before{};  // J v at the end of the last substep
+    std::array<float, 2> start_error{};   // of a spring that relaxes, at the start of the substep
 };
 
 enum class Role : std::uint8_t { HoldOrSpring, Motor, Lower, Upper };

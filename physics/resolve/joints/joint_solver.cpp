@@ -6,7 +6,8 @@
 //     with
 //                        Jv+ = J v + K (p+ - p))
 // Springs are left alone while relaxing: that would take their force out again, a damping that nobody asked
-// for. Crowded springs are swept apart, with the same law.
+// for. Stiff ones that bear go on then with the C that the substep began with, which leaves it in. Crowded
+// springs are swept apart, with the same law.
 //
 // On rails (wheel and prismatic joints) a spring at a lever and what is held across it call for each other,
 // and swept one after the other they fed each other (docs/adr/012-direct-solver.md). With h for what is held
@@ -286,7 +287,7 @@ void take_of_rail(const Task<kCount>& task, const Rail& rail, float change) {
 }
 
 template <int kCount, int kMany>
-void solve_spring(const Task<kCount>& task, Along<kMany>& along) {
+void solve_spring(const Task<kCount>& task, Along<kMany>& along, Pass pass) {
     const Rail rail = rail_of(task);
     Values speed{};
     Values error = errors(task);
@@ -294,6 +295,13 @@ void solve_spring(const Task<kCount>& task, Along<kMany>& along) {
     for (int i = 0; i < rail.held; ++i) {
         speed[0] -= rail.answer[i] * along.speed(i);
         if (task.law.spring.damped) error[0] -= rail.answer[i] * task.place.directions[i].q;
+    }
+    if (task.law.spring.relaxes) {
+        for (int i = 0; i < kCount; ++i) {
+            float& start = task.law.start_error[i];
+            if (pass == Pass::Biased) start = error[i];
+            error[i] = start;
+        }
     }
     Values wanted = spring_impulse(task, speed, error);
     const float d1 = rail.share * task.law.spring.d1;
@@ -352,7 +360,8 @@ void solve_law(const Task<kCount>& task, Along<kMany>& along, float h_s, Pass pa
         case LawKind::Hold:
             return solve_hold(task, along, pass);
         case LawKind::Spring:
-            if (pass == Pass::Biased && !task.law.spring.crowded) solve_spring(task, along);
+            if (task.law.spring.crowded) return;
+            if (pass == Pass::Biased || task.law.spring.relaxes) solve_spring(task, along, pass);
             return;
         case LawKind::Motor:
             return solve_motor(task, along, h_s, pass);
@@ -446,6 +455,8 @@ bool make_springs(std::span<JointConstraint> joints, float h_s, const std::vecto
         const double damping = 2 * static_cast<double>(law.spring_damping_ratio) * angle;
         if (c.direct) {
             law.spring = in_structure(law.spring, angle * angle, damping, c.softened_hz > 0);
+        } else if (law.bears) {
+            law.spring = bearing(law.spring, angle * angle, damping);
         } else if (is_crowded) {
             law.spring = crowded(law.spring, angle * angle, damping);
             some_crowded = true;
@@ -497,7 +508,8 @@ void sweep_crowded_springs(std::span<JointConstraint> joints, std::span<const Jo
             JointLaw& law = c.laws[back ? c.law_count - 1 - l : l];
             if (law.kind != LawKind::Spring || !law.spring.crowded) continue;
             with_bodies(c, places[joint], motions, [&](auto& along) {
-                with_task(c, law, places[joint], [&](const auto& task) { solve_spring(task, along); });
+                with_task(c, law, places[joint],
+                          [&](const auto& task) { solve_spring(task, along, Pass::Biased); });
             });
         }
     }
