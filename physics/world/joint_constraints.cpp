@@ -254,7 +254,7 @@ void store_joint_impulses(JointStore& joints, const StepTime& time, const StepSc
         JointRecord& record = joints.slots[c.joint];
         record.stepped = true;
         record.softened_hz =
-            c.has_spring ? softened_frequency(c, scratch.joint_places[i], time.h_s) : c.softened_hz;
+            c.has_spring ? balanced_frequency(c, scratch.joint_places[i], time) : c.softened_hz;
         record.impulse = c.impulse;
         record.angle_rad += static_cast<double>(scratch.motions.angle(c.anchors.b)) -
                             static_cast<double>(scratch.motions.angle(c.anchors.a));

@@ -18,7 +18,7 @@ constexpr double kMostExponent = 3;  // in a step
 
 // Of springs that bear.
 constexpr float kLeastStretch_m = 1e-6f;
-constexpr float kSoftest_hz = 1;
+constexpr float kNearBalance = 0.9f;
 
 struct Tell {
     JointActs operator()(const RevoluteJointDef& def) const { return with_axis(def); }
@@ -163,6 +163,16 @@ float grown(float frequency_hz, float rate_1_s, float dt_s) {
     return frequency_hz * static_cast<float>(deterministic::exp(exponent));
 }
 
+// Whether the joint bore on a limit in the last substep. Limits give, and a spring of any stiffness would
+// push through them.
+bool is_stopped(const JointConstraint& c) {
+    return std::any_of(c.laws.begin(), c.laws.begin() + c.law_count, [&](const JointLaw& law) {
+        const bool is_limit = law.kind == LawKind::Lower || law.kind == LawKind::Upper;
+        return is_limit &&
+               c.impulse[static_cast<std::size_t>(impulse_index(law.direction, role_of(law.kind)))] != 0;
+    });
+}
+
 // How the stiff springs of a joint are solved.
 enum class Way {
     AsAsked,  // by their poles, or directly
@@ -181,7 +191,7 @@ Way way_of(const Stores& stores, const JointConstraint& c, float most_hz, const 
     if (must_be_soft) return Way::Soft;
     if (!any_is_stiff) return Way::AsAsked;
     const Disturbed disturbed = what_is_disturbed(stores, c, scratch);
-    if (is_rail(c) && disturbed.stands) return Way::Bearing;
+    if (is_rail(c) && disturbed.stands && !is_stopped(c)) return Way::Bearing;
     return disturbed.by_joints || disturbed.by_contacts ? Way::Soft : Way::AsAsked;
 }
 
@@ -223,21 +233,21 @@ void soften_stiff_springs(const Stores& stores, const StepTime& time, StepScratc
     }
 }
 
-// F = k x with k = w^2/K.
-float softened_frequency(const JointConstraint& c, const JointPlace& place, float h_s) {
-    float softened_hz = c.softened_hz;
+float balanced_frequency(const JointConstraint& c, const JointPlace& place, const StepTime& time) {
+    float balanced_hz = c.softened_hz;
     for_each_stiffer(c, 0, [&](const JointLaw& law) {
         if (!law.bears) return;
         const auto at = static_cast<std::size_t>(law.direction);
         const float stretch = place.directions[at].q - law.target;
-        const float impulse =
-            c.impulse[static_cast<std::size_t>(impulse_index(law.direction, role_of(law.kind)))];
-        const float square = -impulse * place.inverse_mass[at][at] / (h_s * stretch);
+        balanced_hz = 0;
+        if (std::fabs(stretch) < kLeastStretch_m) return;
+        // F = k x with k = w^2/K; below 0 the damping pushes the other way.
+        const auto role = static_cast<std::size_t>(impulse_index(law.direction, role_of(law.kind)));
+        const float square = -c.impulse[role] * place.inverse_mass[at][at] / (time.h_s * stretch);
         const float hz = std::sqrt(std::max(square, 0.0f)) / (2 * kPi);
-        const bool is_balanced = std::fabs(stretch) < kLeastStretch_m || hz > law.spring_frequency_hz;
-        softened_hz = is_balanced ? 0 : std::max(hz, kSoftest_hz);
+        if (hz < kNearBalance * law.spring_frequency_hz) balanced_hz = std::max(hz, time.most_swept_hz);
     });
-    return softened_hz;
+    return balanced_hz;
 }
 
 }  // namespace cairn::physics

@@ -58,14 +58,15 @@ class StiffSprings {
 float softened_frequency(const JointDef& def, float most_swept_hz);
 
 /// Of the constraints of a step: makes the stiff springs of those that are swept as soft as sweeps need them,
-/// where anything else holds, drives or may touch one of their bodies that can be moved; or tells those that
-/// bear: on rails of which one body has contacts and is held by no other joint. What was softened
+/// where anything else holds, drives or may touch one of their bodies that can be moved; or lets those bear
+/// that are on rails, of which one body has contacts and is held by no other joint. What was softened
 /// stiffens again by and by, when that is over, when the joint is solved directly, or in shorter substeps: at
 /// once it would take up within a substep what it sagged by, and throw what lies on it.
 void soften_stiff_springs(const Stores& stores, const StepTime& time, StepScratch& scratch);
 
-/// At the end of a step. Of what bears that is as stiff as would be in balance: the damping may hold it far
-/// from where it should be, and as stiff as asked for it would throw what it bears, once it bears no more.
-float softened_frequency(const JointConstraint& c, const JointPlace& place, float h_s);
+/// For JointRecord::softened_hz at the end of a step. Of a spring that bears: the frequency of one that would
+/// bear at rest what it bore last, but no softer than what is swept; 0 if that is about its own. The damping
+/// may hold it far from where it should be, and solved in any other way it would throw what it bears.
+float balanced_frequency(const JointConstraint& c, const JointPlace& place, const StepTime& time);
 
 }  // namespace cairn::physics

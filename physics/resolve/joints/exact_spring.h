@@ -47,7 +47,7 @@ inline SpringTone softened(const SpringTone& spring, float most_hz) {
 /// error in a substep, as what is held rigid does, and relaxed it finds its balance with these contacts
 /// whatever k is. b falls with the square of W from where z is 1/2 (b = W/2z). With b = .9 for all, tables
 /// and vehicles of 20:1 were thrown at 30 m/s, with .1 those of 1,000 Hz rebounded up to twice as fast.
-inline constexpr float kLeastClosing = 0.02f;  // b
+inline constexpr float kLeastClosing = 0.05f;  // the least b
 inline SpringTone bearing_tone(const SpringTone& spring, float most_hz) {
     if (spring.frequency_hz <= most_hz) return spring;
     const float times = spring.frequency_hz / most_hz;

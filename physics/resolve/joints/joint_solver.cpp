@@ -6,7 +6,8 @@
 //     with
 //                        Jv+ = J v + K (p+ - p))
 // Springs are left alone while relaxing: that would take their force out again, a damping that nobody asked
-// for. Stiff ones that bear go on then with the C that the substep began with, which leaves it in. Crowded
+// for. Stiff ones that bear are solved then once more with the C of before the bodies moved, which leaves
+// their force in. Crowded
 // springs are swept apart, with the same law.
 //
 // On rails (wheel and prismatic joints) a spring at a lever and what is held across it call for each other,

@@ -308,4 +308,83 @@ TEST_CASE("a table on a stiff leg gives back no more than it fell, when a light 
     }
 }
 
+// A hull on two wheels, which stands or falls on the ground.
+struct Vehicle {
+    World world{{.gravity_m_s2 = {0, -10}, .enable_sleep = false}};
+    JointId suspension;
+
+    Vehicle(const Spring& spring, double fall_m, float target_m = 0, float lower_m = -kUnlimited) {
+        const BodyId ground = world.create_body({.type = BodyType::Static}).value();
+        world.create_shape(ground, Segment{{-50, 0}, {50, 0}}).value();
+        const BodyId hull =
+            add(world, {.position_m = {0, fall_m + 0.85}}, Box{1.5f, 0.25f}, {.density_kg_m2 = 8});
+        for (const float x : {-1.0f, 1.0f}) {
+            const BodyId wheel = add(world, {.position_m = {d(x), fall_m + 0.3}}, Circle{{}, 0.3f},
+                                     {.density_kg_m2 = 1 / (kPi * 0.09f)});
+            WheelJointDef def{.body_a = hull,
+                              .body_b = wheel,
+                              .local_anchor_a_m = {x, -0.55f},
+                              .local_angle_a_rad = kPi / 2,
+                              .frequency_hz = spring.frequency_hz,
+                              .damping_ratio = spring.damping_ratio,
+                              .target_m = target_m};
+            def.enable_limit = lower_m > -kUnlimited;
+            if (def.enable_limit) {
+                def.lower_m = lower_m;
+                def.upper_m = 1;
+            }
+            suspension = world.create_joint(def).value();
+        }
+    }
+
+    double deepest_m(int steps) {
+        double most = 0;
+        for (int step = 0; step < steps; ++step) {
+            world.step(kStep_s).value();
+            most = std::max(most, d(world.joint(suspension)->translation()));
+        }
+        return most;
+    }
+};
+
+// Its springs are stiff for a second then, and on bumps damping holds them away from where they belong.
+TEST_CASE("a vehicle on bumps sags no deeper after a long step than on the softer spring of that step") {
+    const auto [frequency_hz, long_step_s] =
+        GENERATE(table<float, float>({{25.0f, 1 / 30.0f}, {20.0f, 1 / 20.0f}, {20.0f, 1 / 10.0f}}));
+    const auto on_bumps = [](float hz) {
+        Vehicle vehicle({hz, 0.7f}, 0.05);
+        const BodyId bumps = vehicle.world.create_body({.type = BodyType::Static}).value();
+        for (int i = 0; i < 30; ++i)
+            vehicle.world.create_shape(bumps, Circle{{2 + 1.3f * static_cast<float>(i), -0.15f}, 0.2f})
+                .value();
+        for (const BodyId id : vehicle.world.bodies()) {
+            if (vehicle.world.body(id)->type() == BodyType::Dynamic)
+                vehicle.world.body(id)->set_linear_velocity({6, 0}).value();
+        }
+        return vehicle;
+    };
+    const double softer = on_bumps(most_swept_frequency(long_step_s / 4)).deepest_m(300);
+    for (int at = 20; at < 90; at += 2) {
+        Vehicle vehicle = on_bumps(frequency_hz);
+        (void)vehicle.deepest_m(at);
+        vehicle.world.step(long_step_s).value();
+        CAPTURE(frequency_hz, long_step_s, at);
+        CHECK(vehicle.deepest_m(240) <= softer);
+    }
+}
+
+// Limits give a little, the more the stiffer what pushes: no more than by a spring that can be swept.
+TEST_CASE("a stiff suspension that is drawn against its stop does not push through it") {
+    const auto stands_at = [](float frequency_hz) {
+        Vehicle vehicle({frequency_hz, 0.7f}, 0.1, -0.1f, -0.02f);
+        run_for(vehicle.world, 5);
+        return vehicle.world.joint(vehicle.suspension)->translation();
+    };
+    const float by_swept = stands_at(most_swept_frequency(kStep_s / 4));
+    for (const float frequency_hz : {40.0f, 60.0f, 200.0f, 1'000.0f, 1e6f}) {
+        CAPTURE(frequency_hz);
+        CHECK(stands_at(frequency_hz) == Approx(by_swept).margin(1e-3));
+    }
+}
+
 }  // namespace cairn::physics

@@ -8,9 +8,9 @@
 // no stiffer, with a damping ratio of .5 or more, where they are swept and something else acts on their
 // bodies: what the joint does in other directions (but on rails), another joint, be it a slack rope, or a
 // contact that is near enough to act. When that ends they stiffen e-fold in a second, or faster. As stiff as
-// asked for, but damped more, are those of wheel and prismatic joints while one of the two bodies has such
-// contacts and no other joint holds it: suspensions on the ground. What is solved directly is as stiff as it
-// is asked to be.
+// asked for, but damped more, are those of wheel and prismatic joints that bear on no limit while one of the
+// two bodies has such contacts and no other joint holds it: suspensions on the ground. What is solved
+// directly is as stiff as it is asked to be.
 #pragma once
 
 #include <cstdint>
