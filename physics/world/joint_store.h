@@ -27,9 +27,8 @@ struct JointRecord {
     JointSeat seat;
     bool direct = false;  // solved with its whole structure at once (world/direct_groups.h), and not swept
     bool collide_connected = false;
-    bool stepped = false;  // it was active in a step
-    float softened_hz =
-        0;  // what its springs stiffen from (stiff_springs.h); 0: they are as stiff as asked for
+    bool stepped = false;   // it was active in a step
+    float softened_hz = 0;  // what its springs stiffen from (stiff_springs.h); 0: as stiff as asked for
     std::uint64_t user_data = 0;
     // Of frame b relative to frame a with its whole turns, rad; as it was at the end of the last step in
     // which the joint was active.

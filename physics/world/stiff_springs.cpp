@@ -123,9 +123,8 @@ bool acts(const ContactRecord& contact) {
 
 // What else acts on the bodies that a spring moves.
 struct Disturbed {
-    bool by_joints = false;    // that hold one of them
-    bool by_contacts = false;  // of what one of them may touch
-    bool stands = false;       // one of them is moved by contacts, and held by no other joint
+    bool is = false;      // another joint holds one of them, or it may touch something
+    bool stands = false;  // one of them may touch something, and no other joint holds it
 };
 
 Disturbed what_is_disturbed(const Stores& stores, const JointConstraint& c, const StepScratch& scratch) {
@@ -140,8 +139,7 @@ Disturbed what_is_disturbed(const Stores& stores, const JointConstraint& c, cons
         bool touches = false;
         for_each_edge(stores.contacts.slots, moved.first_contact,
                       [&](int contact, int) { touches = touches || acts(stores.contacts.slots[contact]); });
-        disturbed.by_joints = disturbed.by_joints || is_held;
-        disturbed.by_contacts = disturbed.by_contacts || touches;
+        disturbed.is = disturbed.is || is_held || touches;
         disturbed.stands = disturbed.stands || (touches && !is_held);
     }
     return disturbed;
@@ -192,7 +190,7 @@ Way way_of(const Stores& stores, const JointConstraint& c, float most_hz, const 
     if (!any_is_stiff) return Way::AsAsked;
     const Disturbed disturbed = what_is_disturbed(stores, c, scratch);
     if (is_rail(c) && disturbed.stands && !is_stopped(c)) return Way::Bearing;
-    return disturbed.by_joints || disturbed.by_contacts ? Way::Soft : Way::AsAsked;
+    return disturbed.is ? Way::Soft : Way::AsAsked;
 }
 
 }  // namespace

@@ -7,8 +7,7 @@
 //                        Jv+ = J v + K (p+ - p))
 // Springs are left alone while relaxing: that would take their force out again, a damping that nobody asked
 // for. Stiff ones that bear are solved then once more with the C of before the bodies moved, which leaves
-// their force in. Crowded
-// springs are swept apart, with the same law.
+// their force in. Crowded springs are swept apart, with the same law.
 //
 // On rails (wheel and prismatic joints) a spring at a lever and what is held across it call for each other,
 // and swept one after the other they fed each other (docs/adr/012-direct-solver.md). With h for what is held

@@ -119,6 +119,54 @@ struct Tangle {
     }
 };
 
+// A hull on two wheels of 1 kg that falls on the ground.
+struct Vehicle {
+    World world{{.gravity_m_s2 = {0, -10}, .enable_sleep = false}};
+    BodyId hull;
+    std::vector<JointId> suspensions;
+
+    struct Setting {
+        Spring spring;
+        double fall_m = 0;
+        float hull_kg = 12;
+        float target_m = 0;
+        float lower_m = -kUnlimited;
+    };
+
+    explicit Vehicle(const Setting& setting) {
+        const BodyId ground = world.create_body({.type = BodyType::Static}).value();
+        world.create_shape(ground, Segment{{-50, 0}, {50, 0}}).value();
+        hull = add(world, {.position_m = {0, setting.fall_m + 0.6}}, Box{1.5f, 0.25f},
+                   {.density_kg_m2 = setting.hull_kg / 1.5f});
+        for (const float x : {-1.0f, 1.0f}) {
+            const BodyId wheel = add(world, {.position_m = {d(x), setting.fall_m + 0.3}}, Circle{{}, 0.3f},
+                                     {.density_kg_m2 = 1 / (kPi * 0.09f)});
+            WheelJointDef def{.body_a = hull,
+                              .body_b = wheel,
+                              .local_anchor_a_m = {x, -0.3f},
+                              .local_angle_a_rad = kPi / 2,
+                              .frequency_hz = setting.spring.frequency_hz,
+                              .damping_ratio = setting.spring.damping_ratio,
+                              .target_m = setting.target_m};
+            def.enable_limit = setting.lower_m > -kUnlimited;
+            if (def.enable_limit) {
+                def.lower_m = setting.lower_m;
+                def.upper_m = 1;
+            }
+            suspensions.push_back(world.create_joint(def).value());
+        }
+    }
+
+    double deepest_m(int steps) {
+        double most = 0;
+        for (int step = 0; step < steps; ++step) {
+            world.step(kStep_s).value();
+            most = std::max(most, d(world.joint(suspensions.back())->translation()));
+        }
+        return most;
+    }
+};
+
 double kinetic_energy_j(const World& world) {
     double sum = 0;
     for (const BodyId id : world.bodies()) {
@@ -229,36 +277,21 @@ TEST_CASE("boxes on a wall, welded with springs, give back no more than was put 
 // k = (2 pi f)^2/K, with K = 1/M + x^2/I + 1/m along the suspension, bears half of the weight of the hull.
 // Places are told to some nanometres.
 TEST_CASE("a vehicle that lands on stiff suspensions stands as deep in them as they are stiff") {
-    constexpr float kGravity = 10;
+    constexpr double kGravity_m_s2 = 10;
     constexpr double kRounding_m = 5e-8;
     for (const float frequency_hz : {10.0f, 30.0f, 60.0f, 100.0f, 1'000.0f, 120'000.0f}) {
         for (const float hull_kg : {2.0f, 12.0f, 40.0f}) {
-            World world({.gravity_m_s2 = {0, -kGravity}, .enable_sleep = false});
-            const BodyId ground = world.create_body({.type = BodyType::Static}).value();
-            world.create_shape(ground, Segment{{-10, 0}, {10, 0}}).value();
-            const BodyId hull =
-                add(world, {.position_m = {0, 1.1}}, Box{1.5f, 0.25f}, {.density_kg_m2 = hull_kg / 1.5f});
-            std::vector<JointId> suspensions;
-            for (const float x : {-1.0f, 1.0f}) {
-                const BodyId wheel = add(world, {.position_m = {d(x), 0.8}}, Circle{{}, 0.3f},
-                                         {.density_kg_m2 = 1 / (kPi * 0.09f)});
-                suspensions.push_back(world
-                                          .create_joint(WheelJointDef{.body_a = hull,
-                                                                      .body_b = wheel,
-                                                                      .local_anchor_a_m = {x, -0.3f},
-                                                                      .local_angle_a_rad = kPi / 2,
-                                                                      .frequency_hz = frequency_hz,
-                                                                      .damping_ratio = 0.7f})
-                                          .value());
-            }
+            Vehicle vehicle({.spring = {frequency_hz, 0.7f}, .fall_m = 0.5, .hull_kg = hull_kg});
+            World& world = vehicle.world;
+            const BodyId hull = vehicle.hull;
             run_for(world, 8);
             const MassData mass = world.body(hull)->mass_data();
             const double k_inverse_mass = 1 / d(mass.mass_kg) + 1 / d(mass.inertia_kg_m2) + 1;
             const double w = 2 * kPiD * d(frequency_hz);
-            const double sag = d(mass.mass_kg) * d(kGravity) / 2 * k_inverse_mass / (w * w);
+            const double sag = d(mass.mass_kg) * kGravity_m_s2 / 2 * k_inverse_mass / (w * w);
             CAPTURE(frequency_hz, hull_kg, sag);
             CHECK(std::abs(world.body(hull)->angle()) < 1e-3);
-            for (const JointId id : suspensions)
+            for (const JointId id : vehicle.suspensions)
                 CHECK(d(world.joint(id)->translation()) == Approx(sag).epsilon(0.02).margin(kRounding_m));
             CHECK(length(world.body(hull)->linear_velocity()) < 1e-3f);
         }
@@ -308,51 +341,12 @@ TEST_CASE("a table on a stiff leg gives back no more than it fell, when a light 
     }
 }
 
-// A hull on two wheels, which stands or falls on the ground.
-struct Vehicle {
-    World world{{.gravity_m_s2 = {0, -10}, .enable_sleep = false}};
-    JointId suspension;
-
-    Vehicle(const Spring& spring, double fall_m, float target_m = 0, float lower_m = -kUnlimited) {
-        const BodyId ground = world.create_body({.type = BodyType::Static}).value();
-        world.create_shape(ground, Segment{{-50, 0}, {50, 0}}).value();
-        const BodyId hull =
-            add(world, {.position_m = {0, fall_m + 0.85}}, Box{1.5f, 0.25f}, {.density_kg_m2 = 8});
-        for (const float x : {-1.0f, 1.0f}) {
-            const BodyId wheel = add(world, {.position_m = {d(x), fall_m + 0.3}}, Circle{{}, 0.3f},
-                                     {.density_kg_m2 = 1 / (kPi * 0.09f)});
-            WheelJointDef def{.body_a = hull,
-                              .body_b = wheel,
-                              .local_anchor_a_m = {x, -0.55f},
-                              .local_angle_a_rad = kPi / 2,
-                              .frequency_hz = spring.frequency_hz,
-                              .damping_ratio = spring.damping_ratio,
-                              .target_m = target_m};
-            def.enable_limit = lower_m > -kUnlimited;
-            if (def.enable_limit) {
-                def.lower_m = lower_m;
-                def.upper_m = 1;
-            }
-            suspension = world.create_joint(def).value();
-        }
-    }
-
-    double deepest_m(int steps) {
-        double most = 0;
-        for (int step = 0; step < steps; ++step) {
-            world.step(kStep_s).value();
-            most = std::max(most, d(world.joint(suspension)->translation()));
-        }
-        return most;
-    }
-};
-
 // Its springs are stiff for a second then, and on bumps damping holds them away from where they belong.
 TEST_CASE("a vehicle on bumps sags no deeper after a long step than on the softer spring of that step") {
     const auto [frequency_hz, long_step_s] =
         GENERATE(table<float, float>({{25.0f, 1 / 30.0f}, {20.0f, 1 / 20.0f}, {20.0f, 1 / 10.0f}}));
     const auto on_bumps = [](float hz) {
-        Vehicle vehicle({hz, 0.7f}, 0.05);
+        Vehicle vehicle({.spring = {hz, 0.7f}, .fall_m = 0.05});
         const BodyId bumps = vehicle.world.create_body({.type = BodyType::Static}).value();
         for (int i = 0; i < 30; ++i)
             vehicle.world.create_shape(bumps, Circle{{2 + 1.3f * static_cast<float>(i), -0.15f}, 0.2f})
@@ -376,9 +370,10 @@ TEST_CASE("a vehicle on bumps sags no deeper after a long step than on the softe
 // Limits give a little, the more the stiffer what pushes: no more than by a spring that can be swept.
 TEST_CASE("a stiff suspension that is drawn against its stop does not push through it") {
     const auto stands_at = [](float frequency_hz) {
-        Vehicle vehicle({frequency_hz, 0.7f}, 0.1, -0.1f, -0.02f);
+        Vehicle vehicle(
+            {.spring = {frequency_hz, 0.7f}, .fall_m = 0.1, .target_m = -0.1f, .lower_m = -0.02f});
         run_for(vehicle.world, 5);
-        return vehicle.world.joint(vehicle.suspension)->translation();
+        return vehicle.world.joint(vehicle.suspensions.back())->translation();
     };
     const float by_swept = stands_at(most_swept_frequency(kStep_s / 4));
     for (const float frequency_hz : {40.0f, 60.0f, 200.0f, 1'000.0f, 1e6f}) {
