@@ -19,6 +19,7 @@ endfunction()
 cairn_feature(JOINTS "joints of all kinds"
   resolve/joints/distance.cpp
   resolve/joints/exact_spring.cpp
+  resolve/joints/spring_mobility.cpp
   resolve/joints/frame.cpp
   resolve/joints/friction.cpp
   resolve/joints/gear.cpp

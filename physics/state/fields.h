@@ -259,10 +259,10 @@ template <Is<LastSteps> R, class Visit>
 template <Is<JointRecord> R, class Visit>
 [[gnu::always_inline]] constexpr void fields(R& r, Visit&& visit) {
     auto& [def, body_a, body_b, edges, active_index, swept_index, seat, direct, collide_connected, stepped,
-           softened_hz, user_data, angle_rad, geared_sum, impulse, load_n, load_known, reaction_force,
-           reaction_torque] = r;
-    visit(def, direct, collide_connected, stepped, softened_hz, user_data, angle_rad, geared_sum, impulse,
-          load_n, load_known, reaction_force, reaction_torque);
+           softened_hz, line_a, line_b, user_data, angle_rad, geared_sum, impulse, load_n, load_known,
+           reaction_force, reaction_torque] = r;
+    visit(def, direct, collide_connected, stepped, softened_hz, line_a, line_b, user_data, angle_rad,
+          geared_sum, impulse, load_n, load_known, reaction_force, reaction_torque);
 }
 
 template <Is<AnchorBlock> R, class Visit>

@@ -13,7 +13,7 @@
 namespace cairn::physics {
 namespace {
 
-constexpr FrameKind kSnapshot{"CairnSta", "snapshot", 7};
+constexpr FrameKind kSnapshot{"CairnSta", "snapshot", 8};
 
 // Everything of a world. What is not part of the state: threads, what is measured, and what the host is
 // asked.

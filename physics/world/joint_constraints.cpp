@@ -6,6 +6,7 @@
 
 #include "resolve/joints/joint_solver.h"
 #include "resolve/joints/kinds.h"
+#include "resolve/joints/spring_mobility.h"
 #include "world/joint_frames.h"
 #include "world/joint_lists.h"
 #include "world/joint_rules.h"
@@ -97,6 +98,7 @@ void begin_constraint(JointConstraint& c) {
     c.geared_rows = {};
     c.law_count = 0;
     c.has_spring = false;
+    c.turns_with_a = false;
     c.total_impulse = {};
     c.total_angular_impulse = 0;
 }
@@ -123,6 +125,42 @@ class FrameTurns {
     Rotation turn_;
 };
 
+// Of x and y. What is kept from step to step is in coordinates of body a, as axes may turn over.
+void turn_impulse(JointImpulses& impulse, Rotation turn) {
+    float& x = impulse[static_cast<std::size_t>(impulse_index(0, Role::HoldOrSpring))];
+    float& y = impulse[static_cast<std::size_t>(impulse_index(1, Role::HoldOrSpring))];
+    const Vec2 turned = rotate(turn, {x, y});
+    x = turned.x;
+    y = turned.y;
+}
+
+// Where the spring between two points rests, how its bodies answer there, and along which axes.
+void lay_spring(const BodyStore& bodies, const JointRecord& record, const JointFrames& frames,
+                JointConstraint& c) {
+    JointLaw* const end = c.laws.data() + c.law_count;
+    JointLaw* const spring = std::find_if(c.laws.data(), end, [](const JointLaw& law) {
+        return law.kind == LawKind::Spring && law.direction == 0;
+    });
+    if (spring == end) return;
+    const auto end_of = [&](int body, Vec2 anchor) {
+        const BodyRecord& b = bodies.slots[body];
+        return SpringEnd{b.inverse_mass, b.inverse_inertia, anchor - b.mass.center_m};
+    };
+    const SpringEnd a = end_of(record.body_a, frames.anchor_a_m);
+    SpringEnd b = end_of(record.body_b, frames.anchor_b_m);
+    if (c.kind == JointKind::Distance)
+        spring->mobility.xx = mobility_along(a, record.line_a, b, record.line_b);
+    if (!c.turns_with_a) return;
+    const auto* motor = std::get_if<MotorJointDef>(&record.def);
+    const float resting_rad = frames.angle_a_rad - frames.angle_b_rad + (motor ? motor->target_angle_rad : 0);
+    b.arm = rotate(Rotation::from_angle(static_cast<double>(resting_rad)), b.arm);
+    const PrincipalMobility at_rest = principal_mobility(a, b);
+    spring->mobility = at_rest.k;
+    c.axis_on_a = at_rest.axis;
+    c.axis = rotate(bodies.places[record.body_a].rotation, at_rest.axis);
+    turn_impulse(c.impulse, inverse(Rotation{at_rest.axis.x, at_rest.axis.y}));
+}
+
 void make_constraint(const Stores& stores, int joint, const StepTime& time, FrameTurns& frame_turns,
                      JointConstraint& c) {
     const JointRecord& record = stores.joints.slots[joint];
@@ -146,6 +184,7 @@ void make_constraint(const Stores& stores, int joint, const StepTime& time, Fram
         c.start_angle_rad = start.angle(static_cast<float>(angle));
     }
     std::visit(Describe{stores, record, c, start}, record.def);
+    if (c.has_spring) lay_spring(stores.bodies, record, frames, c);
     c.softened_hz = c.has_spring ? record.softened_hz : 0;
 }
 
@@ -239,6 +278,7 @@ void prepare_joints(Stores& stores, const StepTime& time, StepScratch& scratch, 
     }
     list_jointed_rows(stores, scratch);
     if (!springs && !lanes.springs_changed()) return;
+    weigh_springs(joints, scratch.joint_places);
     soften_stiff_springs(stores, time, scratch);
     scratch.spring_loads.assign(static_cast<std::size_t>(scratch.motions.size()), {});
     add_spring_loads(joints, scratch.joint_places, scratch.motions, scratch.spring_loads);
@@ -256,6 +296,7 @@ void store_joint_impulses(JointStore& joints, const StepTime& time, const StepSc
         record.softened_hz =
             c.has_spring ? balanced_frequency(c, scratch.joint_places[i], time) : c.softened_hz;
         record.impulse = c.impulse;
+        if (c.turns_with_a) turn_impulse(record.impulse, {c.axis_on_a.x, c.axis_on_a.y});
         record.angle_rad += static_cast<double>(scratch.motions.angle(c.anchors.b)) -
                             static_cast<double>(scratch.motions.angle(c.anchors.a));
         record.reaction_force = (1 / time.dt_s) * c.total_impulse;

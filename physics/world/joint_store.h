@@ -29,6 +29,9 @@ struct JointRecord {
     bool collide_connected = false;
     bool stepped = false;   // it was active in a step
     float softened_hz = 0;  // what its springs stiffen from (stiff_springs.h); 0: as stiff as asked for
+    // Of a distance joint: its line when its spring was set, in the coordinates of each body.
+    Vec2 line_a{1, 0};
+    Vec2 line_b{1, 0};
     std::uint64_t user_data = 0;
     // Of frame b relative to frame a with its whole turns, rad; as it was at the end of the last step in
     // which the joint was active.

@@ -1,6 +1,8 @@
 // Joints: creation, change and removal.
 #include "world/joints.h"
 
+#include <tuple>
+
 #include "world/contacts.h"
 #include "world/joint_frames.h"
 #include "world/joint_lists.h"
@@ -63,6 +65,29 @@ void settle_gear(Stores& stores, JointRecord& record) {
         coordinate(gear->joint_1) + static_cast<double>(gear->ratio) * coordinate(gear->joint_2);
 }
 
+// Nearer than this, anchors have no line (resolve/joints/distance.cpp).
+constexpr float kCoincident_m = 1e-6f;
+
+void settle_line(const BodyStore& bodies, JointRecord& record) {
+    if (kind_of(record) != JointKind::Distance) return;
+    const Vec2 way = anchor_b(bodies, record) - anchor_a(bodies, record);
+    const Vec2 line = length(way) > kCoincident_m ? normalized(way) : Vec2{0, 1};
+    record.line_a = rotate(inverse(bodies.places[record.body_a].rotation), line);
+    record.line_b = rotate(inverse(bodies.places[record.body_b].rotation), line);
+}
+
+// Whether a spring is another one than it was, and not only damped, long or strong in another way.
+bool is_set_anew(const JointDef& before, const JointDef& now) {
+    const auto* old_rod = std::get_if<DistanceJointDef>(&before);
+    const auto* rod = std::get_if<DistanceJointDef>(&now);
+    if (!old_rod || !rod) return false;
+    const auto setting = [](const DistanceJointDef& def) {
+        return std::tuple(def.enable_spring, def.frequency_hz, def.local_anchor_a_m.x, def.local_anchor_a_m.y,
+                          def.local_anchor_b_m.x, def.local_anchor_b_m.y);
+    };
+    return setting(*old_rod) != setting(*rod);
+}
+
 void activate_if_awake(Stores& stores, int joint) {
     if (acts(stores.bodies, stores.joints.slots[joint])) list_joint(stores, joint);
 }
@@ -86,6 +111,7 @@ int create_joint(WorldState& world, JointDef def) {
     record.user_data = std::visit([](const auto& d) { return d.user_data; }, def);
     record.def = std::move(def);
     record.angle_rad = joint_angle(stores.bodies, record);
+    settle_line(stores.bodies, record);
     settle_pulley(stores, record);
     settle_gear(stores, record);
     const int joint = stores.joints.slots.insert(record);
@@ -107,7 +133,9 @@ void redefine_joint(WorldState& world, int joint, JointDef def) {
     record.user_data = std::visit([](const auto& d) { return d.user_data; }, def);
     const JointFrames before = frames_of(record.def);
     const bool sprung = acts_of(record.def).spring_hz > 0;
+    const bool is_other_spring = is_set_anew(record.def, def);
     record.def = std::move(def);
+    if (is_other_spring) settle_line(stores.bodies, record);
     // A spring that is switched on starts as a new one.
     if (!sprung && acts_of(record.def).spring_hz > 0) {
         record.stepped = false;

@@ -52,8 +52,10 @@ constexpr Field kEnableMotor =
 constexpr Field kFrequency =
     above(optional_field("frequency", FieldType::Number, "Hz; turns the spring on"), 0);
 constexpr Field kFreeFrequency =
-    at_least(optional_field("frequency", FieldType::Number,
-                            "Hz; turns the spring on; with 0 nothing but its limits acts, as in a rope"),
+    at_least(optional_field(
+                 "frequency", FieldType::Number,
+                 "Hz, as the bodies stand when it is set; turns the spring on; with 0 nothing but its limits "
+                 "acts, as in a rope"),
              0);
 constexpr Field kSuspension = above(number_field("frequency", 2, "2", "Hz"), 0);
 constexpr Field kGrip = above(number_field("frequency", 5, "5", "Hz"), 0);

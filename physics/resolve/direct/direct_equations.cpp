@@ -77,12 +77,14 @@ void DirectComponent::describe(const JointLaw& law, JointRow& row, DirectEquatio
             e.wanted = -d(law.softness.bias_rate) * row.error;
             if (closing) e.state = State::Idle;
             break;
-        case LawKind::Spring:
-            e.give = e.inverse_mass / d(law.spring.d1);
+        case LawKind::Spring: {
+            const double own = d(row.part == 0 ? law.mobility.xx : law.mobility.yy);
+            e.give = (own > 0 ? own : e.inverse_mass) / d(law.spring.d1);
             e.wanted = -(d(law.spring.d0) * row.speed_before + d(law.spring.stiffness_per_s) * row.error) /
                        d(law.spring.d1);
             if (closing) e.state = State::Idle;
             break;
+        }
         case LawKind::Motor:
             e.wanted = d(law.speed[at(row.part)]);
             // The bound of a pair is found in solving: it has a length, and no low end.

@@ -57,8 +57,8 @@ constexpr double kMostTurn_rad = 2;
 constexpr double kLeastCrowd = 0.6;
 // Softer ones keep to their poles in any crowd: 21 Hz.
 constexpr double kLeastStiff = 0.3;
-// And those that are solved directly: 46 Hz. Undamped rings with spokes of 40 Hz gained ten times their
-// energy by what is left of the poles of each alone, of 47 Hz some hundred times.
+// And those that are solved directly without a crowd: 46 Hz. Undamped rings with spokes of 40 Hz gained ten
+// times their energy by what is left of the poles of each alone, of 47 Hz some hundred times.
 constexpr double kLeastStiffInStructure = 1.4;
 
 // Implicit Euler: energy goes, and never comes.
@@ -127,8 +127,10 @@ ExactSpring bearing(ExactSpring spring, double square, double damping) {
     return borne;
 }
 
-ExactSpring in_structure(ExactSpring spring, double square, double damping, bool is_softened) {
-    return is_softened || square > kLeastStiffInStructure ? implicit(spring, square, damping) : spring;
+ExactSpring in_structure(ExactSpring spring, double square, double damping, bool is_softened,
+                         bool is_crowded) {
+    const double most = is_crowded ? kLeastStiff : kLeastStiffInStructure;
+    return is_softened || square > most ? implicit(spring, square, damping) : spring;
 }
 
 }  // namespace cairn::physics

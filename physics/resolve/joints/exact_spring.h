@@ -87,8 +87,9 @@ ExactSpring crowded(ExactSpring spring, double square, double damping);
 /// A spring of the tone `bearing_tone`: implicit Euler, and relaxed.
 ExactSpring bearing(ExactSpring spring, double square, double damping);
 
-/// A spring that is solved directly: the same unless it is stiff, or on its way there. What bears on it is
-/// not as it would be alone, and undamped ones in a ring would make energy.
-ExactSpring in_structure(ExactSpring spring, double square, double damping, bool is_softened);
+/// A spring that is solved directly: the same unless it is stiff, for itself or in a crowd, or on its way
+/// there. What bears on it is not as it would be alone, and undamped ones in a ring would make energy.
+ExactSpring in_structure(ExactSpring spring, double square, double damping, bool is_softened,
+                         bool is_crowded);
 
 }  // namespace cairn::physics

@@ -40,6 +40,14 @@ enum class LawKind : std::uint8_t {
     Upper,   ///< q stays below it
 };
 
+/// The K that a spring's constants are for: these over it are N/m and N s/m (spring_mobility.h). xy and yy
+/// are of springs of two directions. 0: as K is at the moment.
+struct SpringMobility {
+    float xx = 0;
+    float xy = 0;
+    float yy = 0;
+};
+
 struct JointLaw {
     LawKind kind = LawKind::Hold;
     std::uint8_t direction = 0;  // the first
@@ -55,6 +63,7 @@ struct JointLaw {
     float spring_frequency_hz = 0;
     float spring_damping_ratio = 0;
     ExactSpring spring;
+    SpringMobility mobility;
     std::array<float, 2> speed_before{};  // J v at the end of the last substep
     std::array<float, 2> start_error{};   // of a spring that relaxes, at the start of the substep
 };
@@ -103,6 +112,9 @@ struct JointConstraint {
     std::array<JointLaw, 6> laws;
     int law_count = 0;
     bool has_spring = false;
+    // x and y of frames, which else are the axes of the world, turn with a: `axis`, in its coordinates this.
+    bool turns_with_a = false;
+    Vec2 axis_on_a{1, 0};
     float softened_hz = 0;    // of its springs where they are softer than asked for (world/stiff_springs.h)
     bool is_new = false;      // in its first step
     bool direct = false;      // solved with its whole structure at once, and not by sweeping

@@ -2,20 +2,19 @@
 // the inverse effective mass, p impulse of a law in this substep.
 //     held and limits:   p += -K^-1 mass_scale (J v + bias_rate C) - impulse_scale p        (resolve/soft.h)
 //     motors:            p += -K^-1 (J v - speed)
-//     springs:           p  = (-K^-1 (d1 J v + d0 Jv_before + stiffness C) + d1 p)/(1 + d1)  (exact_spring.h,
-//     with
-//                        Jv+ = J v + K (p+ - p))
+//     springs:           p+ = -R^-1 (d1 (J v + K (p+ - p)) + d0 Jv_before + stiffness C) (exact_spring.h),
+//                        with R the K that they are made for                          (spring_mobility.h)
 // Springs are left alone while relaxing: that would take their force out again, a damping that nobody asked
 // for. Stiff ones that bear are solved then once more with the C of before the bodies moved, which leaves
 // their force in. Crowded springs are swept apart, with the same law.
 //
-// On rails (wheel and prismatic joints) a spring at a lever and what is held across it call for each other,
-// and swept one after the other they fed each other (docs/adr/012-direct-solver.md). With h for what is held
-// and w = K_hh^-1 K_hs, an impulse p of the spring comes with -w p of what is held, which leaves the held
-// speeds alone, and J v stands for J v - w J_h v, which no impulse of what is held changes: K - K_sh w
-// answers. The law is that of K all the same, as when solved directly, so that both draw alike. Where the
-// spring loses energy, C stands for C - w C_h, so that it does not draw against the rail while that is pushed
-// straight.
+// On rails (wheel and prismatic joints, and welds that hold an angle) a spring at a lever and what is held
+// across it call for each other, and swept one after the other they fed each other
+// (docs/adr/012-direct-solver.md). With h for what is held and w = K_hh^-1 K_hs, an impulse p of the spring
+// comes with -w p of what is held, which leaves the held speeds alone, and J v stands for J v - w J_h v,
+// which no impulse of what is held changes: K - K_sh w answers. The law is that of K all the same, as when
+// solved directly, so that both draw alike. Where the spring loses energy, C stands for C - w C_h, so that it
+// does not draw against the rail while that is pushed straight.
 #include "resolve/joints/joint_solver.h"
 
 #include <algorithm>
@@ -24,6 +23,7 @@
 #include "base/ample.h"
 #include "resolve/joints/kinds.h"
 #include "resolve/joints/small_system.h"
+#include "resolve/joints/spring_mobility.h"
 
 namespace cairn::physics {
 namespace {
@@ -238,15 +238,26 @@ void solve_motor(const Task<kCount>& task, Along<kMany>& along, float h_s, Pass 
     apply(task, along, wanted);
 }
 
+// The law of a spring that had the impulse p, at this speed, which follows further impulses by `answering`.
 template <int kCount>
-Values spring_impulse(const Task<kCount>& task, const Values& speed, const Values& error) {
+Values spring_impulse(const Task<kCount>& task, const Values& speed, const Values& error,
+                      const SmallMatrix& answering, const Values& p) {
     const ExactSpring& spring = task.law.spring;
+    const SpringMobility own = mobility_of(task.law, task.place);
+    SmallMatrix k{};
+    k[0][0] = own.xx;
+    k[0][1] = k[1][0] = own.xy;
+    k[1][1] = own.yy;
     Values rhs{};
     for (int i = 0; i < kCount; ++i) {
         rhs[i] = -(spring.d1 * speed[i] + spring.d0 * task.law.speed_before[i] +
                    spring.stiffness_per_s * error[i]);
+        for (int j = 0; j < kCount; ++j) {
+            k[i][j] += spring.d1 * answering[i][j];
+            rhs[i] += spring.d1 * answering[i][j] * p[j];
+        }
     }
-    return solve(task, rhs);
+    return solve_small<kCount>(k, 0, rhs, task.place.least_mobility);
 }
 
 template <int kCount>
@@ -256,34 +267,55 @@ Values errors(const Task<kCount>& task) {
     return error;
 }
 
-// What is held across the spring of a rail: directions from 0 on.
+// What is held across a spring, and answers with it.
 struct Rail {
+    int first = 0;  // of the directions that are held
     int held = 0;
-    Values answer{};  // w
-    float share = 1;  // of K, what answers
+    std::array<Values, 2> answer{};  // w, of each direction of the spring
+    SmallMatrix answering{};         // of K, what answers
 };
+
+bool holds_angle(const JointConstraint& weld) {
+    return std::any_of(weld.laws.begin(), weld.laws.begin() + weld.law_count,
+                       [](const JointLaw& law) { return law.kind == LawKind::Hold && law.direction == 2; });
+}
 
 template <int kCount>
 Rail rail_of(const Task<kCount>& task) {
     Rail rail;
-    if (task.c.kind == JointKind::Wheel) rail.held = 1;
-    if (task.c.kind == JointKind::Prismatic) rail.held = 2;
-    if (rail.held == 0) return rail;
     const auto& k = task.place.inverse_mass;
     const int spring = task.law.direction;
-    rail.answer = solve_small(k, 0, rail.held, k[spring], task.place.least_mobility);
-    float answering = k[spring][spring];
-    for (int i = 0; i < rail.held; ++i) answering -= rail.answer[i] * k[i][spring];
-    if (k[spring][spring] > 0) rail.share = std::max(answering / k[spring][spring], 0.0f);
+    for (int i = 0; i < kCount; ++i) {
+        for (int j = 0; j < kCount; ++j) rail.answering[i][j] = k[spring + i][spring + j];
+    }
+    if (task.c.kind == JointKind::Wheel) rail.held = 1;
+    if (task.c.kind == JointKind::Prismatic) rail.held = 2;
+    if (task.c.kind == JointKind::Weld && spring == 0 && holds_angle(task.c)) {
+        rail.first = 2;
+        rail.held = 1;
+    }
+    if (rail.held == 0) return rail;
+    for (int i = 0; i < kCount; ++i) {
+        Values across{};
+        for (int h = 0; h < rail.held; ++h) across[h] = k[spring + i][rail.first + h];
+        rail.answer[i] = solve_small(k, rail.first, rail.held, across, task.place.least_mobility);
+        for (int h = 0; h < rail.held; ++h) {
+            for (int j = 0; j < kCount; ++j)
+                rail.answering[i][j] -= rail.answer[i][h] * k[rail.first + h][spring + j];
+        }
+        rail.answering[i][i] = std::max(rail.answering[i][i], 0.0f);
+    }
     return rail;
 }
 
 // What the rail gives with a change of the spring's impulse.
 template <int kCount>
-void take_of_rail(const Task<kCount>& task, const Rail& rail, float change) {
-    for (int i = 0; i < rail.held; ++i)
-        task.c.impulse[static_cast<std::size_t>(impulse_index(i, Role::HoldOrSpring))] -=
-            rail.answer[i] * change;
+void take_of_rail(const Task<kCount>& task, const Rail& rail, const Values& change) {
+    for (int h = 0; h < rail.held; ++h) {
+        float& impulse =
+            task.c.impulse[static_cast<std::size_t>(impulse_index(rail.first + h, Role::HoldOrSpring))];
+        for (int i = 0; i < kCount; ++i) impulse -= rail.answer[i][h] * change[i];
+    }
 }
 
 template <int kCount, int kMany>
@@ -291,10 +323,15 @@ void solve_spring(const Task<kCount>& task, Along<kMany>& along, Pass pass) {
     const Rail rail = rail_of(task);
     Values speed{};
     Values error = errors(task);
-    for (int i = 0; i < kCount; ++i) speed[i] = along.speed(task.law.direction + i);
-    for (int i = 0; i < rail.held; ++i) {
-        speed[0] -= rail.answer[i] * along.speed(i);
-        if (task.law.spring.damped) error[0] -= rail.answer[i] * task.place.directions[i].q;
+    Values before{};
+    for (int i = 0; i < kCount; ++i) {
+        before[i] = task.impulse(i);
+        speed[i] = along.speed(task.law.direction + i);
+        for (int h = 0; h < rail.held; ++h) {
+            speed[i] -= rail.answer[i][h] * along.speed(rail.first + h);
+            if (task.law.spring.damped)
+                error[i] -= rail.answer[i][h] * task.place.directions[rail.first + h].q;
+        }
     }
     if (task.law.spring.relaxes) {
         for (int i = 0; i < kCount; ++i) {
@@ -303,12 +340,15 @@ void solve_spring(const Task<kCount>& task, Along<kMany>& along, Pass pass) {
             error[i] = start;
         }
     }
-    Values wanted = spring_impulse(task, speed, error);
-    const float d1 = rail.share * task.law.spring.d1;
-    for (int i = 0; i < kCount; ++i) wanted[i] = (wanted[i] + d1 * task.impulse(i)) / (1 + d1);
+    Values wanted = spring_impulse(task, speed, error, rail.answering, before);
     clamp(task.law, wanted);
-    const float change = wanted[0] - task.impulse(0);
-    for (int i = 0; i < rail.held; ++i) along.push(i, -rail.answer[i] * change);
+    Values change{};
+    for (int i = 0; i < kCount; ++i) change[i] = wanted[i] - before[i];
+    for (int h = 0; h < rail.held; ++h) {
+        float answer = 0;
+        for (int i = 0; i < kCount; ++i) answer -= rail.answer[i][h] * change[i];
+        along.push(rail.first + h, answer);
+    }
     take_of_rail(task, rail, change);
     apply(task, along, wanted);
 }
@@ -328,21 +368,28 @@ void start_spring(const Task<kCount>& task, Along<kMany>& along, float h_s) {
     for (int i = 0; i < kCount; ++i) along.push(task.law.direction + i, 0.5f * impulse[i]);
 }
 
-template <int kCount, int kMany>
-void warm_start_law(const Task<kCount>& task, Along<kMany>& along) {
-    if (task.law.kind == LawKind::Spring && task.law.spring.crowded) {
-        take_of_rail(task, rail_of(task), -task.impulse(0));
-        for (int i = 0; i < kCount; ++i) task.impulse(i) = 0;
-        return;
-    }
-    if (task.law.kind == LawKind::Spring && !task.law.spring.damped) {
-        // The impulse of the last substep is a quarter of a period late for what swings freely.
-        Values guess =
-            spring_impulse(task, {task.law.speed_before[0], task.law.speed_before[1]}, errors(task));
+// The impulse of the last substep is a quarter of a period late for what swings freely. What the rail gives
+// with it changes as well, so that this comes before anything is pushed.
+template <int kCount>
+void guess_spring(const Task<kCount>& task) {
+    const ExactSpring& spring = task.law.spring;
+    if (spring.damped && !spring.crowded) return;
+    Values guess{};
+    if (!spring.crowded) {
+        guess =
+            spring_impulse(task, {task.law.speed_before[0], task.law.speed_before[1]}, errors(task), {}, {});
         clamp(task.law, guess);
-        take_of_rail(task, rail_of(task), guess[0] - task.impulse(0));
-        for (int i = 0; i < kCount; ++i) task.impulse(i) = guess[i];
     }
+    Values change{};
+    for (int i = 0; i < kCount; ++i) {
+        change[i] = guess[i] - task.impulse(i);
+        task.impulse(i) = guess[i];
+    }
+    take_of_rail(task, rail_of(task), change);
+}
+
+template <int kCount, int kMany>
+void push_law(const Task<kCount>& task, Along<kMany>& along) {
     for (int i = 0; i < kCount; ++i) {
         if (task.impulse(i) != 0) along.push(task.law.direction + i, task.sign * task.impulse(i));
     }
@@ -350,8 +397,12 @@ void warm_start_law(const Task<kCount>& task, Along<kMany>& along) {
 
 template <int kMany>
 void warm_start(JointConstraint& c, const JointPlace& at, Along<kMany>& along) {
+    for (int l = 0; c.has_spring && l < c.law_count; ++l) {
+        if (c.laws[l].kind == LawKind::Spring)
+            with_task(c, c.laws[l], at, [](const auto& task) { guess_spring(task); });
+    }
     for (int l = 0; l < c.law_count; ++l)
-        with_task(c, c.laws[l], at, [&](const auto& task) { warm_start_law(task, along); });
+        with_task(c, c.laws[l], at, [&](const auto& task) { push_law(task, along); });
 }
 
 template <int kCount, int kMany>
@@ -414,14 +465,23 @@ void add_spring_loads(std::span<const JointConstraint> joints, std::span<const J
                       const Motions& motions, std::vector<SpringLoad>& loads) {
     for_each_spring(joints, [&](std::size_t joint, const JointLaw& law) {
         const JointConstraint& c = joints[joint];
-        const Direction& d = places[joint].directions[law.direction];
+        const Direction* d = &places[joint].directions[law.direction];
         const double w = 2 * static_cast<double>(kPi) * static_cast<double>(law.spring_frequency_hz);
-        const float k = places[joint].inverse_mass[law.direction][law.direction];
-        for (int i = 0; k > 0 && i < c.bodies; ++i) {
-            const float of_body = share(motions.get(c.rows[i]), d.j[i], d.j[i]);
-            if (!(of_body > 0)) continue;
+        const SpringMobility own = mobility_of(law, places[joint]);
+        for (int i = 0; own.xx > 0 && i < c.bodies; ++i) {
+            const Motion body = motions.get(c.rows[i]);
+            const auto of_body = [&](int e, int f) {
+                return static_cast<double>(share(body, d[e].j[i], d[f].j[i]));
+            };
+            const auto xx = static_cast<double>(own.xx);
+            double part = of_body(0, 0) / xx;
+            if (law.count == 2 && own.yy > 0) {
+                const auto yy = static_cast<double>(own.yy);
+                part = greatest_eigenvalue(part, of_body(0, 1) / std::sqrt(xx * yy), of_body(1, 1) / yy);
+            }
+            if (!(part > 0)) continue;
             SpringLoad& load = loads[static_cast<std::size_t>(c.rows[i])];
-            load.together_1_s2 += w * w * static_cast<double>(of_body / k);
+            load.together_1_s2 += w * w * part;
             ++load.springs;
         }
     });
@@ -454,7 +514,7 @@ bool make_springs(std::span<JointConstraint> joints, float h_s, const std::vecto
         law.spring = calmed(alone, angle * angle, std::max(sum / (w * w), 1.0));
         const double damping = 2 * static_cast<double>(law.spring_damping_ratio) * angle;
         if (c.direct) {
-            law.spring = in_structure(law.spring, angle * angle, damping, c.softened_hz > 0);
+            law.spring = in_structure(law.spring, angle * angle, damping, c.softened_hz > 0, is_crowded);
         } else if (law.bears) {
             law.spring = bearing(law.spring, angle * angle, damping);
         } else if (is_crowded) {

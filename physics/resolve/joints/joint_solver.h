@@ -12,8 +12,9 @@ namespace cairn::physics {
 void place_joints(std::span<const JointConstraint> joints, const Motions& motions,
                   std::vector<JointPlace>& places);
 
-// Next, spring constants, which depend on the springs around. `loads` are by row; those of joints in lanes
-// are added between the two. The result of the second is whether some are crowded.
+// Next, after weigh_springs (spring_mobility.h), spring constants, which depend on the springs around.
+// `loads` are by row; those of joints in lanes are added between the two. The result of the second is whether
+// some are crowded.
 void add_spring_loads(std::span<const JointConstraint> joints, std::span<const JointPlace> places,
                       const Motions& motions, std::vector<SpringLoad>& loads);
 bool make_springs(std::span<JointConstraint> joints, float h_s, const std::vector<SpringLoad>& loads);

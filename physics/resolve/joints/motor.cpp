@@ -1,5 +1,6 @@
 // The motor joint: springs or speeds for x and y together and for the angle, under caps. What acts in frame a
-// is given in the frame, and solved in the axes of the world. The offset to go to is part of the arm on a.
+// is given in the frame, and solved in the axes of the world, or of springs where both are
+// (spring_mobility.h). The offset to go to is part of the arm on a.
 #include "resolve/joints/kinds.h"
 
 namespace cairn::physics {
@@ -18,6 +19,7 @@ void describe(JointConstraint& c, const MotorJointDef& def, const JointStart& st
         laws.motor(2, def.angular_velocity_rad_s, def.max_torque_nm);
     }
     if (def.linear_frequency_hz > 0) {
+        c.turns_with_a = def.angular_frequency_hz > 0;
         laws.spring(0, 2,
                     {.frequency_hz = def.linear_frequency_hz,
                      .damping_ratio = def.linear_damping_ratio,

@@ -22,6 +22,7 @@ void describe(JointConstraint& c, const WeldJointDef& def, const JointStart& sta
     if (rigid_point) {
         laws.hold(0, 2, 0, def.stiffness);
     } else {
+        c.turns_with_a = true;
         laws.spring(0, 2,
                     {.frequency_hz = def.linear_frequency_hz, .damping_ratio = def.linear_damping_ratio});
     }

@@ -228,7 +228,7 @@ TEST_CASE("bytes that are no snapshot, or a damaged one, are refused with a reas
     CHECK_THAT(reason(Bytes(100)), Catch::StartsWith("the bytes are no snapshot"));
     Bytes newer = good;
     newer[8] = std::byte{9};
-    CHECK_THAT(reason(newer), Catch::StartsWith("the snapshot is of version 9, but must be of 7"));
+    CHECK_THAT(reason(newer), Catch::StartsWith("the snapshot is of version 9, but must be of 8"));
     Bytes longer = good;
     longer.push_back({});
     CHECK_THAT(reason(longer), Catch::Contains("but says that it has"));

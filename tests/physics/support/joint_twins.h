@@ -11,6 +11,7 @@
 #include "resolve/joints/joint_lanes.h"
 #include "resolve/joints/joint_solver.h"
 #include "resolve/joints/kinds.h"
+#include "resolve/joints/spring_mobility.h"
 #include "resolve/joints/torn_joints.h"
 
 namespace cairn::physics::test {
@@ -80,6 +81,7 @@ struct JointTwins {
             if (TornJoint tear{}; hide_tear(c, tear)) torn.push_back(tear);
         }
         place_joints(constraints, swept, joint_places);
+        weigh_springs(constraints, joint_places);
         add_spring_loads(constraints, joint_places, swept, loads);
         std::vector<SpringLoad> of_lanes(places.size());
         lanes.add_spring_loads(in_lanes, of_lanes, tasks);

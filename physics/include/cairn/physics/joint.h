@@ -63,7 +63,9 @@ struct JointStrength {
 };
 
 /// Keeps two points at a distance: rigidly; or as a spring; within limits in any case that they are given. A
-/// rope is a spring of 0 Hz with a maximum length.
+/// rope is a spring of 0 Hz with a maximum length. A spring is as stiff, in N/m, as its frequency says of the
+/// masses of its bodies, free of locks, as they stand when it is made, switched on, or given another
+/// frequency or anchor; and stays so whatever way they turn.
 struct DistanceJointDef {
     BodyId body_a{};
     BodyId body_b{};
@@ -132,7 +134,8 @@ struct PrismaticJointDef {
     std::uint64_t user_data = 0;
 };
 
-/// Holds b where it stands to a: rigidly, or with springs.
+/// Holds b where it stands to a: rigidly, or with springs. These are as stiff, in N/m, as their frequencies
+/// say of the masses of the bodies where the frames are one.
 struct WeldJointDef {
     BodyId body_a{};
     BodyId body_b{};
@@ -175,7 +178,8 @@ struct WheelJointDef {
 };
 
 /// Draws frame b to an offset and an angle in frame a, with a force and a torque that have caps. With a
-/// frequency of 0 it drives at the velocities alone.
+/// frequency of 0 it drives at the velocities alone. Where both are springs, these are as stiff as those of a
+/// weld at that offset and angle.
 struct MotorJointDef {
     BodyId body_a{};
     BodyId body_b{};
