@@ -403,7 +403,7 @@ function World:add_chain(fields) end
 ---@field x_b? number m; the anchor on body b
 ---@field y_b? number m
 ---@field length? number above 0.005; m; absent: the present distance
----@field frequency? number at least 0; Hz; turns the spring on; with 0 nothing but its limits acts, as in a rope
+---@field frequency? number at least 0; Hz, as the bodies stand when it is set; turns the spring on; with 0 nothing but its limits acts, as in a rope
 ---@field damping_ratio? number at least 0; 1 is critical
 ---@field min_length? number at least 0; m, of the spring
 ---@field max_length? number at least 0; m, of the spring
