@@ -7,8 +7,9 @@
 
 namespace cairn::physics {
 
-/// The impulse of a substep h is -m (d1 Jv+ + d0 Jv_before + stiffness_per_s q), m the effective mass, Jv+
-/// the speed after the impulse, Jv_before that at the end of the last substep, q how far from rest.
+/// The impulse of a substep h is -m (d1 Jv+ + d0 Jv_before + stiffness_per_s q), m the mass that the spring
+/// is made for (spring_mobility.h), Jv+ the speed after the impulse, Jv_before that at the end of the last
+/// substep, q how far from rest.
 struct ExactSpring {
     float d1 = 0;
     float d0 = 0;

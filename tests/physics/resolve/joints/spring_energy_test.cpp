@@ -28,6 +28,27 @@ Pair turned(Vec2 v, double angle_rad) {
             d(v.x) * std::sin(angle_rad) + d(v.y) * std::cos(angle_rad)};
 }
 
+// Undamped, as all of them; anchors in the coordinates of each body.
+WeldJointDef weld(Kind kind, float frequency_hz, BodyId a, BodyId b, Vec2 anchor_a, Vec2 anchor_b) {
+    return {.body_a = a,
+            .body_b = b,
+            .local_anchor_a_m = anchor_a,
+            .local_anchor_b_m = anchor_b,
+            .linear_frequency_hz = frequency_hz,
+            .linear_damping_ratio = 0,
+            .angular_frequency_hz = kind == Kind::Weld ? frequency_hz : 0,
+            .angular_damping_ratio = 0};
+}
+DistanceJointDef rod(float frequency_hz, BodyId a, BodyId b, Vec2 anchor_a, Vec2 anchor_b, double length_m) {
+    return {.body_a = a,
+            .body_b = b,
+            .local_anchor_a_m = anchor_a,
+            .local_anchor_b_m = anchor_b,
+            .length_m = static_cast<float>(length_m),
+            .enable_spring = true,
+            .frequency_hz = frequency_hz};
+}
+
 // Two boxes, not alike, with a spring far from their centres.
 struct TwoBoxes {
     Kind kind;
@@ -36,6 +57,7 @@ struct TwoBoxes {
     BodyId a, b;
     Vec2 anchor_a{0.7f, 0.4f};
     Vec2 anchor_b{-0.5f, 0.6f};
+    double rest_m = 0;  // of the rod
     double k_rod = 0;
     std::array<std::array<double, 2>, 2> stiffness{};  // seen by a
     double k_angle = 0;
@@ -50,21 +72,14 @@ struct TwoBoxes {
         const Position p = kind == Kind::Rod ? Position{1, 0.2} : Position{d(-anchor_b.x), d(-anchor_b.y)};
         b = add(world, {.position_m = p, .linear_velocity_m_s = {0.8f, -0.9f}, .angular_velocity_rad_s = 1},
                 Box{0.3f, 0.4f}, ghost);
+        rest_m = length();
         make_joint();
         measure();
     }
 
     void make_joint() {
         if (kind == Kind::Rod) {
-            world
-                .create_joint(DistanceJointDef{.body_a = a,
-                                               .body_b = b,
-                                               .local_anchor_a_m = anchor_a,
-                                               .local_anchor_b_m = anchor_b,
-                                               .length_m = static_cast<float>(length()),
-                                               .enable_spring = true,
-                                               .frequency_hz = frequency_hz})
-                .value();
+            world.create_joint(rod(frequency_hz, a, b, anchor_a, anchor_b, rest_m)).value();
         } else if (kind == Kind::Motor) {
             world
                 .create_joint(MotorJointDef{.body_a = a,
@@ -79,16 +94,7 @@ struct TwoBoxes {
                                             .max_torque_nm = kUnlimited})
                 .value();
         } else {
-            world
-                .create_joint(WeldJointDef{.body_a = a,
-                                           .body_b = b,
-                                           .local_anchor_a_m = anchor_a,
-                                           .local_anchor_b_m = anchor_b,
-                                           .linear_frequency_hz = frequency_hz,
-                                           .linear_damping_ratio = 0,
-                                           .angular_frequency_hz = kind == Kind::Weld ? frequency_hz : 0,
-                                           .angular_damping_ratio = 0})
-                .value();
+            world.create_joint(weld(kind, frequency_hz, a, b, anchor_a, anchor_b)).value();
         }
     }
 
@@ -126,7 +132,7 @@ struct TwoBoxes {
         k_rod = square / (xx * ux * ux + 2 * xy * ux * uy + yy * uy * uy);
     }
 
-    [[nodiscard]] double energy_j(double rest_m) const {
+    [[nodiscard]] double energy_j() const {
         double sum = kinetic_energy(*world.body(a)) + kinetic_energy(*world.body(b));
         if (kind == Kind::Rod) return sum + k_rod * std::pow(length() - rest_m, 2) / 2;
         const double angle_a = world.body(a)->angle();
@@ -137,6 +143,17 @@ struct TwoBoxes {
             (stiffness[0][0] * q.x * q.x + 2 * stiffness[0][1] * q.x * q.y + stiffness[1][1] * q.y * q.y) / 2;
         if (kind == Kind::StiffWeld) return sum;
         return sum + k_angle * std::pow(std::remainder(world.body(b)->angle() - angle_a, 2 * kPiD), 2) / 2;
+    }
+
+    // Over ten seconds.
+    double mean_j() {
+        constexpr int kSteps = 600;
+        double sum = 0;
+        for (int i = 0; i < kSteps; ++i) {
+            world.step(kStep_s).value();
+            sum += energy_j();
+        }
+        return sum / kSteps;
     }
 
     // About the origin of the world.
@@ -152,7 +169,7 @@ struct TwoBoxes {
     }
 };
 
-// A ring of boxes at random, each joined to one of the others half way between them, or at its rim.
+// Boxes at random, each joined to one of the others half way between them, or by a rod at arms of a metre.
 struct Tangle {
     World world;
     double start_j = 0;
@@ -190,26 +207,10 @@ struct Tangle {
             const Pair arm_b = turned({1, 0}, random.real(-3, 3));
             const Vec2 r_a{static_cast<float>(arm_a.x), static_cast<float>(arm_a.y)};
             const Vec2 r_b{static_cast<float>(arm_b.x), static_cast<float>(arm_b.y)};
-            world
-                .create_joint(DistanceJointDef{.body_a = a,
-                                               .body_b = b,
-                                               .local_anchor_a_m = r_a,
-                                               .local_anchor_b_m = r_b,
-                                               .length_m = std::max(length(way + r_b - r_a), 0.1f),
-                                               .enable_spring = true,
-                                               .frequency_hz = frequency_hz})
-                .value();
+            const double length_m = d(std::max(length(way + r_b - r_a), 0.1f));
+            world.create_joint(rod(frequency_hz, a, b, r_a, r_b, length_m)).value();
         } else {
-            world
-                .create_joint(WeldJointDef{.body_a = a,
-                                           .body_b = b,
-                                           .local_anchor_a_m = 0.5f * way,
-                                           .local_anchor_b_m = -0.5f * way,
-                                           .linear_frequency_hz = frequency_hz,
-                                           .linear_damping_ratio = 0,
-                                           .angular_frequency_hz = kind == Kind::Weld ? frequency_hz : 0,
-                                           .angular_damping_ratio = 0})
-                .value();
+            world.create_joint(weld(kind, frequency_hz, a, b, 0.5f * way, -0.5f * way)).value();
         }
     }
 
@@ -242,19 +243,10 @@ TEST_CASE("an undamped spring far from the centres of two boxes keeps their ener
     const JointSolver solver = GENERATE(JointSolver::Sweeping, JointSolver::Direct);
     const float frequency_hz = GENERATE(0.5f, 2.0f, 5.0f, 10.0f);
     TwoBoxes boxes(kind, frequency_hz, solver);
-    const double rest_m = boxes.length();
     const double angular_momentum = boxes.angular_momentum();
-    const auto mean_j = [&](int steps) {
-        double sum = 0;
-        for (int i = 0; i < steps; ++i) {
-            boxes.world.step(kStep_s).value();
-            sum += boxes.energy_j(rest_m);
-        }
-        return sum / steps;
-    };
-    const double first_j = mean_j(600);
+    const double first_j = boxes.mean_j();
     step_times(boxes.world, 2400);
-    const double last_j = mean_j(600);
+    const double last_j = boxes.mean_j();
     CAPTURE(static_cast<int>(kind), static_cast<int>(solver), frequency_hz);
     CHECK(last_j <= 1.02 * first_j);
     // What holds the angle gives, when swept, and damps the spring by as much as a damping ratio of 2e-4
@@ -270,19 +262,10 @@ TEST_CASE("an undamped spring between boxes of which one is locked along an axis
     const JointSolver solver = GENERATE(JointSolver::Sweeping, JointSolver::Direct);
     const AxisLocks locks = GENERATE(AxisLocks{.x = true}, AxisLocks{.y = true});
     TwoBoxes boxes(kind, 2, solver, locks);
-    const double rest_m = boxes.length();
-    const auto mean_j = [&] {
-        double sum = 0;
-        for (int i = 0; i < 600; ++i) {
-            boxes.world.step(kStep_s).value();
-            sum += boxes.energy_j(rest_m);
-        }
-        return sum / 600;
-    };
-    const double first_j = mean_j();
+    const double first_j = boxes.mean_j();
     step_times(boxes.world, 2400);
     CAPTURE(static_cast<int>(kind), static_cast<int>(solver), locks.x, locks.y);
-    CHECK(mean_j() == Approx(first_j).epsilon(0.03));
+    CHECK(boxes.mean_j() == Approx(first_j).epsilon(0.03));
 }
 
 // What the anchor feels follows from how the box moves, which does not turn.
